@@ -760,3 +760,27 @@ def test_what_is_said_in_the_evening_is_ahead(text: str, earliest: str) -> None:
     last = reading.instructions[-1].requirements[-1].earliest
     assert last is not None
     assert f"{NOW + timedelta(hours=11, seconds=last):%Y-%m-%dT%H:%M}" == earliest
+
+
+@pytest.mark.parametrize(
+    ("text", "verb", "object_", "time"),
+    [
+        (
+            "text mike i'm on my way and should be there in twenty minutes",
+            "text",
+            "mike",
+            "in twenty minutes",
+        ),
+        ("message june that dinner is at seven", "message", "june", "at seven"),
+        ("ask dave to pick me up at half five", "ask", "dave to pick me up at half five", "at half five"),
+        ("sign me up for spin class on tuesdays at six", "sign", "me", "on tuesdays at six"),
+        ("delete emails older than thirty days", "delete", "emails older than", "thirty days"),
+    ],
+)
+def test_times_of_what_is_told_or_named_are_pointed_at(text: str, verb: str, object_: str, time: str) -> None:
+    reading = language().read(text, now=NOW)
+    (instruction,) = reading.instructions
+    operation = instruction.operation
+    assert operation is not None
+    assert (operation.verb, operation.object, instruction.requirements) == (verb, object_, ())
+    assert [text[slice(*remark.span)] for remark in reading.remarks] == [time]

@@ -33,6 +33,8 @@ OFFERED_DAYS = frozenset({"offered_days.either_day", "offered_days.another_day"}
 
 CHANGED_LENGTH = "ranges.changed_length"
 """The rule of what gets another length: "from ten to fifteen minutes"."""
+CONDITION = "if_it_is."
+"""How names of the rules begin of conditions that the calendar decides."""
 
 
 class Borders:
@@ -81,6 +83,7 @@ class Borders:
             or self._begins_order(piece)
             or (piece.rule == CHANGED_LENGTH and not self.given.changes_length(piece))
             or self._is_from_the_past(piece)
+            or self._is_asked(piece)
         )
 
     def _begins_order(self, piece: Piece) -> bool:
@@ -88,6 +91,18 @@ class Borders:
         orders = piece.end - piece.start > 1 and self.texts[piece.end - 1] in self.lexicon.undoing
         things = self.closed.noun_openers | self.closed.object_pronouns
         return orders and self.around.follower(piece) in things
+
+    def _is_asked(self, piece: Piece) -> bool:
+        """Whether it is what somebody finds out, or goes on: "check if it's friday", "and she's home"."""
+        if not piece.rule.startswith(CONDITION):
+            return False
+        led = piece.start - (self.texts[piece.start - 1 : piece.start] == ["only"])
+        doing = self.lexicon.doing
+        asked = self.around.before(piece) in doing.learning or self.texts[max(0, led - 2) : led - 1] == [
+            "ask"
+        ]
+        opens = {*self.texts[piece.end + 1 : piece.end + 2]} & self.closed.condition_openers
+        return asked or (self.around.follower(piece) == "and" and bool(opens) and piece.start > 0)
 
     def _is_from_the_past(self, piece: Piece) -> bool:
         """Whether it says of which time a thing is that was: "the report of last week at nine"."""
@@ -97,6 +112,10 @@ class Borders:
             isinstance(days, Relative) and days.days < 0
         )
         first = piece.start + (self.texts[piece.start] in self.beside.belonging)
+        *_, led, said = ("", "", *self.texts[: piece.start])
+        if said in self.beside.past_deictics and led in self.beside.belonging:
+            # "The episode from last | tuesday"
+            return True
         return past and self.around.belongs(first)
 
     def _begins_other_bound(self, piece: Piece) -> bool:

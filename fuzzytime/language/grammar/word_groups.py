@@ -39,6 +39,9 @@ class ClosedClasses:
     plural_agreement: Words
     third_person: Words
     subject_pronouns: Words
+    subjects_told_of: Words
+    subjects_as_typed: Words
+    speakers: Words
     indefinite_pronouns: Words
     negative_pronouns: Words
     persons_addressed: Words
@@ -74,6 +77,8 @@ class ClosedClasses:
     modals_before_lengths: Words
     conditional_inversion: Words
     inverted_auxiliaries: Words
+    told_auxiliaries: Words
+    behind_clipped_be: Words
     first_person_future: Words
     negators: Words
     negators_as_typed: Words
@@ -94,6 +99,8 @@ class ClosedClasses:
     further_clause: Words
     further_conditions: Words
     additions: Words
+    before_states: Words
+    told_joints: Words
     joints_of_conditions: Words
     joints_of_instances: Words
     joints_of_swaps: Words
@@ -201,6 +208,13 @@ class BesideTimes:
     degrees: Words
     mixing: Words
     reasons_in_front: Words
+    ages: Words
+    past_deictics: Words
+    timed_things: Words
+    travel_things: Words
+    listing: Words
+    lists: Words
+    open_things: Words
     sites: Words
     turnings: Words
     turning: Words
@@ -243,9 +257,18 @@ class Doing:
     continuing: Words
     settling: Words
     inquiring: Words
+    requesting: Words
+    finding_out: Words
     asking: Words
     learning: Words
     recalling: Words
+    messaging: Words
+    marking: Words
+    noting: Words
+    replying: Words
+    letters: Words
+    recipients: Words
+    before_messages: Words
     sure: Words
     unwanted: Words
     eating: Words
@@ -261,6 +284,12 @@ class Doing:
     timed: Words
     several_timed: Words
     dropping: Words
+    declining: Words
+    revoking: Words
+    inviting: Words
+    seeking: Words
+    finding: Words
+    showing: Words
     remembering: Words
     needing: Words
     hesitating: Words

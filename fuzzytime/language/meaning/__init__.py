@@ -5,7 +5,7 @@ leave open.
 
 Values
     What was said: ``expressions``, ``calendar``, ``times_of_day``, ``nested``, ``relations``,
-    ``feasts``, ``workdays``, ``recurrence``, ``closing_recurrence``,
+    ``feasts``, ``workdays``, ``spared_days``, ``recurrence``, ``closing_recurrence``,
     ``recurrence_by_months``, ``recurrence_on_days``.
     What is reckoned with: ``instants``, ``moment``, ``standpoint``.
 

@@ -108,6 +108,7 @@ class _Composer:
         self.made: list[Instruction] = []
         self.explained: list[Span] = [said.span for said in draft.phrases]
         self.explained += [remark.span for remark in draft.remarks]
+        self.explained += [told.whom for told in draft.messages if told.whom is not None]
 
     def reading(self) -> Reading:
         """Read every part, then resolve what parts say of each other."""

@@ -3,6 +3,8 @@
 Lines and sentences
     A ``segment`` ends at a sentence, at "then" (``connectives``) or before a verb; ``list_marks``,
     ``order_words``, ``corrections``, ``asides``.
+What is none
+    ``messages``: what somebody is told, which begins in ``told_clauses``.
 Further orders of one sentence
     Segments ``waiting`` for their trees (``mended_trees``, ``leading_markers``), and ``cuts`` once they
     have one: ``calls``, ``reasons``, ``further_orders``, ``orders_in_front``, ``overlooked_orders``,

@@ -20,6 +20,13 @@ from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.mended_trees import as_done, as_order
+from fuzzytime.language.sentence.segments.messages import (
+    Message,
+    messages_of,
+    orders_beside,
+    remarks_of,
+    without_messages,
+)
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
@@ -75,9 +82,9 @@ class Draft:
     """A text with its times and its parts, before anything is grounded.
 
     ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
-    of its parts. ``heading`` is the time that a line above names for it; one that ``leads`` names that of the
-    lines below. ``instances`` are several of one kind, of which each has a time, ``orders`` the
-    words that say where something comes among others.
+    of its parts, nor are ``messages``, which somebody is told. ``heading`` is the time that a line above
+    names for it; one that ``leads`` names that of the lines below. ``instances`` are several of one kind,
+    of which each has a time, ``orders`` the words that say where something comes among others.
     """
 
     text: str
@@ -88,6 +95,7 @@ class Draft:
     remarks: tuple[Remark, ...]
     step: int | None = None
     asides: tuple[Aside, ...] = ()
+    messages: tuple[Message, ...] = ()
     heading: Heading | None = None
     leads: bool = False
     instances: Instances = NONE
@@ -121,11 +129,14 @@ def drafted(
     texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
 ) -> list[Draft]:
     """Draft texts; ``trees`` parses."""
-    sources, steps, asides, several = [], [], [], []
+    sources, steps, asides, several, messages = [], [], [], [], []
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
+        messages.append(messages_of(scanned, lexicon))
+        if messages[-1]:
+            scanned = Scanned.of(without_messages(scanned.text, messages[-1]), grammar, lexicon)
         asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon)))
         if asides[-1]:
             scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
@@ -136,7 +147,8 @@ def drafted(
         scanned, instances = instances_of(scanned, grammar, lexicon)
         several.append(instances)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
-        source = Source(now, scanned, tuple(phrases), tuple(remarks))
+        apart = tuple(orders_beside(scanned.text, messages[-1]))
+        source = Source(now, scanned, tuple(phrases), tuple(remarks), apart=apart)
         orders = tuple(order_words(scanned.words, source.covered, lexicon))
         sources.append(replace(source, orders=orders))
     parts = _parted(sources, lexicon, trees)
@@ -147,14 +159,15 @@ def drafted(
             s.scanned,
             s.phrases,
             tuple(own),
-            s.remarks,
+            (*s.remarks, *remarks_of(text, told)),
             step,
             aside,
+            told,
             instances=each,
             orders=s.orders,
         )
-        for (text, _), s, own, step, aside, each in zip(
-            texts, sources, parts, steps, asides, several, strict=True
+        for (text, _), s, own, step, aside, told, each in zip(
+            texts, sources, parts, steps, asides, messages, several, strict=True
         )
     ]
 
@@ -186,6 +199,10 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
             if place in led:
                 following += one.cut_at(led[place].start, led[place].main, lexicon)
                 continue
+            apart = None if last_round else _order_apart(one)
+            if apart is not None:
+                following += one.cut_before(apart, lexicon)
+                continue
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
             cut = [] if last_round else reason_in_front(one, part, lexicon) or called_next(one, part, lexicon)
             if place in runs_on and not cut:
@@ -199,6 +216,12 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
                 done[one.position][one.segment.span[0]] = part
         waiting = following
     return [[own[start] for start in sorted(own)] for own in done]
+
+
+def _order_apart(one: Waiting) -> int | None:
+    """Give where an order begins beside what is told; None where none does."""
+    first, end = one.segment.span
+    return next((start for start in one.source.apart if first < start < end), None)
 
 
 def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:

@@ -51,13 +51,14 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A text, scanned for times, and the words that say where something comes among others."""
+    """A text, scanned for times, words of order among others, and where orders begin beside what is told."""
 
     now: datetime | None
     scanned: Scanned
     phrases: tuple[Phrase, ...]
     remarks: tuple[Remark, ...]
     orders: tuple[tuple[Span, Order], ...] = ()
+    apart: tuple[int, ...] = ()
 
     @property
     def sound(self) -> str:

@@ -11,6 +11,8 @@ from fuzzytime.language.sentence.sketches.clause_ends import ASKED, ClauseEnds
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Edge
 
+AS, WHEN = "as", "when"
+
 
 class ClauseMarkers:
     """The words of an instruction that begin clauses."""
@@ -28,6 +30,7 @@ class ClauseMarkers:
             or _is_part_of_word(form, self.words, place, self.lexicon)
             or is_wish(self.tree, self.words[place:])
             or self._inquires(place, form)
+            or self._marks(place, form)
         )
 
     def other(self, place: int) -> tuple[str, ...] | None:
@@ -53,11 +56,28 @@ class ClauseMarkers:
 
     def _inquires(self, place: int, form: tuple[str, ...]) -> bool:
         """Whether "if" begins what is asked or found out: "ask Tom if he's free", "see if it's dry"."""
-        if form != (IF,):
+        if form not in {(IF,), (WHEN,)}:
             return False
         before = [word.text for p, word in enumerate(self.words[:place]) if p not in self.covered]
-        found = before[-2:] == ["find", "out"] or bool(self.lexicon.doing.inquiring & {*before[-1:]})
+        found = " ".join(before[-2:]) in self.lexicon.doing.finding_out
+        if form == (WHEN,):
+            # "Find out when the shops close"
+            return found
+        found = found or bool(self.lexicon.doing.inquiring & {*before[-1:]})
         return found or not self.lexicon.doing.asking.isdisjoint(before[-ASKED:])
+
+    def _marks(self, place: int, form: tuple[str, ...]) -> bool:
+        """Whether "as" says what something is called or counted from then on: "mark the rent as paid"."""
+        behind = place + len(form)
+        while behind < len(self.words) and self.words[behind].text in self.lexicon.closed.before_states:
+            behind += 1
+        known = any(word.text in self.lexicon.doing.marking for word in self.words[:place])
+        if form != (AS,) or not known or behind >= len(self.words):
+            return False
+        joints = self.lexicon.closed.end_of_an_event | self.lexicon.closed.end_of_an_order
+        # "Log the heat as it rises" goes on as that does.
+        over = behind + 1 == len(self.words) or behind + 1 in self.covered
+        return over or self.words[behind + 1].text in joints
 
     def _bounded(self, place: int) -> tuple[str, ...] | None:
         """Give the "of" of "within an hour of calling", "for the last hour of roasting" as what begins it."""

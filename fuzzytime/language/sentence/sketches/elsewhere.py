@@ -9,7 +9,7 @@ from itertools import pairwise, takewhile
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Repeat, Wall
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS, SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import FINITE, Action
@@ -39,7 +39,7 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
     told = _told_from(part, action, timed, lexicon)
     own = told is not None and any(place is None or place < told for place in starts.values())
     if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
-        told = None
+        told = _recalled_from(part, action)
     found = _of_moved(part, phrases, action, lexicon) + _of_prepared(part, phrases, action)
     found += _of_inner(part, phrases)
     past: int | None = None
@@ -50,7 +50,8 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
         before, past = past, _done_before(part, phrase, place, action)
         # Of two times behind what was done the second says when: "call the man who rang at six at seven".
         described = past is not None and past != before
-        if described or (told is not None and place > told) or _is_described(part, place, action):
+        of_told = told is not None and place > told and not _is_of_telling(part, phrase, action, told)
+        if described or of_told or _is_described(part, place, action):
             found.append(phrase)
     return found
 
@@ -117,6 +118,7 @@ def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexi
         # "Let them know the meeting's at ten"
         return _said_from(part, known[0] + 1, timed, lexicon)
     asked = _asked_from(part, action, timed)
+    asked = _requested_from(part, action, timed) if asked is None else asked
     if asked is not None or nodes[action.place].lemma not in lexicon.addressing:
         return asked
     for place in range(action.place + 2, len(nodes) - 1):
@@ -131,13 +133,67 @@ def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexi
     return _said_from(part, action.place + 2, timed, lexicon)
 
 
+def _is_of_telling(part: Part, phrase: Phrase, action: Action, told: int) -> bool:
+    """Whether a time behind what is told is when it is told: "ask Sam to call me every day"."""
+    if part.tree.nodes[action.place].lemma in part.tree.lexicon.doing.recalling:
+        # "Remind me what I said in ten minutes"
+        return isinstance(phrase.said.time, Offset)
+    return isinstance(phrase.said.time, Repeat) and part.tree.nodes[told].lower == "to"
+
+
+def _recalled_from(part: Part, action: Action) -> int | None:
+    """Give where that begins which is asked about and was: "remind me what i said about tuesday"."""
+    nodes, first = part.tree.nodes, action.place + 2
+    asked = first < len(nodes) and (nodes[first].lower,) in part.tree.lexicon.questions["asking"]
+    was = any(node.tag == "VBD" for node in nodes[first:])
+    return first if asked and was else None
+
+
 def _asked_from(part: Part, action: Action, timed: Collection[int]) -> int | None:
     """Give the "if" or "whether" behind which is what somebody is asked: "ask Tom if he's free at six"."""
     nodes, lexicon = part.tree.nodes, part.tree.lexicon
     asking = lexicon.closed.subordinators_of_questions
     behind = [place for place in range(action.place + 1, len(nodes)) if place not in timed]
     found = next((place for place in behind[: ASKED + 1] if nodes[place].lower in asking), None)
-    return found if nodes[action.place].lemma in lexicon.doing.asking else None
+    lemma = nodes[action.place].lemma
+    first = nodes[behind[0]].lower if behind else ""
+    if f"{lemma} {first}" in lexicon.doing.finding_out:
+        # "Find out when the shops close on sunday"
+        opening = nodes[behind[1]] if len(behind) > 1 else None
+        asks = opening is not None and (opening.lower in asking or opening.tag.startswith("W"))
+        return behind[1] if asks else None
+    if lemma in lexicon.doing.inquiring and found is not None:
+        return found if _is_to_come(part, found, timed) else None
+    if found is None:
+        # "Ask kate what time she lands on friday"
+        questions = lexicon.questions["asking"]
+        behind = [place for place in behind[: ASKED + 1] if (nodes[place].lower,) in questions]
+        found = next((place for place in behind if nodes[place + 1 : place + 2] != ()), None)
+    return found if lemma in lexicon.doing.asking else None
+
+
+def _is_to_come(part: Part, first: int, timed: Collection[int]) -> bool:
+    """Whether what is found out is of another time: "see if he can come on monday", "if there's a train"."""
+    nodes, lexicon = part.tree.nodes, part.tree.lexicon
+    told = {nodes[p].lower for p in range(first + 1, len(nodes)) if p not in timed}
+    named = {nodes[p].lemma for p in range(first + 1, len(nodes)) if nodes[p].tag.startswith("NN")}
+    helping = lexicon.closed.tentative_modals | lexicon.closed.future
+    return bool(told & (helping | lexicon.beside.open_things) or named & lexicon.travelling)
+
+
+def _requested_from(part: Part, action: Action, timed: Collection[int]) -> int | None:
+    """Give the "to" behind which is what somebody else is to do: "ask dave to pick me up at half five".
+
+    Who speaks is reminded, and a machine does it when it is told to.
+    """
+    nodes, lexicon = part.tree.nodes, part.tree.lexicon
+    if nodes[action.place].lemma not in lexicon.doing.requesting:
+        return None
+    behind = [place for place in range(action.place + 1, len(nodes) - 1) if place not in timed]
+    to = next((p for p in behind[1 : ASKED + 2] if nodes[p].lower == "to" and nodes[p + 1].is_bare), None)
+    whom = {nodes[p].lower for p in behind if to is None or p < to}
+    refused = lexicon.closed.speakers | lexicon.machines | lexicon.addresses
+    return None if to is None or whom & refused - lexicon.closed.indefinite_pronouns else to
 
 
 def _said_from(part: Part, first: int, timed: Collection[int], lexicon: Lexicon) -> int | None:

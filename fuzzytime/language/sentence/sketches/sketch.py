@@ -13,7 +13,15 @@ from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.deadlines_of_clauses import DEADLINE
 from fuzzytime.language.sentence.sketches.elsewhere import aim_of, elsewhere, is_of_subject, reason_of
+from fuzzytime.language.sentence.sketches.of_things import of_things
 from fuzzytime.language.sentence.sketches.said_of_time import DATED, said_of_time
+from fuzzytime.language.sentence.sketches.telling import (
+    of_something_else,
+    of_which,
+    telling_alone,
+    with_name,
+    with_told,
+)
 from fuzzytime.language.sentence.verbs.actions import (
     Action,
     action_of,
@@ -103,7 +111,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         phrases=tuple(kept),
         clauses=tuple(clauses),
         references=(None,) * len(kept),
-        operation=_happening(draft, part, kept, clauses, lexicon),
+        operation=telling_alone(draft, part) or _happening(draft, part, kept, clauses, lexicon),
         remarks=tuple(excepted),
     )
     if named.operation is not None or part.segment.verbless:
@@ -115,20 +123,23 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if any(clause.span[0] < verb < clause.span[1] for clause in clauses) and part.segment.connective:
         # "…, then every two minutes until it thickens"
         return named
+    things = of_things(part, kept, action)
     others = elsewhere(part, kept, action, lexicon)
+    things = [phrase for phrase in things if phrase not in others]
     told = ((aim_of(part, kept, action), "what it is for"), (reason_of(part, kept, action), "why"))
     aims = [(span, what) for span, what in told if span is not None]
     for aim, what in aims:
-        others = [phrase for phrase in others if not overlap(phrase.span, aim)]
+        others, things = ([p for p in found if not overlap(p.span, aim)] for found in (others, things))
         kept = [phrase for phrase in kept if not overlap(phrase.span, aim)]
         clauses = [clause for clause in clauses if not overlap(clause.span, aim)]
         message = f"{draft.text[slice(*aim)]!r} is {what}, and not when to do it"
         excepted.append(Remark(RemarkKind.POLICY, aim, message))
-    kept = [phrase for phrase in kept if phrase not in others]
+    kept = [phrase for phrase in kept if phrase not in (*others, *things)]
     heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
-    spans = (*heard, *left_out, *draft.unfinished, *(aim for aim, _ in aims))
+    spans = (*heard, *left_out, *draft.unfinished, *(aim for aim, _ in aims), *(p.span for p in things))
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
-    operation = as_remembered(reader.operation(action))
+    operation = with_told(draft, part, as_remembered(reader.operation(action)))
+    operation = of_which(draft.text, with_name(part, operation, action), things)
     clauses = [
         replace(clause, reference=_reference_at(part, clause.span, action, lexicon)) for clause in clauses
     ]
@@ -157,7 +168,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
             addressee=part.segment.addressee or operation.addressee,
         ),
         parameters=parameters_of(reader, action),
-        remarks=(*excepted, *(_of_something_else(draft, phrase) for phrase in others)),
+        remarks=(*excepted, *(of_something_else(draft.text, phrase) for phrase in (*others, *things))),
     )
 
 
@@ -216,11 +227,6 @@ def order_of(draft: Draft, part: Part) -> Order | None:
         return Order.FIRST
     first, end = part.segment.span
     return next((order for span, order in draft.orders if first <= span[0] < end), None)
-
-
-def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
-    message = f"{draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
-    return Remark(RemarkKind.POLICY, phrase.span, message)
 
 
 def _happening(

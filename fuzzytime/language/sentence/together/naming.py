@@ -14,9 +14,26 @@ NOUNS = "NN"
 
 
 def naming_none(remarks: Iterable[Remark], sketches: Sequence[Sketch]) -> list[Remark]:
-    """Leave out what is said of leftover words that describe a thing in what is to be done."""
-    parts = [sketch.part for sketch in sketches if sketch.asks]
-    return [remark for remark in remarks if not any(_describes(remark.span, part) for part in parts)]
+    """Leave out what is said of leftover words that describe a thing, or name somebody who is spoken to."""
+    asked = [sketch for sketch in sketches if sketch.asks]
+    return [
+        remark
+        for remark in remarks
+        if not any(_describes(remark.span, one.part) or _is_somebody(remark.span, one) for one in asked)
+    ]
+
+
+def _is_somebody(span: Span, sketch: Sketch) -> bool:
+    """Whether a word names who is called or asked: "ask june to call back", "invite june and april"."""
+    part, operation = sketch.part, sketch.operation
+    if operation is None or operation.lemma not in part.tree.lexicon.addressing or span[0] < part.offset:
+        return False
+    places = list(part.tree.at(span[0] - part.offset, span[1] - part.offset))
+    said = (operation.object or "").lower().split()
+    nodes = part.tree.nodes
+    return len(places) == 1 and any(
+        nodes[place].lower in said and nodes[place - 1].lower in {operation.verb, "and"} for place in places
+    )
 
 
 def _describes(span: Span, part: Part) -> bool:
