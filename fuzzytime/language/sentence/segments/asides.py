@@ -79,10 +79,10 @@ def _aside(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
         # "…, which starts at eight and lasts 20 minutes"
         end = _end(scanned, phrase)
         return None if end is None else Aside((words[place].start, end), phrase)
-    if (
-        words[place].text != BRACKET
-        and words[place + 1].text not in told["naming"] | told["helping"] | told["back"]
-    ):
+    known = told["naming"] | told["helping"] | told["back"]
+    # "Handover at 7, takes a quarter of an hour"
+    known |= {word for word in told["taking"] if word.endswith("s")}
+    if words[place].text != BRACKET and words[place + 1].text not in known:
         # "Wash up, need 20 minutes"
         return None
     end = _end(scanned, phrase)

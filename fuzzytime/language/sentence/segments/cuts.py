@@ -91,9 +91,8 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         yield onward[1]
         return
     times = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in one.source.phrases)]
-    starts = [
-        part.tree.nodes[place].start for place in sorted(further_verbs(part.tree, root, lexicon, times))
-    ]
+    found = further_verbs(part.tree, root, lexicon, times, told=part.segment.doer is not None)
+    starts = [part.tree.nodes[place].start for place in sorted(found)]
     starts = [start + part.offset for start in starts if not any(a < start < b for a, b in times)]
     for start in starts:
         chain = _chain(one, part, start)

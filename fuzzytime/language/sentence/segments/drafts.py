@@ -19,10 +19,11 @@ from fuzzytime.language.sentence.segments.gaps import with_gaps
 from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
-from fuzzytime.language.sentence.segments.mended_trees import as_done, as_order
+from fuzzytime.language.sentence.segments.mended_trees import as_acting, as_done, as_order
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
+from fuzzytime.language.sentence.segments.same_doers import done_next
 from fuzzytime.language.sentence.segments.segment import segments_of
 from fuzzytime.language.sentence.segments.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
@@ -175,6 +176,8 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
     ]
     for last_round in (False,) * ROUNDS + (True,):
         if not waiting:
+            waiting = [] if last_round else _done_next(sources, done, lexicon)
+        if not waiting:
             break
         found, fronts = _trees(waiting, trees, lexicon), _uncapitalised([one.front for one in waiting], trees)
         led = {} if last_round else fronts_of(waiting, found, fronts, trees, lexicon)
@@ -201,6 +204,17 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
     return [[own[start] for start in sorted(own)] for own in done]
 
 
+def _done_next(
+    sources: Sequence[Source], done: Sequence[dict[int, Part]], lexicon: Lexicon
+) -> list[Waiting]:
+    """Give what waits anew for its tree, behind who does it: "…, then lands"."""
+    return [
+        Waiting.of(position, source, part.segment, lexicon)
+        for position, (source, own) in enumerate(zip(sources, done, strict=True))
+        for part in done_next(source, own, lexicon)
+    ]
+
+
 def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
     """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
     texts = [one.text for one in waiting]
@@ -222,6 +236,12 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
             bare = as_order(tree.without_carrier(carrier, texts[place], skipped))
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
+    told = [place for place, one in enumerate(waiting) if one.segment.doer is not None]
+    led = trees([f"{waiting[place].segment.doer} {texts[place]}" for place in told])
+    for place, tree in zip(told, led, strict=True):
+        # "The plumber comes at four, fixes the tap": it is a verb behind who does it.
+        alone = tree.without_carrier(f"{waiting[place].segment.doer} ", texts[place], 0)
+        found[place] = as_acting(alone)
     found = [
         with_called(with_worker(with_event(tree, lexicon), lexicon), one.timed(tree), lexicon)
         for one, tree in zip(waiting, found, strict=True)

@@ -42,11 +42,14 @@ NAMING = frozenset({*SINGULAR, *DETERMINERS, "JJ"})
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
 
 
-def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span] = ()) -> list[int]:
+def further_verbs(
+    tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span] = (), *, told: bool = False
+) -> list[int]:
     """Give the words at which further instructions of one sentence begin: imperatives beside the first.
 
     "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
-    else; what counts is a bare verb without a subject behind "and" or a comma.
+    else; what counts is a bare verb without a subject behind "and" or a comma. What is ``told`` is about who
+    was named before.
     """
     timed = {place for span in times for place in tree.at(*span)}
     first = (
@@ -60,6 +63,8 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
         if place in timed and place != root:
             continue
         start = _start_at(tree, place, root, timed, lexicon)
+        if start is None and _is_second_statement(tree, place, root, timed, told=told):
+            start = place
         if start is not None:
             found.append(start)
     return found
@@ -108,9 +113,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     told = being_behind_order(tree, place, timed) if told is None else told
     if told is not None:
         return told
-    if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):
-        return place
-    if goes_on(tree, place, root, timed):
+    if _goes_on(tree, place, timed, lexicon) or goes_on(tree, place, root, timed):
         return place
     if place > 1 and (_follows_so(tree, place, timed) or _follows_statement(tree, place, root, timed)):
         return place
@@ -215,7 +218,7 @@ def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
     )
 
 
-def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
+def _is_second_statement(tree: Tree, place: int, root: int, timed: set[int], *, told: bool) -> bool:
     """Whether it is what the same thing does next: "the roast goes in at ten and comes out at two"."""
     closed = tree.lexicon.closed
     node = tree.nodes[place]
@@ -224,12 +227,18 @@ def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
         and node.head == root
         and tree.nodes[place - 1].lower in closed.joints_of_orders
     )
-    named = bool(tree.children(root, *ANY_SUBJECTS))
+    named = told or bool(tree.children(root, *ANY_SUBJECTS))
     told = tree.nodes[root].tag == node.tag == "VBZ" and named
     # "The show will last an hour and start at eight"
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
     told = told or (named and bool(helping) and helping <= closed.future | {"should"} and node.tag == "VB")
-    return beside and told and not tree.children(place, *ANY_SUBJECTS, "aux")
+    if tree.nodes[root].tag == "VBZ" and named and node.tag == "NNS" and place > 1 and place + 1 in timed:
+        # "The plumber fixes the tap and leaves at five"
+        beside = tree.nodes[place - 1].lower in closed.joints_of_orders
+        told = node.lower in tree.lexicon.doing.timed
+    # "Feeds the cows" has who is fed for who does it.
+    own = any(p < place for p in tree.children(place, *ANY_SUBJECTS))
+    return beside and told and not own and not tree.children(place, "aux")
 
 
 def _is_passive_order(tree: Tree, place: int) -> bool:

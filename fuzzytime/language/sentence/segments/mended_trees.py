@@ -140,3 +140,10 @@ def as_order(tree: Tree) -> Tree:
     if first is None or root != 0 or not first.tag.startswith("NN") or not first.may_act:
         return tree
     return tree.with_nodes((replace(first, tag="VB"), *tree.nodes[1:])) if tree.children(0, "dobj") else tree
+
+
+def as_acting(tree: Tree) -> Tree:
+    """Give what one does next its verb, which may be a plural too: "robot 2 cleans the tank, then docks"."""
+    if tree.root != 0 or tree.nodes[0].tag not in {"NNS", "VB"}:
+        return tree
+    return tree.with_nodes((replace(tree.nodes[0], tag="VBZ"), *tree.nodes[1:]))

@@ -106,7 +106,8 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     )
     if named.operation is not None or part.segment.verbless:
         return named
-    action = _untimed(part, action_of(part.tree, lexicon), kept, lexicon)
+    meant = action_of(part.tree, lexicon, told=part.tells_more)
+    action = _untimed(part, meant, kept, lexicon)
     if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
         return named
     verb = part.tree.nodes[action.place].start + part.offset

@@ -112,7 +112,7 @@ def _with_subject(tree: Tree) -> Tree:
     """Give "the road is closed" what is so, which a tree may hang on the helping verb."""
     root = tree.root
     if root is None or tree.nodes[root].tag != "VBN":
-        return tree
+        return _with_name(tree)
     helping = [
         p for p in tree.children(root, "auxpass") if tree.nodes[p].lower in tree.lexicon.closed.present_be
     ]
@@ -121,6 +121,19 @@ def _with_subject(tree: Tree) -> Tree:
         return tree
     nodes = list(tree.nodes)
     nodes[subjects[0]] = replace(nodes[subjects[0]], head=root, relation="nsubjpass")
+    return tree.with_nodes(nodes)
+
+
+def _with_name(tree: Tree) -> Tree:
+    """Give "at 9:15 Atlas drives to bay 3" who does it, whom a tree took for a part of the verb's name."""
+    root = tree.root
+    if root is None or tree.nodes[root].tag != "VBZ" or tree.children(root, *GRAMMATICAL_SUBJECTS):
+        return tree
+    named = [p for p in tree.children(root, "compound", "npadvmod") if p == root - 1]
+    if not named or tree.nodes[named[0]].tag != "NNP":
+        return tree
+    nodes = list(tree.nodes)
+    nodes[named[0]] = replace(nodes[named[0]], relation="nsubj")
     return tree.with_nodes(nodes)
 
 

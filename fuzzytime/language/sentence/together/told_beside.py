@@ -1,0 +1,90 @@
+"""What is told beside what has a time: what the same one does next, and what others do then."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.requirement import Constraint
+
+THEN = "then"
+
+
+def told_beside(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Give what is told without a time that of what is told before it in its sentence.
+
+    What the same one does comes next ("Kestrel takes off at nine, surveys the field"); what others do is then
+    ("I'm on break from two to three, Dee covers").
+    """
+    found: list[Sketch] = []
+    for sketch in sketches:
+        told = sketch
+        if sketch.part.tells_more and sketch.operation is not None:
+            told = _done_next(sketch, sketch.operation, text, lexicon)
+        elif found and _is_then(found[-1], sketch, text, lexicon) and sketch.operation is not None:
+            before = found[-1]
+            told = replace(sketch, operation=replace(sketch.operation, due=None, stated=True))
+            told = told.under([p for p in before.phrases if _says_when(p)], before.clauses)
+        found.append(told)
+    return found
+
+
+def _done_next(sketch: Sketch, operation: Operation, text: str, lexicon: Lexicon) -> Sketch:
+    """Give what one does who was named before, behind what that one did before it."""
+    segment = sketch.part.segment
+    told = _done_by(operation, segment.doer or "", asked=segment.doer == segment.addressee)
+    if segment.connective or sketch.clauses or any(map(_says_when, sketch.phrases)) or _lasts(sketch, lexicon):
+        return replace(sketch, operation=told)
+    before = text[: segment.span[0]].rstrip()
+    joint = len(before) - (3 if before.lower().endswith("and") else 1)
+    joined = replace(segment, connective=THEN, connective_span=(joint, len(before)))
+    return replace(sketch, operation=told, part=replace(sketch.part, segment=joined))
+
+
+def _done_by(operation: Operation, doer: str, *, asked: bool) -> Operation:
+    """Give what somebody does who is named before: "feeds the cows" as "Steve feeds the cows"."""
+    if asked:
+        # "Robot 2 cleans the tank at nine and docks" asks it to dock.
+        return replace(operation, verb=operation.lemma, addressee=doer)
+    said = " ".join(filter(None, (operation.object, operation.complement)))
+    return replace(operation, object=doer, complement=said or None, stated=True)
+
+
+def _is_then(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+    """Whether what is told has no time, and stands beside what has one in the same sentence."""
+    first, second = before.operation, sketch.operation
+    told = second is not None and (second.stated or _do_so(sketch, second))
+    if first is None or not first.stated or not told:
+        return False
+    between = text_between(before, sketch, text)
+    alone = not sketch.clauses and not any(map(_says_when, sketch.phrases)) and not _lasts(sketch, lexicon)
+    return (
+        alone
+        and not ENDS & set(between)
+        and not sketch.part.segment.connective
+        and before.part.segment.span[1] <= sketch.part.segment.span[0]
+    )
+
+
+def _do_so(sketch: Sketch, operation: Operation) -> bool:
+    """Whether several who are named do it, and are not said to have to: "…, Priya and Tom go"."""
+    tree, root = sketch.part.tree, sketch.part.tree.root
+    if operation.due is None or root is None or tree.children(root, "aux", "auxpass", "xcomp"):
+        return False
+    named = tree.children(root, *SUBJECTS)
+    return bool(named) and tree.nodes[named[0]].tag == "NNP" and bool(tree.children(named[0], "conj"))
+
+
+def _lasts(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether it is said how long something takes: "the show starts at eight and lasts two hours"."""
+    operation = sketch.operation
+    lasting = operation is not None and operation.lemma in lexicon.doing.taking | lexicon.doing.running
+    return lasting and bool(sketch.phrases)
+
+
+def _says_when(phrase: Phrase) -> bool:
+    """Whether a time is no length."""
+    return phrase.said.constraint is not Constraint.FOR
