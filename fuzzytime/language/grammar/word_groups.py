@@ -13,6 +13,7 @@ Words = frozenset[str]
 class ClosedClasses:
     """Determiners, pronouns, auxiliaries, conjunctions, prepositions and adverbs: ``closed_classes``."""
 
+    endings_of_manner: Words
     articles: Words
     first_person_possessives: Words
     sure_possessives: Words
@@ -249,6 +250,7 @@ class Doing:
     surely_timed: Words
     timed: Words
     several_timed: Words
+    shutting: Words
     dropping: Words
     remembering: Words
     needing: Words

@@ -28,7 +28,7 @@ from fuzzytime.language.sentence.segments.segment import segments_of
 from fuzzytime.language.sentence.segments.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
-from fuzzytime.language.sentence.verbs.called import with_called, with_event, with_worker
+from fuzzytime.language.sentence.verbs.called import with_called, with_clause, with_event, with_worker
 from fuzzytime.language.sentence.verbs.statement_trees import as_statement
 
 CARRIERS = ("", "please ", "you should ")
@@ -179,7 +179,10 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
             waiting = [] if last_round else _done_next(sources, done, lexicon)
         if not waiting:
             break
-        found, fronts = _trees(waiting, trees, lexicon), _uncapitalised([one.front for one in waiting], trees)
+        found = _trees(waiting, trees, lexicon)
+        fronts = [
+            with_clause(tree, lexicon) for tree in _uncapitalised([one.front for one in waiting], trees)
+        ]
         led = {} if last_round else fronts_of(waiting, found, fronts, trees, lexicon)
         alone = [place for place in range(len(waiting)) if place not in led and not last_round]
         joined = [waiting[place] for place in alone], [found[place] for place in alone]
@@ -242,9 +245,9 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
         # "The plumber comes at four, fixes the tap": it is a verb behind who does it.
         alone = tree.without_carrier(f"{waiting[place].segment.doer} ", texts[place], 0)
         found[place] = as_acting(alone)
+    found = [with_worker(with_event(with_clause(tree, lexicon), lexicon), lexicon) for tree in found]
     found = [
-        with_called(with_worker(with_event(tree, lexicon), lexicon), one.timed(tree), lexicon)
-        for one, tree in zip(waiting, found, strict=True)
+        with_called(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)
     ]
     travelling = lexicon.travelling
     return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]

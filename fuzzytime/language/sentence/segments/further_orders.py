@@ -7,6 +7,12 @@ from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.segments.orders_beside_times import (
     is_led_by_time,
 )
+from fuzzytime.language.sentence.segments.orders_behind_names import (
+    behind_heading,
+    behind_named,
+    behind_told,
+    having_done,
+)
 from fuzzytime.language.sentence.segments.orders_in_front import (
     ANY_SUBJECTS,
     COORDINATE,
@@ -16,7 +22,7 @@ from fuzzytime.language.sentence.segments.orders_in_front import (
     order_behind_order,
 )
 from fuzzytime.language.sentence.segments.overlooked_orders import is_overlooked
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SINGULAR
+from fuzzytime.language.sentence.trees.tags import IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.actions import action_of, gone_to_do
 from fuzzytime.language.sentence.verbs.statements import (
@@ -31,14 +37,6 @@ SHORTEST = 2
 """Words of an order at least, before a participle that goes on beside it."""
 
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
-LEAST_TOLD = 4
-"""Words of "dinner is at ten", at least."""
-LEAST_NAMED = 2
-"""Words of "dinner today", at least."""
-
-NAMING = frozenset({*SINGULAR, *DETERMINERS, "JJ"})
-"""Tags of words that name one thing."""
-
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
 
 
@@ -55,8 +53,9 @@ def further_verbs(
     first = (
         order_behind_order(tree, root, timed),
         order_behind_statement(tree, root, timed),
-        _behind_told(tree, root, timed, lexicon),
-        _behind_named(tree, root, timed, lexicon),
+        behind_told(tree, root, timed, lexicon),
+        behind_named(tree, root, timed, lexicon),
+        behind_heading(tree, root, timed, lexicon),
     )
     found = [start for start in first if start is not None]
     for place in range(len(tree.nodes)):
@@ -70,47 +69,12 @@ def further_verbs(
     return found
 
 
-def _behind_told(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
-    """Give an order that has what is told before it below it: "dinner is at seven, lay the table at six"."""
-    node, comma = tree.nodes[root], root - 1
-    bare = node.may_act and (node.lower == node.lemma or node.lower in lexicon.doing.past_alike)
-    if comma < LEAST_TOLD or tree.nodes[comma].text != "," or comma - 1 not in timed or not bare:
-        return None
-    if tree.children(root, *ANY_SUBJECTS, "aux", "mark"):
-        return None
-    told = any(
-        tree.nodes[place].tag == "VBZ"
-        and tree.nodes[place].head == root
-        and tree.children(place, *ANY_SUBJECTS)
-        for place in range(comma)
-    )
-    return root if told else None
-
-
-def _behind_named(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
-    """Give an order that has what is named with a time before it: "dentist at three, pick up the kids at four".
-
-    A machine is named to be asked: "robot at three, dock".
-    """
-    comma = root - 1
-    if comma < LEAST_NAMED or tree.nodes[comma].text != "," or not tree.nodes[root].may_act:
-        return None
-    named = next((place for place in range(comma) if place in timed), 0)
-    if not named or not timed.issuperset(range(named, comma)):
-        return None
-    things = tree.nodes[:named]
-    asked = {node.lower for node in things} & (lexicon.machines | lexicon.addresses)
-    if asked or things[-1].tag not in SINGULAR or any(node.tag not in NAMING for node in things):
-        return None
-    bare = tree.nodes[root].tag in IMPERATIVE and tree.nodes[root].lower == tree.nodes[root].lemma
-    return root if bare and not tree.children(root, "aux", "mark", "neg") else None
-
-
 def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
     """Give where the further instruction of a word begins; None where it has none."""
     told = result_behind_statement(tree, place, root, timed)
     told = second_statement(tree, place, timed) if told is None else told
     told = being_behind_order(tree, place, timed) if told is None else told
+    told = having_done(tree, place) if told is None else told
     if told is not None:
         return told
     if _goes_on(tree, place, timed, lexicon) or goes_on(tree, place, root, timed):

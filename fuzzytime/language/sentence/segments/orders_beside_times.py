@@ -65,7 +65,10 @@ def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     closed = lexicon.closed
     node = tree.nodes[place]
     behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
-    bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
+    # "Ribs in at 10:30, low and slow"
+    described = node.tag == "JJ" and any(tree.nodes[p].tag == "JJ" for p in tree.children(place, "conj"))
+    acts = node.may_act and node.lower == node.lemma and not described
+    bare = acts or node.lower in lexicon.alone
     counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
     return (
         bare

@@ -23,6 +23,7 @@ from fuzzytime.language.sentence.verbs.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
 from fuzzytime.language.sentence.verbs.moments import reference_of
 from fuzzytime.language.sentence.verbs.operations import Reader
+from fuzzytime.language.sentence.verbs.put_there import put_there
 from fuzzytime.language.sentence.verbs.remembered import as_remembered
 from fuzzytime.requirement import Constraint, Reference
 
@@ -224,6 +225,10 @@ def _happening(
     """Give what happens at a time, or after something else, where no verb says what is to be done."""
     root = part.tree.root
     timed = phrases or clauses
+    spans = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in phrases)]
+    put = put_there(part.tree, [place for span in spans for place in part.tree.at(*span)], lexicon)
+    if put is not None and not part.segment.verbless:
+        return replace(put, span=(put.span[0] + part.offset, put.span[1] + part.offset))
     if part.segment.verbless or root is None or not timed or not happens(part.tree, phrases, lexicon):
         return None
     vague = (p.span for p in phrases if isinstance(p.said.time, TimeWord))

@@ -4,13 +4,16 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Constraint
 
-THEN = "then"
+THEN, ONLY = "then", "only"
+BREAKS = frozenset({",", "-", "–", ";"})
+"""Marks between an order and what is told of it."""
 
 
 def told_beside(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
@@ -23,13 +26,65 @@ def told_beside(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Ske
     for sketch in sketches:
         told = sketch
         if sketch.part.tells_more and sketch.operation is not None:
-            told = _done_next(sketch, sketch.operation, text, lexicon)
+            goes_on = bool(found) and _is_on(found[-1], sketch, lexicon)
+            told = sketch if goes_on else _done_next(sketch, sketch.operation, text, lexicon)
         elif found and _is_then(found[-1], sketch, text, lexicon) and sketch.operation is not None:
             before = found[-1]
             told = replace(sketch, operation=replace(sketch.operation, due=None, stated=True))
             told = told.under([p for p in before.phrases if _says_when(p)], before.clauses)
+        elif found and _may_only(found[-1], sketch, text, lexicon):
+            found[-1] = _at_the_only(found[-1], sketch)
+            continue
+        elif found and _shuts(found[-1], sketch, text, lexicon):
+            found[-1] = found[-1].under([_before(phrase) for phrase in sketch.phrases if _says_when(phrase)])
         found.append(told)
     return found
+
+
+def _is_order_without_time(sketch: Sketch) -> bool:
+    """Whether something is asked for, and not when."""
+    asked = sketch.operation is not None and sketch.operation.is_asked
+    return asked and not sketch.clauses and not any(map(_says_when, sketch.phrases))
+
+
+def _is_beside(before: Sketch, sketch: Sketch, text: str) -> bool:
+    """Whether a comma alone stands between two parts."""
+    return text_between(before, sketch, text).strip() in BREAKS and not sketch.part.segment.connective
+
+
+def _may_only(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+    """Whether it is said when alone an order can be done: "ring her, she's only free between 11 and 12"."""
+    tree, root = sketch.part.tree, sketch.part.tree.root
+    if root is None or not _is_order_without_time(before) or not _is_beside(before, sketch, text):
+        return False
+    subjects = {tree.nodes[p].lower for p in tree.children(root, *SUBJECTS)}
+    only = any(node.lower == ONLY for node in tree.nodes)
+    is_so = tree.nodes[root].lemma in lexicon.closed.lemmas_of_be and bool(subjects & lexicon.closed.third_person)
+    return only and is_so and any(map(_says_when, sketch.phrases))
+
+
+def _at_the_only(before: Sketch, sketch: Sketch) -> Sketch:
+    """Give an order with the time that is told behind it, and the words that tell it."""
+    told = before.under([phrase for phrase in sketch.phrases if _says_when(phrase)])
+    segment = before.part.segment
+    whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
+    return replace(told, part=replace(before.part, segment=whole))
+
+
+def _shuts(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+    """Whether something shuts, before which an order has to be done: "buy stamps, the office closes at six"."""
+    operation = sketch.operation
+    if operation is None or not operation.stated or not _is_order_without_time(before):
+        return False
+    shuts = operation.lemma in lexicon.doing.shutting
+    clocks = [phrase for phrase in sketch.phrases if isinstance(phrase.said.time, Wall)]
+    at = all(phrase.said.constraint in {None, Constraint.AT} for phrase in clocks)
+    return shuts and at and len(clocks) == len(sketch.phrases) == 1 and _is_beside(before, sketch, text)
+
+
+def _before(phrase: Phrase) -> Phrase:
+    """Give the time at which something shuts as what an order has to be done before."""
+    return replace(phrase, said=replace(phrase.said, constraint=Constraint.BEFORE, preposition="before"))
 
 
 def _done_next(sketch: Sketch, operation: Operation, text: str, lexicon: Lexicon) -> Sketch:
@@ -44,6 +99,14 @@ def _done_next(sketch: Sketch, operation: Operation, text: str, lexicon: Lexicon
     return replace(sketch, operation=told, part=replace(sketch.part, segment=joined))
 
 
+def _is_on(before: Sketch, sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether what one does is what goes on then: "we're on at nine and play for an hour"."""
+    first, second = before.operation, sketch.operation
+    begins = first is not None and first.lemma in lexicon.doing.beginning | {BE}
+    lasts = bool(sketch.phrases) and not any(map(_says_when, sketch.phrases))
+    return begins and lasts and second is not None and second.object is None
+
+
 def _done_by(operation: Operation, doer: str, *, asked: bool) -> Operation:
     """Give what somebody does who is named before: "feeds the cows" as "Steve feeds the cows"."""
     if asked:
@@ -56,8 +119,10 @@ def _done_by(operation: Operation, doer: str, *, asked: bool) -> Operation:
 def _is_then(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
     """Whether what is told has no time, and stands beside what has one in the same sentence."""
     first, second = before.operation, sketch.operation
-    told = second is not None and (second.stated or _do_so(sketch, second))
-    if first is None or not first.stated or not told:
+    if first is None or second is None or not (second.stated or (first.stated and _do_so(sketch, second))):
+        return False
+    if (second.complement or "").lower() in lexicon.closed.anaphors:
+        # "Wash the car at ten, Tom dries it"
         return False
     between = text_between(before, sketch, text)
     alone = not sketch.clauses and not any(map(_says_when, sketch.phrases)) and not _lasts(sketch, lexicon)
