@@ -19,6 +19,7 @@ from fuzzytime.language.sentence.segments.gaps import with_gaps
 from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
+from fuzzytime.language.sentence.segments.mended_things import with_object_of_aim, with_whole_things
 from fuzzytime.language.sentence.segments.mended_trees import as_acting, as_done, as_order
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.reasons import reason_in_front
@@ -207,9 +208,7 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
     return [[own[start] for start in sorted(own)] for own in done]
 
 
-def _done_next(
-    sources: Sequence[Source], done: Sequence[dict[int, Part]], lexicon: Lexicon
-) -> list[Waiting]:
+def _done_next(sources: Sequence[Source], done: Sequence[dict[int, Part]], lexicon: Lexicon) -> list[Waiting]:
     """Give what waits anew for its tree, behind who does it: "…, then lands"."""
     return [
         Waiting.of(position, source, part.segment, lexicon)
@@ -245,10 +244,10 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
         # "The plumber comes at four, fixes the tap": it is a verb behind who does it.
         alone = tree.without_carrier(f"{waiting[place].segment.doer} ", texts[place], 0)
         found[place] = as_acting(alone)
+    found = [with_whole_things(tree) for tree in found]
+    found = [with_object_of_aim(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
     found = [with_worker(with_event(with_clause(tree, lexicon), lexicon), lexicon) for tree in found]
-    found = [
-        with_called(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)
-    ]
+    found = [with_called(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
     travelling = lexicon.travelling
     return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
 

@@ -10,6 +10,7 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
 from fuzzytime.language.sentence.segments.orders_behind_names import (
     behind_heading,
     behind_named,
+    behind_run_on,
     behind_told,
     having_done,
 )
@@ -56,10 +57,14 @@ def further_verbs(
         behind_told(tree, root, timed, lexicon),
         behind_named(tree, root, timed, lexicon),
         behind_heading(tree, root, timed, lexicon),
+        behind_run_on(tree, root, lexicon),
     )
     found = [start for start in first if start is not None]
     for place in range(len(tree.nodes)):
         if place in timed and place != root:
+            continue
+        if place and tree.nodes[place - 1].tag == "POS" and tree.nodes[place - 1].relation == "case":
+            # "Give dad's dog its pill"
             continue
         start = _start_at(tree, place, root, timed, lexicon)
         if start is None and _is_second_statement(tree, place, root, timed, told=told):

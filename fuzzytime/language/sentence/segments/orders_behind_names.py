@@ -23,13 +23,20 @@ def behind_told(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int
     bare = node.may_act and (node.lower == node.lemma or node.lower in lexicon.doing.past_alike)
     if comma < LEAST_TOLD or tree.nodes[comma].text != "," or comma - 1 not in timed or not bare:
         return None
-    if tree.children(root, *ANY_SUBJECTS, "aux", "mark"):
+    if tree.children(root, "aux", "mark") or any(p > comma for p in tree.children(root, *ANY_SUBJECTS)):
+        return None
+    if tree.nodes[root].is_verb and tree.children(root, *ANY_SUBJECTS):
         return None
     told = any(
         tree.nodes[place].tag == "VBZ"
         and tree.nodes[place].head == root
         and tree.children(place, *ANY_SUBJECTS)
         for place in range(comma)
+    )
+    # "The pool shuts at eight, swim before that"
+    told = told or any(
+        tree.nodes[place].lower in lexicon.doing.surely_timed and place + 1 in timed
+        for place in range(1, comma)
     )
     return root if told else None
 
@@ -72,6 +79,21 @@ def behind_heading(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> 
     acts = node.relation in {"advcl", "ccomp"} and bool(tree.children(head, "dobj"))
     named = comma - 1 in timed and not timed.issuperset(range(comma))
     return comma + 1 if (acts or named) and _is_clause(tree, comma + 1, root, lexicon) else None
+
+
+def behind_run_on(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
+    """Give what who speaks does behind an order that nothing parts from it: "put the kettle on I'll be home"."""
+    subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
+    speaks = bool(subjects) and tree.nodes[subjects[0]].lower in lexicon.closed.first_person
+    if not speaks or not tree.children(root, "aux"):
+        return None
+    start = subjects[0]
+    tops = {p for p in range(start) if tree.nodes[p].head >= start}
+    order = next(iter(tops), root)
+    node = tree.nodes[order]
+    bare = order == 0 and node.is_bare and node.relation in {"advcl", "ccomp"} and node.head == root
+    whole = bare and bool(tree.children(order, "dobj")) and not tree.children(order, "mark", "aux")
+    return start if whole and len(tops) == 1 and tree.nodes[start - 1].text[0].isalnum() else None
 
 
 def _is_clause(tree: Tree, start: int, root: int, lexicon: Lexicon) -> bool:

@@ -115,7 +115,10 @@ def leads_to_order(tree: Tree, behind_time: int, lexicon: Lexicon) -> bool:
     past = node.tag in {"VBD", "VBN"} and first != tree.root
     named = node.tag.startswith("NN") or (owning and node.tag.startswith(("JJ", "RB")))
     named = named or (past and (owning or carried))
-    return named and node.lower == node.lemma and (owning or called or carried)
+    # "At 23:00 drain rack 14"
+    number = tree.nodes[first + 2 : first + 3]
+    counted = node.may_act and behind.lower in lexicon.machines and any(n.tag == "CD" for n in number)
+    return named and node.lower == node.lemma and (owning or called or carried or counted)
 
 
 def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -59,7 +59,9 @@ def _may_only(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bo
         return False
     subjects = {tree.nodes[p].lower for p in tree.children(root, *SUBJECTS)}
     only = any(node.lower == ONLY for node in tree.nodes)
-    is_so = tree.nodes[root].lemma in lexicon.closed.lemmas_of_be and bool(subjects & lexicon.closed.third_person)
+    is_so = tree.nodes[root].lemma in lexicon.closed.lemmas_of_be and bool(
+        subjects & lexicon.closed.third_person
+    )
     return only and is_so and any(map(_says_when, sketch.phrases))
 
 
@@ -91,7 +93,12 @@ def _done_next(sketch: Sketch, operation: Operation, text: str, lexicon: Lexicon
     """Give what one does who was named before, behind what that one did before it."""
     segment = sketch.part.segment
     told = _done_by(operation, segment.doer or "", asked=segment.doer == segment.addressee)
-    if segment.connective or sketch.clauses or any(map(_says_when, sketch.phrases)) or _lasts(sketch, lexicon):
+    if (
+        segment.connective
+        or sketch.clauses
+        or any(map(_says_when, sketch.phrases))
+        or _lasts(sketch, lexicon)
+    ):
         return replace(sketch, operation=told)
     before = text[: segment.span[0]].rstrip()
     joint = len(before) - (3 if before.lower().endswith("and") else 1)

@@ -123,7 +123,9 @@ def with_clause(tree: Tree, lexicon: Lexicon) -> Tree:
         kind = lexicon.clauses.get((tree.nodes[first - 1].lower,)) if first else None
         ends = verb + 1 == len(tree.nodes) or not tree.nodes[verb + 1].text[0].isalnum()
         named = name.tag == "NNP" or name.lower in lexicon.persons
-        plural = word.tag in {"NNS", "NNPS"} and word.may_act and word.lower.endswith("s") and name.head == verb
+        plural = (
+            word.tag in {"NNS", "NNPS"} and word.may_act and word.lower.endswith("s") and name.head == verb
+        )
         if kind not in ACTED or not (named and plural and ends):
             continue
         nodes = list(tree.nodes)
