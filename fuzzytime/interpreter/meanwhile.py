@@ -15,8 +15,8 @@ def beside_what_lasts(
 ) -> Instruction:
     """Let "meanwhile" mean what was said to go on: "rest the steaks for five minutes, then plate them".
 
-    What is done in a moment is passed over for what the same wish asks for right before it. ``before`` are the
-    positions of the skills of all instructions so far.
+    What is done in a moment is passed over for what the same wish asks for right before it. ``before`` are
+    the positions of the skills of all instructions so far.
     """
     requirements = tuple(_meant(part, before, skills, lexicon) for part in instruction.requirements)
     return replace(instruction, requirements=requirements)

@@ -250,6 +250,7 @@ class Doing:
     surely_timed: Words
     timed: Words
     several_timed: Words
+    saying: Words
     shutting: Words
     dropping: Words
     remembering: Words

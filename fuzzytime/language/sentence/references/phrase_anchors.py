@@ -126,7 +126,7 @@ def _upon_arrival(anchors: Anchors, requirement: TimeRequirement) -> TimeRequire
     for place, happening in anchors.just_before():
         beside = anchors.first <= place == anchors.position - 1 and happening.lemma == BE and happening.stated
         if beside and operation.due is not None:
-            # "Table of twelve at 7:15, starters must go within ten minutes"
+            # "A table of twelve at 7:15, starters must go within ten minutes": from then on.
             anchor = Anchor(text=requirement.text, target=place, edge=Edge.START, lag=requirement.t_spec)
             return only_counted(requirement, anchor, Constraint.BETWEEN)
         if waits_for(operation, happening, anchors.lexicon):

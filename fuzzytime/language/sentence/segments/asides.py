@@ -90,7 +90,7 @@ def _aside(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
 
 
 def _becomes(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> bool:
-    """Whether it is said what becomes of it: "light the oven, it needs an hour to get hot"; not "to get there"."""
+    """Whether it is said what becomes of it: "light it, it needs an hour to get hot"; not "to get there"."""
     said = [word.text for word in words[phrase.end : phrase.end + PURPOSE]]
     if len(said) < PURPOSE or said[0] != "to" or said[1] not in lexicon.doing.being:
         return False

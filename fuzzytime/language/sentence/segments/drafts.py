@@ -21,6 +21,7 @@ from fuzzytime.language.sentence.segments.instances import NONE, Instances, inst
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.mended_things import with_object_of_aim, with_whole_things
 from fuzzytime.language.sentence.segments.mended_trees import as_acting, as_done, as_order
+from fuzzytime.language.sentence.segments.next_ones import next_one
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
@@ -200,7 +201,12 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
                 continue
             if not last_round:
                 cut = cut or called_first(one, part, lexicon) or addressed(one, part, lexicon)
-                cut = cut or reminded(one, part, lexicon) or list(pieces_of(one, part, lexicon))
+                cut = (
+                    cut
+                    or next_one(one, part, lexicon)
+                    or reminded(one, part, lexicon)
+                    or list(pieces_of(one, part, lexicon))
+                )
             following += [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]
             if not cut:
                 done[one.position][one.segment.span[0]] = part

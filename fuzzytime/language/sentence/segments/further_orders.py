@@ -4,15 +4,15 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.sentence.segments.orders_beside_times import (
-    is_led_by_time,
-)
 from fuzzytime.language.sentence.segments.orders_behind_names import (
     behind_heading,
     behind_named,
     behind_run_on,
     behind_told,
     having_done,
+)
+from fuzzytime.language.sentence.segments.orders_beside_times import (
+    is_led_by_time,
 )
 from fuzzytime.language.sentence.segments.orders_in_front import (
     ANY_SUBJECTS,
@@ -56,7 +56,7 @@ def further_verbs(
         order_behind_statement(tree, root, timed),
         behind_told(tree, root, timed, lexicon),
         behind_named(tree, root, timed, lexicon),
-        behind_heading(tree, root, timed, lexicon),
+        behind_heading(tree, root, timed),
         behind_run_on(tree, root, lexicon),
     )
     found = [start for start in first if start is not None]

@@ -13,11 +13,11 @@ BELOW_ZERO = re.compile(r"[-−]\d+(\.\d+)?$")
 
 def with_whole_things(tree: Tree) -> Tree:
     """Give a tree whose things have all their words."""
-    return _with_level(_with_numbered_subject(_with_last_noun(tree)))
+    return _with_level(_with_next_one(_with_numbered_subject(_with_last_noun(tree))))
 
 
 def _with_last_noun(tree: Tree) -> Tree:
-    """Give "light the deck oven" its thing, whose last word a tree has for a verb that no dictionary knows."""
+    """Give "light the deck oven" its thing, whose last word a tree has for a verb that none knows."""
     for thing in tree.children(tree.root or 0, "dobj"):
         place = thing + 1
         if place >= len(tree.nodes) or tree.nodes[thing].tag not in SINGULAR:
@@ -45,6 +45,17 @@ def _with_numbered_subject(tree: Tree) -> Tree:
         if node.relation == "npadvmod" and node.tag in SINGULAR:
             return tree.with_nodes((replace(node, relation="compound", head=subject), *tree.nodes[1:]))
     return tree
+
+
+def _with_next_one(tree: Tree) -> Tree:
+    """Give "next on-call takes over" who does it, whose first word a tree hangs on the verb."""
+    root = tree.root
+    if not root or tree.nodes[root].tag != "VBZ" or tree.children(root, *SUBJECTS):
+        return tree
+    first = tree.nodes[0]
+    if first.relation != "advmod" or first.tag != "JJ" or first.head != root or tree.reach(0) != (0, root):
+        return tree
+    return tree.with_nodes((replace(first, relation="nsubj", tag="NN"), *tree.nodes[1:]))
 
 
 def _with_level(tree: Tree) -> Tree:

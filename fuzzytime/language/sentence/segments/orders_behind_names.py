@@ -42,7 +42,7 @@ def behind_told(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int
 
 
 def behind_named(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
-    """Give an order that has what is named with a time before it: "dentist at three, pick up the kids at four".
+    """Give an order that has what is named with a time before it: "dentist at three, pick up the kids at 4".
 
     A machine is named to be asked: "robot at three, dock".
     """
@@ -60,7 +60,7 @@ def behind_named(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> in
     return root if bare and not tree.children(root, "aux", "mark", "neg") else None
 
 
-def behind_heading(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
+def behind_heading(tree: Tree, root: int, timed: set[int]) -> int | None:
     """Give the clause behind what is named with a time: "table of twelve at 7:15, starters must go at once".
 
     So it is behind an order that a tree took for a thing: "ring Ollie's mum back, she's only free at ten".
@@ -78,11 +78,11 @@ def behind_heading(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> 
         return None
     acts = node.relation in {"advcl", "ccomp"} and bool(tree.children(head, "dobj"))
     named = comma - 1 in timed and not timed.issuperset(range(comma))
-    return comma + 1 if (acts or named) and _is_clause(tree, comma + 1, root, lexicon) else None
+    return comma + 1 if (acts or named) and _is_clause(tree, comma + 1, root) else None
 
 
 def behind_run_on(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
-    """Give what who speaks does behind an order that nothing parts from it: "put the kettle on I'll be home"."""
+    """Give what who speaks does behind an order that nothing parts from it: "put the tea on I'll be home"."""
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
     speaks = bool(subjects) and tree.nodes[subjects[0]].lower in lexicon.closed.first_person
     if not speaks or not tree.children(root, "aux"):
@@ -96,7 +96,7 @@ def behind_run_on(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
     return start if whole and len(tops) == 1 and tree.nodes[start - 1].text[0].isalnum() else None
 
 
-def _is_clause(tree: Tree, start: int, root: int, lexicon: Lexicon) -> bool:
+def _is_clause(tree: Tree, start: int, root: int) -> bool:
     """Whether somebody does something from a place on, or is to have it done: "…, have it filled"."""
     subjects = [p for p in tree.children(root, *SUBJECTS) if p > start - 1]
     if any(tree.reach(p)[0] == start for p in subjects):
@@ -107,7 +107,7 @@ def _is_clause(tree: Tree, start: int, root: int, lexicon: Lexicon) -> bool:
 
 
 def having_done(tree: Tree, place: int) -> int | None:
-    """Give where begins what is to be had done, behind a comma: "it is collected at three, have it filled"."""
+    """Give where begins what is to be had done, behind a comma: "it is collected at 3, have it filled"."""
     if tree.nodes[place].tag != "VBN":
         return None
     for have in tree.children(place, "aux"):

@@ -1,4 +1,4 @@
-"""What somebody does next, who is not named again: "Kestrel takes off at 1030, surveys the field, then lands"."""
+"""What somebody does next, who is not named again: "Kestrel takes off at 1030, surveys a field, lands"."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -34,6 +34,12 @@ def done_next(source: Source, parts: Mapping[int, Part], lexicon: Lexicon) -> It
         before = part
 
 
+def tells_more(part: Part) -> bool:
+    """Whether it says what one does next who was named before: "…, then lands"."""
+    root = part.tree.root
+    return part.segment.doer is not None and root is not None and part.tree.nodes[root].tag == "VBZ"
+
+
 def _doer(part: Part, lexicon: Lexicon) -> tuple[str | None, bool]:
     """Give who does what a part tells, and whether that one is asked: "robot 2 cleans the tank"."""
     segment, tree, root = part.segment, part.tree, part.tree.root
@@ -65,7 +71,7 @@ def _goes_on(source: Source, before: Part, part: Part, lexicon: Lexicon) -> bool
 
 
 def _begins_doing(tree: Tree, lexicon: Lexicon, *, surely: bool) -> bool:
-    """Whether the first word is what one does; a plural behind a comma may be a thing: "…, drinks at seven"."""
+    """Whether the first word is what one does; a plural may be a thing: "…, drinks at seven"."""
     if not tree.nodes or tree.root is None:
         return False
     node, doing = tree.nodes[0], lexicon.doing

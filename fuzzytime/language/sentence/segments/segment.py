@@ -24,8 +24,8 @@ class Segment:
     """A stretch of the text that holds one instruction, and the connective that led to it, with its span.
 
     ``addressee`` is who was asked by name, before a comma or behind one; ``verbless`` says that its verb was
-    said before: "the cat at eight and the dog at nine". ``doer`` is who does it, named before: "the drone takes
-    off at nine, surveys the field"; that one is asked where both are the same.
+    said before: "the cat at eight and the dog at nine". ``doer`` is who does it, named before: "the drone
+    takes off at nine, surveys the field"; that one is asked where both are the same.
     """
 
     span: Span

@@ -48,12 +48,6 @@ class Part:
     offset: int
     front: Tree | None = None
 
-    @property
-    def tells_more(self) -> bool:
-        """Whether it says what one does next who was named before: "…, then lands"."""
-        root = self.tree.root
-        return self.segment.doer is not None and root is not None and self.tree.nodes[root].tag == "VBZ"
-
 
 @dataclass(frozen=True, slots=True)
 class Source:

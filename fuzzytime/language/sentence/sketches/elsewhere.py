@@ -39,6 +39,7 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
     if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
         told = None
     found = _of_moved(part, phrases, action, lexicon) + _of_prepared(part, phrases, action)
+    found += _of_subject(part, phrases, action)
     past: int | None = None
     for phrase in phrases:
         place = starts[phrase.span]
@@ -50,6 +51,18 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
         if described or (told is not None and place > told) or _is_described(part, place, action):
             found.append(phrase)
     return found
+
+
+def _of_subject(part: Part, phrases: Sequence[Phrase], action: Action) -> list[Phrase]:
+    """Give what something is for, of which another time says when it happens: "the sheet for Monday goes out at 6"."""
+    subjects = [p for p in part.tree.children(action.place, *SUBJECTS) if p < action.place]
+    inside = {p for subject in subjects for p in part.tree.below(subject)}
+    places = {phrase.span: set(part.tree.at(*_local(part, phrase))) for phrase in phrases}
+    own = [phrase for phrase in phrases if not places[phrase.span] <= inside]
+    told = part.tree.nodes[action.place].tag == "VBZ"
+    return [
+        phrase for phrase in phrases if told and own and phrase not in own and phrase.said.preposition == FOR
+    ]
 
 
 def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:

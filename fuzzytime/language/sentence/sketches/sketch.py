@@ -10,6 +10,7 @@ from fuzzytime.language.meaning.expressions import Duration, Edge, Phrase, TimeW
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.times_of_events import AHEAD, OVER
 from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.same_doers import tells_more
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.deadlines_of_clauses import DEADLINE
 from fuzzytime.language.sentence.sketches.elsewhere import aim_of, elsewhere, reason_of
@@ -107,7 +108,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     )
     if named.operation is not None or part.segment.verbless:
         return named
-    meant = action_of(part.tree, lexicon, told=part.tells_more)
+    meant = action_of(part.tree, lexicon, told=tells_more(part))
     action = _untimed(part, meant, kept, lexicon)
     if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
         return named
@@ -235,8 +236,8 @@ def _happening(
     if any(root in part.tree.at(a - part.offset, b - part.offset) for a, b in vague):
         # "No rush, but …" is no rush hour.
         return None
-    spans = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
-    names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
+    said = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
+    names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in said])
     found = happening_at(root, part.tree, phrases, names, lexicon)
     return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))
 

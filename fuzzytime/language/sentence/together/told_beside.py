@@ -1,17 +1,20 @@
 """What is told beside what has a time: what the same one does next, and what others do then."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Wall
-from fuzzytime.language.sentence.references.mentions import BE
+from fuzzytime.language.sentence.references.mentions import BE, Mentions
+from fuzzytime.language.sentence.segments.same_doers import tells_more
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Constraint
 
-THEN, ONLY = "then", "only"
+AND, THEN, ONLY = "and", "then", "only"
 BREAKS = frozenset({",", "-", "–", ";"})
 """Marks between an order and what is told of it."""
 
@@ -25,7 +28,7 @@ def told_beside(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Ske
     found: list[Sketch] = []
     for sketch in sketches:
         told = sketch
-        if sketch.part.tells_more and sketch.operation is not None:
+        if tells_more(sketch.part) and sketch.operation is not None:
             goes_on = bool(found) and _is_on(found[-1], sketch, lexicon)
             told = sketch if goes_on else _done_next(sketch, sketch.operation, text, lexicon)
         elif found and _is_then(found[-1], sketch, text, lexicon) and sketch.operation is not None:
@@ -74,7 +77,7 @@ def _at_the_only(before: Sketch, sketch: Sketch) -> Sketch:
 
 
 def _shuts(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
-    """Whether something shuts, before which an order has to be done: "buy stamps, the office closes at six"."""
+    """Whether something shuts, before which an order has to be done: "buy stamps, the shop shuts at six"."""
     operation = sketch.operation
     if operation is None or not operation.stated or not _is_order_without_time(before):
         return False
@@ -100,10 +103,16 @@ def _done_next(sketch: Sketch, operation: Operation, text: str, lexicon: Lexicon
         or _lasts(sketch, lexicon)
     ):
         return replace(sketch, operation=told)
+    return _behind(replace(sketch, operation=told), text)
+
+
+def _behind(sketch: Sketch, text: str) -> Sketch:
+    """Give what is told as what comes behind what is told before it, at the comma or "and" between them."""
+    segment = sketch.part.segment
     before = text[: segment.span[0]].rstrip()
-    joint = len(before) - (3 if before.lower().endswith("and") else 1)
+    joint = len(before) - (len(AND) if before.lower().endswith(AND) else 1)
     joined = replace(segment, connective=THEN, connective_span=(joint, len(before)))
-    return replace(sketch, operation=told, part=replace(sketch.part, segment=joined))
+    return replace(sketch, part=replace(sketch.part, segment=joined))
 
 
 def _is_on(before: Sketch, sketch: Sketch, lexicon: Lexicon) -> bool:
@@ -160,3 +169,39 @@ def _lasts(sketch: Sketch, lexicon: Lexicon) -> bool:
 def _says_when(phrase: Phrase) -> bool:
     """Whether a time is no length."""
     return phrase.said.constraint is not Constraint.FOR
+
+
+def due_before(sketches: Sequence[Sketch], text: str, mentions: Mentions, first: int) -> list[Sketch]:
+    """Let what takes long, and was not asked for, be over when what it is for has to be so.
+
+    "Makeup for Ines takes 90 minutes, she has to be on set by eight"; ``first`` instructions were given before.
+    """
+    found = list(sketches)
+    for place in range(len(found) - 1):
+        why, due = found[place : place + 2]
+        operation = why.operation
+        if operation is None or operation.object is None or not _tells_length(why, mentions.lexicon):
+            continue
+        bounds = any(phrase.said.constraint is Constraint.BEFORE for phrase in due.phrases)
+        known = mentions.about(content_words(operation.object), first) is not None
+        if known or not bounds or not _has_to_be_so(due, mentions.lexicon) or not _is_beside(why, due, text):
+            continue
+        found[place] = replace(why, operation=replace(operation, lemma=BE, complement=None))
+        found[place + 1] = _behind(due, text)
+    return found
+
+
+def _tells_length(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether it is only told how long something takes."""
+    operation = sketch.operation
+    taking = operation is not None and operation.stated and operation.lemma in lexicon.doing.taking
+    return taking and not sketch.clauses and bool(sketch.phrases) and not any(map(_says_when, sketch.phrases))
+
+
+def _has_to_be_so(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether somebody or something has to be somewhere, or to be so: "she has to be on set by eight"."""
+    tree, root = sketch.part.tree, sketch.part.tree.root
+    if root is None or sketch.operation is None or sketch.operation.lemma not in {BE, "get"}:
+        return False
+    helping = {tree.nodes[p].lower for p in (root, *tree.children(root, "aux"))}
+    return bool(helping & lexicon.closed.verbs_of_obligation) and bool(tree.children(root, *SUBJECTS))

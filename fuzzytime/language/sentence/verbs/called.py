@@ -114,7 +114,7 @@ def _is_numbered(tree: Tree, place: int | None, lexicon: Lexicon) -> bool:
 
 
 def with_clause(tree: Tree, lexicon: Lexicon) -> Tree:
-    """Give the tree of "while Dad milks" its verb, taken for a plural that cannot stand alone behind "while"."""
+    """Give the tree of "while Dad milks" its verb, taken for a plural, which hardly stands behind "while"."""
     for verb in range(2, len(tree.nodes)):
         word, name = tree.nodes[verb], tree.nodes[verb - 1]
         first = verb - 1

@@ -42,7 +42,7 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
         return True
     if _is_somebodys(tree, root) and any(_is_clock(p) or p.said.is_day for p in phrases):
         return True
-    # "Table of twelve at 7:15"
+    # "A table of twelve at 7:15": no verb has an "of" behind it.
     counted = root == 0 and any(tree.nodes[p].lower == OF for p in tree.children(root, "prep"))
     if counted and any(map(_is_clock, phrases)):
         return True

@@ -9,8 +9,8 @@ from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import Action
 from fuzzytime.language.sentence.verbs.called import worker_doing
 from fuzzytime.language.sentence.verbs.small_clauses import SmallClause, small_clause
-from fuzzytime.language.sentence.verbs.verb_words import VerbWords
 from fuzzytime.language.sentence.verbs.statements import others_do
+from fuzzytime.language.sentence.verbs.verb_words import VerbWords
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
@@ -245,7 +245,7 @@ class Reader(VerbWords):
         return self.words([p for p in named if not self.timed(p)] or led, verb)
 
     def _is_apart(self, place: int) -> bool:
-        """Whether a sentence says what for, or is one of its own: "so it's done by seven", ", he never does"."""
+        """Whether a sentence says what for, or is its own: "so it's done by seven", ", he never eats"."""
         if self.tree.nodes[place].relation != "ccomp":
             return False
         subjects = [p for p in self.tree.children(place, *SUBJECTS) if p < place]

@@ -1,4 +1,4 @@
-"""What is put somewhere, said without a verb: "ribs in at 10:30, two and a half hours", "kettle on at six"."""
+"""What is put somewhere, said without a verb: "ribs in at 10:30, two hours", "kettle on at six"."""
 
 from collections.abc import Sequence
 

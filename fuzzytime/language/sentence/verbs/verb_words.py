@@ -28,7 +28,7 @@ class VerbWords(Stated):
         return []
 
     def _whole_verb(self, verb: int) -> list[int]:
-        """Give a verb with the word in front that makes another of it: "deep clean the fryer", "test drive it"."""
+        """Give a verb with the word in front that makes another of it: "deep clean it", "test drive it"."""
         front = verb - 1
         if (
             front < 0
