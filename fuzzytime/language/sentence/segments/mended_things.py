@@ -23,7 +23,8 @@ def _with_last_noun(tree: Tree) -> Tree:
         if place >= len(tree.nodes) or tree.nodes[thing].tag not in SINGULAR:
             continue
         node = tree.nodes[place]
-        if not node.is_verb or node.may_act or node.head != tree.root or tree.children(place):
+        helps = node.relation == "aux"
+        if not (node.is_verb or helps) or node.may_act or node.head != tree.root or tree.children(place):
             continue
         nodes = [
             replace(n, head=place) if n.head == thing and p < thing else n for p, n in enumerate(tree.nodes)

@@ -29,6 +29,8 @@ def _with_manner(tree: Tree) -> Tree:
         known = node.may_act or not node.lower.endswith(tuple(tree.lexicon.closed.endings_of_manner))
         if place and node.is_verb and not known and node.relation == "conj":
             nodes[place] = replace(node, tag="RB", relation="advmod")
+            for below in tree.children(place):
+                nodes[below] = replace(nodes[below], head=node.head)
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
 
 

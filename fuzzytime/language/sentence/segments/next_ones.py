@@ -13,7 +13,7 @@ NAMED = frozenset({"DT", "PRP", "PRP$", "NNPS", "EX", "NNS"})
 
 
 def next_one(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
-    """Give a segment with the "next" in front, where that describes what does something: "next bus leaves"."""
+    """Give a segment with the "next" in front, where that describes what does it: "next bus leaves"."""
     segment, tree, root = one.segment, part.tree, part.tree.root
     said = one.source.scanned.text[slice(*segment.connective_span)].lower()
     if said != NEXT or root is None or tree.nodes[root].tag != "VBZ":

@@ -101,7 +101,7 @@ def thing_of_clause_in_front(sketch: Sketch, operation: Operation, anchors: Anch
 
 
 def _changed(sketch: Sketch, clause: Clause, operation: Operation, anchors: Anchors) -> str | None:
-    """Give what is said to have become what it is, and was worked on: "when the dough has risen, shape it"."""
+    """Give what has become what it is, and was worked on: "when the dough has risen, shape it"."""
     front, condition, lexicon = sketch.part.front, clause.condition, anchors.lexicon
     if front is None or condition is None or condition.subject is None:
         return None

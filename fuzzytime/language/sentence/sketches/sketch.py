@@ -116,7 +116,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if any(clause.span[0] < verb < clause.span[1] for clause in clauses) and part.segment.connective:
         # "…, then every two minutes until it thickens"
         return named
-    others = elsewhere(part, kept, action, lexicon)
+    others = elsewhere(part, kept, action, lexicon, told=bool(clauses))
     told = ((aim_of(part, kept, action), "what it is for"), (reason_of(part, kept, action), "why"))
     aims = [(span, what) for span, what in told if span is not None]
     for aim, what in aims:

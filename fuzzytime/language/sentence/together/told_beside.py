@@ -174,7 +174,7 @@ def _says_when(phrase: Phrase) -> bool:
 def due_before(sketches: Sequence[Sketch], text: str, mentions: Mentions, first: int) -> list[Sketch]:
     """Let what takes long, and was not asked for, be over when what it is for has to be so.
 
-    "Makeup for Ines takes 90 minutes, she has to be on set by eight"; ``first`` instructions were given before.
+    "Makeup for Ines takes 90 minutes, she has to be on set by 8"; ``first`` instructions were given before.
     """
     found = list(sketches)
     for place in range(len(found) - 1):
