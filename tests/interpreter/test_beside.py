@@ -72,6 +72,11 @@ def test_who_is_called_for_what_lasts_keeps_at_it_while_another_does_something()
     assert next(one for one in made.skills if one.identifier == "s1").skill.duration == 20 * 60
 
 
+def test_what_needs_hands_to_its_end_keeps_them() -> None:
+    made = starts(told(["Mix the flour for five minutes", "Meanwhile grease the tin for two minutes"]))
+    assert made["s2"] == "07:05"
+
+
 def test_what_is_put_in_without_a_verb_goes_on_by_itself() -> None:
     made = starts(told(["Ribs in at 8:30, two hours", "Baste them halfway through"]))
     assert made == {"s1": "08:30", "s2": "09:30"}
