@@ -10,6 +10,7 @@ from fuzzytime.interpreter.in_order import Rows, without_now
 from fuzzytime.interpreter.inside import GoingOn, going_on
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
+from fuzzytime.interpreter.meanwhile import beside_what_lasts, going_on_by_itself
 from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
@@ -130,6 +131,10 @@ class Gathering:
             for place in timed:
                 self._time(place, instruction, wish)
             return timed[-1:]
+        given = self.links.instructions, self.skills, self.maker.lexicon
+        instruction = beside_what_lasts(instruction, *given)
+        for place in going_on_by_itself(instruction, *given):
+            self.skills[place] = self.maker.how_long.by_itself(self.skills[place])
         step = without_now(instruction) if listed and self.rows.begun else instruction
         made = self._make(wish, reading, step)
         if listed:

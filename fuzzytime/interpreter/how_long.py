@@ -83,6 +83,19 @@ class HowLong:
         skill = replace(made.skill, duration=duration.hands_on, elapsed=duration.elapsed)
         return replace(made, skill=skill, duration=duration)
 
+    def by_itself(self, made: Interpreted) -> Interpreted:
+        """Let a skill go on by itself once it is begun: something else is done meanwhile.
+
+        What the table knows to need hands to its end keeps them: "mix the dough".
+        """
+        if made.instruction is None or made.wish.hands_on is not None or made.wish.elapsed is not None:
+            return made
+        table = self._of_table(made.instruction.operation)
+        if table.known and table.elapsed <= table.hands_on:
+            return made
+        duration = replace(made.duration, hands_on=min(made.duration.hands_on, table.hands_on))
+        return replace(made, skill=replace(made.skill, duration=duration.hands_on), duration=duration)
+
     def given(self, wish: Wish, operation: Operation | None) -> OperationDuration:
         """Take what the wish gives; of hands-on and elapsed time, the one not given follows the table."""
         table = self._of_table(operation)

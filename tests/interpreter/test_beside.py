@@ -52,3 +52,37 @@ def test_what_comes_right_behind_is_near(words: str, latest: int) -> None:
     assert notes(made) == []
     (order,) = made.schedule.task.precedences
     assert order.wished_lag is not None
+
+
+def test_what_lasts_goes_on_by_itself_where_something_is_done_meanwhile() -> None:
+    made = starts(told(["Degas the solvent for 20 minutes", "Meanwhile weigh out the salt for a minute"]))
+    assert made["s1"] == "07:00"
+    assert made["s2"] < "07:20"
+
+
+def test_what_is_done_meanwhile_is_beside_what_lasts() -> None:
+    lines = ["Rest the steaks for five minutes, then plate them", "Meanwhile warm the plates for two minutes"]
+    made = starts(told(lines))
+    assert made["s1"] == made["s2"] == "07:00"
+    assert made["s1.2"] >= "07:05"
+
+
+def test_who_is_called_for_what_lasts_keeps_at_it_while_another_does_something() -> None:
+    made = told(["Anna, degas the solvent for 20 minutes", "Meanwhile weigh out the salt for a minute"])
+    assert next(one for one in made.skills if one.identifier == "s1").skill.duration == 20 * 60
+
+
+def test_what_needs_hands_to_its_end_keeps_them() -> None:
+    made = starts(told(["Mix the flour for five minutes", "Meanwhile grease the tin for two minutes"]))
+    assert made["s2"] == "07:05"
+
+
+def test_what_is_put_in_without_a_verb_goes_on_by_itself() -> None:
+    made = starts(told(["Ribs in at 8:30, two hours", "Baste them halfway through"]))
+    assert made == {"s1": "08:30", "s2": "09:30"}
+
+
+def test_it_is_what_has_changed_by_then() -> None:
+    lines = ["Mix the dough for 12 minutes", "Let it prove for an hour", "Scale the butter for five minutes"]
+    made = told([*lines, "When the dough has risen, shape it"])
+    assert next(one.skill.name for one in made.skills if one.identifier == "s4") == "shape the dough"

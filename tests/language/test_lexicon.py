@@ -10,7 +10,8 @@ import pytest
 from fuzzytime.errors import DocumentError
 from fuzzytime.language import Language, Lexicon, find_times, read_lexicon, shipped_lexicon
 from fuzzytime.language.finding import shipped_grammar
-from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Doing
+from fuzzytime.language.grammar.verb_groups import Doing
+from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses
 from fuzzytime.resources import rules_directory
 from fuzzytime.yaml_nodes import Reader
 

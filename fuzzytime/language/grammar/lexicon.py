@@ -5,7 +5,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Doing
+from fuzzytime.language.grammar.verb_groups import Doing
+from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Edge
 from fuzzytime.language.policy import Hours, Policy

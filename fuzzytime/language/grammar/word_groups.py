@@ -13,6 +13,7 @@ Words = frozenset[str]
 class ClosedClasses:
     """Determiners, pronouns, auxiliaries, conjunctions, prepositions and adverbs: ``closed_classes``."""
 
+    endings_of_manner: Words
     articles: Words
     first_person_possessives: Words
     sure_possessives: Words
@@ -224,77 +225,3 @@ class BesideTimes:
     second_choice: Words
     obliging: Words
     obliged: Words
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Doing:
-    """Verbs, and what is said like one, by what they say of what happens or ask for: ``doing``."""
-
-    arriving: Words
-    leaving: Words
-    being_there: Words
-    getting_there: Words
-    beginning: Words
-    ending: Words
-    going_on: Words
-    for_days: Words
-    by_then: Words
-    by_the_day: Words
-    shutting: Words
-    lit: Words
-    running: Words
-    taking: Words
-    spent: Words
-    spending: Words
-    finished: Words
-    putting: Words
-    waiting: Words
-    setting: Words
-    set_going: Words
-    repeating: Words
-    shifting: Words
-    trying: Words
-    continuing: Words
-    settling: Words
-    inquiring: Words
-    requesting: Words
-    finding_out: Words
-    asking: Words
-    learning: Words
-    recalling: Words
-    messaging: Words
-    marking: Words
-    noting: Words
-    replying: Words
-    letters: Words
-    recipients: Words
-    before_messages: Words
-    sure: Words
-    unwanted: Words
-    eating: Words
-    keeping: Words
-    getting: Words
-    becoming: Words
-    being: Words
-    being_or_doing: Words
-    phases: Words
-    stopping: Words
-    happening: Words
-    surely_timed: Words
-    timed: Words
-    several_timed: Words
-    dropping: Words
-    declining: Words
-    revoking: Words
-    inviting: Words
-    seeking: Words
-    finding: Words
-    showing: Words
-    remembering: Words
-    needing: Words
-    hesitating: Words
-    bringing: Words
-    meeting: Words
-    resting: Words
-    watching: Words
-    past_alike: Words

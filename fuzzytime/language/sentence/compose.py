@@ -54,6 +54,7 @@ from fuzzytime.language.sentence.together.mornings import follows_night
 from fuzzytime.language.sentence.together.naming import naming_none
 from fuzzytime.language.sentence.together.pairs import follows_on, leads_to, side_of_night
 from fuzzytime.language.sentence.together.sketches import sketches_of
+from fuzzytime.language.sentence.together.told_beside import due_before
 from fuzzytime.language.sentence.together.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
 from fuzzytime.requirement import Anchor, Edge
@@ -120,6 +121,7 @@ class _Composer:
         sketches, remarks = asked_of(sketches, self.draft, self.mentions, self.first, self.lexicon)
         self.remarks += remarks
         sketches = said_for_all(sketches, self.draft.text, self.lexicon)
+        sketches = due_before(sketches, self.draft.text, self.mentions, self.first)
         operations = [sketch.operation for sketch in sketches]
         instructions = self.made
         for place, sketch in enumerate(sketches):

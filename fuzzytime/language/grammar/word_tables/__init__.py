@@ -5,7 +5,8 @@ from pathlib import Path
 from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
 from fuzzytime.language.grammar.spelling import misspellings
-from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Doing
+from fuzzytime.language.grammar.verb_groups import Doing
+from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses
 from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
 from fuzzytime.language.grammar.word_tables.feasts import read_feasts
 from fuzzytime.language.grammar.word_tables.groups import read_groups

@@ -3,7 +3,8 @@
 from dataclasses import fields
 from typing import TypeVar
 
-from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Doing, Words
+from fuzzytime.language.grammar.verb_groups import Doing
+from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Words
 from fuzzytime.language.grammar.word_tables.tables import Tables
 from fuzzytime.spelling import suggestion
 from fuzzytime.yaml_nodes import Node

@@ -102,7 +102,7 @@ class Mentions:
         found = self._people[several]
         place = bisect_left(found, before) - 1
         operation = self.operations[found[place]] if place >= 0 else None
-        return None if operation is None else operation.object
+        return None if operation is None else _person_of(operation, self.lexicon)
 
     def about(self, words: frozenset[str], before: int) -> int | None:
         """Give the latest position before one whose object has all of some words."""
@@ -156,6 +156,12 @@ class Mentions:
         ordered = (reversed(run) if backwards else iter(run) for run in runs)
         for position, _ in groupby(heapq.merge(*ordered, reverse=backwards)):
             yield position
+
+
+def _person_of(operation: Operation, lexicon: Lexicon) -> str | None:
+    """Give who is named by an operation: of "the physio comes for Mr Brandt", him."""
+    _, _, whom = (operation.place or "").partition(" ")
+    return whom if operation.stated and names_person(whom, lexicon) else operation.object
 
 
 def _nouns(verb: str) -> tuple[str, ...]:

@@ -24,7 +24,7 @@ from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors, only_counted
-from fuzzytime.language.sentence.references.mentions import waits_for
+from fuzzytime.language.sentence.references.mentions import BE, waits_for
 from fuzzytime.language.sentence.references.same_thing import (
     counted_from,
     is_about_the_same,
@@ -124,6 +124,11 @@ def _upon_arrival(anchors: Anchors, requirement: TimeRequirement) -> TimeRequire
     if requirement.preposition != WITHIN or requirement.t_spec is None or operation is None:
         return None
     for place, happening in anchors.just_before():
+        beside = anchors.first <= place == anchors.position - 1 and happening.lemma == BE and happening.stated
+        if beside and operation.due is not None:
+            # "A table of twelve at 7:15, starters must go within ten minutes": from then on.
+            anchor = Anchor(text=requirement.text, target=place, edge=Edge.START, lag=requirement.t_spec)
+            return only_counted(requirement, anchor, Constraint.BETWEEN)
         if waits_for(operation, happening, anchors.lexicon):
             anchor = Anchor(text=requirement.text, target=place, lag=requirement.t_spec)
             return only_counted(requirement, anchor, Constraint.BETWEEN)

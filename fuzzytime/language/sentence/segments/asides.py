@@ -66,7 +66,7 @@ def _aside(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
     while place > 0 and words[place].text in told["helping"]:
         place -= 1
     bracketed = words[place].text == BRACKET or words[place - 1].text in {BRACKET, "-"}
-    behind = phrase.end == len(words) or words[phrase.end].text in ENDING
+    behind = phrase.end == len(words) or words[phrase.end].text in ENDING or _becomes(words, phrase, lexicon)
     if words[place].text in told["naming"] or (words[place].text in told["back"] and (bracketed or behind)):
         place -= 1
     if place < 1 or words[place].text not in OPENING:
@@ -79,14 +79,22 @@ def _aside(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
         # "…, which starts at eight and lasts 20 minutes"
         end = _end(scanned, phrase)
         return None if end is None else Aside((words[place].start, end), phrase)
-    if (
-        words[place].text != BRACKET
-        and words[place + 1].text not in told["naming"] | told["helping"] | told["back"]
-    ):
+    known = told["naming"] | told["helping"] | told["back"]
+    # "Handover at 7, takes a quarter of an hour"
+    known |= {word for word in told["taking"] if word.endswith("s")}
+    if words[place].text != BRACKET and words[place + 1].text not in known:
         # "Wash up, need 20 minutes"
         return None
     end = _end(scanned, phrase)
     return None if end is None else Aside((words[place].start, end), phrase)
+
+
+def _becomes(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> bool:
+    """Whether it is said what becomes of it: "light it, it needs an hour to get hot"; not "to get there"."""
+    said = [word.text for word in words[phrase.end : phrase.end + PURPOSE]]
+    if len(said) < PURPOSE or said[0] != "to" or said[1] not in lexicon.doing.being:
+        return False
+    return said[2] not in lexicon.told["there"] | lexicon.told["between"]
 
 
 def _is_named(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:

@@ -122,6 +122,7 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
     if further is not None:
         # "Actually, make it twenty"
         start = min(_behind_pauses(scanned, start + len(further)), len(scanned.words) - 1)
+    start = _behind_who_says(scanned, start, lexicon)
     cell = scanned.cells[start]
     for category in ("said", "wall", "duration", "clock", "quantity"):
         pieces = sorted(cell.get(category, {}).values(), key=lambda piece: -piece.end)
@@ -131,6 +132,15 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
                 span = (scanned.words[piece.start].start, scanned.words[piece.end - 1].end)
                 return Phrase(said, piece.start, piece.end, span, "correction")
     return None
+
+
+def _behind_who_says(scanned: Scanned, place: int, lexicon: Lexicon) -> int:
+    """Give the place behind who says the new time: "at five, no, Jonas said 5:30"."""
+    words = scanned.words
+    behind = place + 2
+    named = words[place].capital or words[place].text in lexicon.closed.personal_pronouns | lexicon.persons
+    says = behind < len(words) and words[place + 1].text in lexicon.doing.saying
+    return behind if named and says else place
 
 
 def _behind_pauses(scanned: Scanned, place: int) -> int:

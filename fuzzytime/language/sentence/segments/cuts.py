@@ -8,6 +8,7 @@ from itertools import pairwise
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.segments.further_orders import further_verbs
+from fuzzytime.language.sentence.segments.orders_behind_names import behind_told
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.verbs_left_out import verbs_left_out
@@ -91,9 +92,8 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         yield onward[1]
         return
     times = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in one.source.phrases)]
-    starts = [
-        part.tree.nodes[place].start for place in sorted(further_verbs(part.tree, root, lexicon, times))
-    ]
+    found = further_verbs(part.tree, root, lexicon, times, told=part.segment.doer is not None)
+    starts = [part.tree.nodes[place].start for place in sorted(found)]
     starts = [start + part.offset for start in starts if not any(a < start < b for a, b in times)]
     for start in starts:
         chain = _chain(one, part, start)
@@ -112,6 +112,8 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         for place, node in enumerate(part.tree.nodes)
         if place > 1 and is_order_between_times(part.tree, place, timed, lexicon)
     }
+    behind = behind_told(part.tree, root, timed, lexicon)
+    orders |= set() if behind is None else {part.tree.nodes[behind].start + part.offset}
     gaps = set(verbs_left_out(one, part, lexicon)) - statements - orders
     starts += sorted(gaps)
     for start in starts:

@@ -19,7 +19,8 @@ from fuzzytime.language.sentence.segments.gaps import with_gaps
 from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
-from fuzzytime.language.sentence.segments.mended_trees import as_done, as_order
+from fuzzytime.language.sentence.segments.mended_things import with_object_of_aim, with_whole_things
+from fuzzytime.language.sentence.segments.mended_trees import as_acting, as_done, as_order
 from fuzzytime.language.sentence.segments.messages import (
     Message,
     messages_of,
@@ -27,14 +28,16 @@ from fuzzytime.language.sentence.segments.messages import (
     remarks_of,
     without_messages,
 )
+from fuzzytime.language.sentence.segments.next_ones import next_one
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
+from fuzzytime.language.sentence.segments.same_doers import done_next
 from fuzzytime.language.sentence.segments.segment import segments_of
 from fuzzytime.language.sentence.segments.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
-from fuzzytime.language.sentence.verbs.called import with_called, with_event, with_worker
+from fuzzytime.language.sentence.verbs.called import with_called, with_clause, with_event, with_worker
 from fuzzytime.language.sentence.verbs.statement_trees import as_statement
 
 CARRIERS = ("", "please ", "you should ")
@@ -188,8 +191,13 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
     ]
     for last_round in (False,) * ROUNDS + (True,):
         if not waiting:
+            waiting = [] if last_round else _done_next(sources, done, lexicon)
+        if not waiting:
             break
-        found, fronts = _trees(waiting, trees, lexicon), _uncapitalised([one.front for one in waiting], trees)
+        found = _trees(waiting, trees, lexicon)
+        fronts = [
+            with_clause(tree, lexicon) for tree in _uncapitalised([one.front for one in waiting], trees)
+        ]
         led = {} if last_round else fronts_of(waiting, found, fronts, trees, lexicon)
         alone = [place for place in range(len(waiting)) if place not in led and not last_round]
         joined = [waiting[place] for place in alone], [found[place] for place in alone]
@@ -210,7 +218,12 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
                 continue
             if not last_round:
                 cut = cut or called_first(one, part, lexicon) or addressed(one, part, lexicon)
-                cut = cut or reminded(one, part, lexicon) or list(pieces_of(one, part, lexicon))
+                cut = (
+                    cut
+                    or next_one(one, part, lexicon)
+                    or reminded(one, part, lexicon)
+                    or list(pieces_of(one, part, lexicon))
+                )
             following += [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]
             if not cut:
                 done[one.position][one.segment.span[0]] = part
@@ -222,6 +235,15 @@ def _order_apart(one: Waiting) -> int | None:
     """Give where an order begins beside what is told; None where none does."""
     first, end = one.segment.span
     return next((start for start in one.source.apart if first < start < end), None)
+
+
+def _done_next(sources: Sequence[Source], done: Sequence[dict[int, Part]], lexicon: Lexicon) -> list[Waiting]:
+    """Give what waits anew for its tree, behind who does it: "…, then lands"."""
+    return [
+        Waiting.of(position, source, part.segment, lexicon)
+        for position, (source, own) in enumerate(zip(sources, done, strict=True))
+        for part in done_next(source, own, lexicon)
+    ]
 
 
 def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
@@ -245,10 +267,16 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
             bare = as_order(tree.without_carrier(carrier, texts[place], skipped))
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
-    found = [
-        with_called(with_worker(with_event(tree, lexicon), lexicon), one.timed(tree), lexicon)
-        for one, tree in zip(waiting, found, strict=True)
-    ]
+    told = [place for place, one in enumerate(waiting) if one.segment.doer is not None]
+    led = trees([f"{waiting[place].segment.doer} {texts[place]}" for place in told])
+    for place, tree in zip(told, led, strict=True):
+        # "The plumber comes at four, fixes the tap": it is a verb behind who does it.
+        alone = tree.without_carrier(f"{waiting[place].segment.doer} ", texts[place], 0)
+        found[place] = as_acting(alone)
+    found = [with_whole_things(tree) for tree in found]
+    found = [with_object_of_aim(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
+    found = [with_worker(with_event(with_clause(tree, lexicon), lexicon), lexicon) for tree in found]
+    found = [with_called(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
     travelling = lexicon.travelling
     return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
 

@@ -4,6 +4,13 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
+from fuzzytime.language.sentence.segments.orders_behind_names import (
+    behind_heading,
+    behind_named,
+    behind_run_on,
+    behind_told,
+    having_done,
+)
 from fuzzytime.language.sentence.segments.orders_beside_times import (
     is_led_by_time,
 )
@@ -16,7 +23,7 @@ from fuzzytime.language.sentence.segments.orders_in_front import (
     order_behind_order,
 )
 from fuzzytime.language.sentence.segments.overlooked_orders import is_overlooked
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SINGULAR
+from fuzzytime.language.sentence.trees.tags import IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.actions import action_of, gone_to_do
 from fuzzytime.language.sentence.verbs.statements import (
@@ -31,74 +38,40 @@ SHORTEST = 2
 """Words of an order at least, before a participle that goes on beside it."""
 
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
-LEAST_TOLD = 4
-"""Words of "dinner is at ten", at least."""
-LEAST_NAMED = 2
-"""Words of "dinner today", at least."""
-
-NAMING = frozenset({*SINGULAR, *DETERMINERS, "JJ"})
-"""Tags of words that name one thing."""
-
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
 
 
-def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span] = ()) -> list[int]:
+def further_verbs(
+    tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span] = (), *, told: bool = False
+) -> list[int]:
     """Give the words at which further instructions of one sentence begin: imperatives beside the first.
 
     "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
-    else; what counts is a bare verb without a subject behind "and" or a comma.
+    else; what counts is a bare verb without a subject behind "and" or a comma. What is ``told`` is about who
+    was named before.
     """
     timed = {place for span in times for place in tree.at(*span)}
     first = (
         order_behind_order(tree, root, timed),
         order_behind_statement(tree, root, timed),
-        _behind_told(tree, root, timed, lexicon),
-        _behind_named(tree, root, timed, lexicon),
+        behind_told(tree, root, timed, lexicon),
+        behind_named(tree, root, timed, lexicon),
+        behind_heading(tree, root, timed),
+        behind_run_on(tree, root, lexicon),
     )
     found = [start for start in first if start is not None]
     for place in range(len(tree.nodes)):
         if place in timed and place != root:
             continue
+        if place and tree.nodes[place - 1].tag == "POS" and tree.nodes[place - 1].relation == "case":
+            # "Give dad's dog its pill"
+            continue
         start = _start_at(tree, place, root, timed, lexicon)
+        if start is None and _is_second_statement(tree, place, root, timed, told=told):
+            start = place
         if start is not None:
             found.append(start)
     return found
-
-
-def _behind_told(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
-    """Give an order that has what is told before it below it: "dinner is at seven, lay the table at six"."""
-    node, comma = tree.nodes[root], root - 1
-    bare = node.may_act and (node.lower == node.lemma or node.lower in lexicon.doing.past_alike)
-    if comma < LEAST_TOLD or tree.nodes[comma].text != "," or comma - 1 not in timed or not bare:
-        return None
-    if tree.children(root, *ANY_SUBJECTS, "aux", "mark"):
-        return None
-    told = any(
-        tree.nodes[place].tag == "VBZ"
-        and tree.nodes[place].head == root
-        and tree.children(place, *ANY_SUBJECTS)
-        for place in range(comma)
-    )
-    return root if told else None
-
-
-def _behind_named(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
-    """Give an order behind what is named with a time: "dentist at three, pick up the kids at four".
-
-    A machine is named to be asked: "robot at three, dock".
-    """
-    comma = root - 1
-    if comma < LEAST_NAMED or tree.nodes[comma].text != "," or not tree.nodes[root].may_act:
-        return None
-    named = next((place for place in range(comma) if place in timed), 0)
-    if not named or not timed.issuperset(range(named, comma)):
-        return None
-    things = tree.nodes[:named]
-    asked = {node.lower for node in things} & (lexicon.machines | lexicon.addresses)
-    if asked or things[-1].tag not in SINGULAR or any(node.tag not in NAMING for node in things):
-        return None
-    bare = tree.nodes[root].tag in IMPERATIVE and tree.nodes[root].lower == tree.nodes[root].lemma
-    return root if bare and not tree.children(root, "aux", "mark", "neg") else None
 
 
 def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
@@ -106,11 +79,10 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     told = result_behind_statement(tree, place, root, timed)
     told = second_statement(tree, place, timed) if told is None else told
     told = being_behind_order(tree, place, timed) if told is None else told
+    told = having_done(tree, place) if told is None else told
     if told is not None:
         return told
-    if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):
-        return place
-    if goes_on(tree, place, root, timed):
+    if _goes_on(tree, place, timed, lexicon) or goes_on(tree, place, root, timed):
         return place
     if place > 1 and (_follows_so(tree, place, timed) or _follows_statement(tree, place, root, timed)):
         return place
@@ -215,7 +187,7 @@ def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
     )
 
 
-def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
+def _is_second_statement(tree: Tree, place: int, root: int, timed: set[int], *, told: bool) -> bool:
     """Whether it is what the same thing does next: "the roast goes in at ten and comes out at two"."""
     closed = tree.lexicon.closed
     node = tree.nodes[place]
@@ -224,12 +196,18 @@ def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
         and node.head == root
         and tree.nodes[place - 1].lower in closed.joints_of_orders
     )
-    named = bool(tree.children(root, *ANY_SUBJECTS))
+    named = told or bool(tree.children(root, *ANY_SUBJECTS))
     told = tree.nodes[root].tag == node.tag == "VBZ" and named
     # "The show will last an hour and start at eight"
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
     told = told or (named and bool(helping) and helping <= closed.future | {"should"} and node.tag == "VB")
-    return beside and told and not tree.children(place, *ANY_SUBJECTS, "aux")
+    if tree.nodes[root].tag == "VBZ" and named and node.tag == "NNS" and place > 1 and place + 1 in timed:
+        # "The plumber fixes the tap and leaves at five"
+        beside = tree.nodes[place - 1].lower in closed.joints_of_orders
+        told = node.lower in tree.lexicon.doing.timed
+    # "Feeds the cows" has who is fed for who does it.
+    own = any(p < place for p in tree.children(place, *ANY_SUBJECTS))
+    return beside and told and not own and not tree.children(place, "aux")
 
 
 def _is_passive_order(tree: Tree, place: int) -> bool:

@@ -20,9 +20,21 @@ LET = 2
 
 def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
-    tree = _with_name_in_front(_with_numbered_things(tree, lexicon), lexicon)
+    tree = _with_manner(_with_name_in_front(_with_numbered_things(tree, lexicon), lexicon))
     mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
     return _with_list(mended or _does_compound(tree, lexicon) or tree)
+
+
+def _with_manner(tree: Tree) -> Tree:
+    """Give "start the addition, dropwise over an hour" its adverb, which a tree takes for a second verb."""
+    nodes = list(tree.nodes)
+    for place, node in enumerate(nodes):
+        known = node.may_act or not node.lower.endswith(tuple(tree.lexicon.closed.endings_of_manner))
+        if place and node.is_verb and not known and node.relation == "conj":
+            nodes[place] = replace(node, tag="RB", relation="advmod")
+            for below in tree.children(place):
+                nodes[below] = replace(nodes[below], head=node.head)
+    return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
 
 
 def _does_numbered(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -163,8 +175,16 @@ def _lets(tree: Tree) -> Tree | None:
 
 def as_order(tree: Tree) -> Tree:
     """Give a tree a verb for its first word, which has an object and was taken for a noun: "phone them"."""
+    tree = _with_manner(tree)
     root = tree.root
     first = tree.nodes[0] if tree.nodes else None
     if first is None or root != 0 or not first.tag.startswith("NN") or not first.may_act:
         return tree
     return tree.with_nodes((replace(first, tag="VB"), *tree.nodes[1:])) if tree.children(0, "dobj") else tree
+
+
+def as_acting(tree: Tree) -> Tree:
+    """Give what one does next its verb, which may be a plural too: "robot 2 cleans the tank, then docks"."""
+    if tree.root != 0 or tree.nodes[0].tag not in {"NNS", "VB"}:
+        return tree
+    return tree.with_nodes((replace(tree.nodes[0], tag="VBZ"), *tree.nodes[1:]))

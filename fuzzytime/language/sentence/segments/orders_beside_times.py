@@ -65,7 +65,10 @@ def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     closed = lexicon.closed
     node = tree.nodes[place]
     behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
-    bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
+    # "Ribs in at 10:30, low and slow": how, and not what.
+    described = node.tag == "JJ" and any(tree.nodes[p].tag == "JJ" for p in tree.children(place, "conj"))
+    acts = node.may_act and node.lower == node.lemma and not described
+    bare = acts or node.lower in lexicon.alone
     counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
     return (
         bare
@@ -112,7 +115,10 @@ def leads_to_order(tree: Tree, behind_time: int, lexicon: Lexicon) -> bool:
     past = node.tag in {"VBD", "VBN"} and first != tree.root
     named = node.tag.startswith("NN") or (owning and node.tag.startswith(("JJ", "RB")))
     named = named or (past and (owning or carried))
-    return named and node.lower == node.lemma and (owning or called or carried)
+    # "At 23:00 drain rack 14": what has a number is a thing.
+    number = tree.nodes[first + 2 : first + 3]
+    counted = node.may_act and behind.lower in lexicon.machines and any(n.tag == "CD" for n in number)
+    return named and node.lower == node.lemma and (owning or called or carried or counted)
 
 
 def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -94,7 +94,8 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     joints = (
         lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}
     ) - lexicon.beside.contrary
-    if before.lower in joints:
+    if before.lower in joints or (before.tag == "POS" and before.relation == "case"):
+        # "Give dad's dog its pill"
         return False
     if before.tag == "PRP" and before.lower in lexicon.closed.personal_pronouns:
         # "…, I need it at nine"

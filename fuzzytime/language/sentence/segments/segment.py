@@ -24,7 +24,8 @@ class Segment:
     """A stretch of the text that holds one instruction, and the connective that led to it, with its span.
 
     ``addressee`` is who was asked by name, before a comma or behind one; ``verbless`` says that its verb was
-    said before: "the cat at eight and the dog at nine".
+    said before: "the cat at eight and the dog at nine". ``doer`` is who does it, named before: "the drone
+    takes off at nine, surveys the field"; that one is asked where both are the same.
     """
 
     span: Span
@@ -32,10 +33,11 @@ class Segment:
     connective_span: Span = (0, 0)
     addressee: str | None = None
     verbless: bool = False
+    doer: str | None = None
 
     def shares(self, text: str) -> bool:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
-        return text[slice(*self.connective_span)].lower() in {"and", ","}
+        return self.doer is None and text[slice(*self.connective_span)].lower() in {"and", ","}
 
     @property
     def empty(self) -> bool:

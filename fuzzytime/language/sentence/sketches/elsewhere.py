@@ -32,16 +32,18 @@ LEAST_CASE = 3
 """Words of such a case, at least, behind the first of them."""
 
 
-def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Lexicon) -> list[Phrase]:
-    """Give the times that are no times of what is to be done."""
+def elsewhere(
+    part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Lexicon, *, told: bool = False
+) -> list[Phrase]:
+    """Give the times that are no times of what is to be done, of which a clause may have ``told`` when."""
     starts = {phrase.span: next(part.tree.at(*_local(part, phrase)), None) for phrase in phrases}
     timed = {place for phrase in phrases for place in part.tree.at(*_local(part, phrase))}
-    told = _told_from(part, action, timed, lexicon)
-    own = told is not None and any(place is None or place < told for place in starts.values())
+    said = _told_from(part, action, timed, lexicon)
+    own = said is not None and any(place is None or place < said for place in starts.values())
     if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
-        told = _recalled_from(part, action)
+        said = _recalled_from(part, action)
     found = _of_moved(part, phrases, action, lexicon) + _of_prepared(part, phrases, action)
-    found += _of_inner(part, phrases)
+    found += _of_inner(part, phrases) + _of_subject(part, phrases, action, told=told)
     past: int | None = None
     for phrase in phrases:
         place = starts[phrase.span]
@@ -50,7 +52,7 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
         before, past = past, _done_before(part, phrase, place, action)
         # Of two times behind what was done the second says when: "call the man who rang at six at seven".
         described = past is not None and past != before
-        of_told = told is not None and place > told and not _is_of_telling(part, phrase, action, told)
+        of_told = said is not None and place > said and not _is_of_telling(part, phrase, action, said)
         if described or of_told or _is_described(part, place, action):
             found.append(phrase)
     return found
@@ -62,6 +64,19 @@ def is_of_subject(part: Part, phrase: Phrase, action: Action) -> bool:
     subjects = part.tree.children(action.place, *GRAMMATICAL_SUBJECTS)
     is_when = phrase.said.constraint in {None, Constraint.AT}
     return is_when and place is not None and any(place in part.tree.below(subject) for subject in subjects)
+
+
+def _of_subject(part: Part, phrases: Sequence[Phrase], action: Action, *, told: bool) -> list[Phrase]:
+    """Give what something is for, beside when it happens: "the sheet for Monday goes out at six"."""
+    subjects = [p for p in part.tree.children(action.place, *SUBJECTS) if p < action.place]
+    inside = {p for subject in subjects for p in part.tree.below(subject)}
+    places = {phrase.span: set(part.tree.at(*_local(part, phrase))) for phrase in phrases}
+    own = [phrase for phrase in phrases if not places[phrase.span] <= inside]
+    verb = part.tree.nodes[action.place]
+    if verb.tag != "VBZ" or verb.lemma in part.tree.lexicon.doing.happening or not (own or told):
+        # "Dinner for Saturday is at eight"
+        return []
+    return [phrase for phrase in phrases if phrase not in own and phrase.said.preposition == FOR]
 
 
 def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:

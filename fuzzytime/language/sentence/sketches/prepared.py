@@ -33,7 +33,8 @@ def due_of(
     if not before or (words[-1:] != ["so"] and not bounded and not goes) or before[-1].operation is None:
         return None
     asked = sketch.operation is None or not sketch.operation.stated
-    if not before[-1].operation.stated or not asked:
+    told = before[-1].operation.stated or before[-1].operation.due is not None
+    if not told or not asked:
         # "Story at seven, lights out by half past" is one after the other.
         return None
     return _begin_of(instructions[-1])

@@ -5,10 +5,14 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions, undoes
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.named import is_several, may_be_it
+
+HAVE = "have"
 
 
 def resolved_object(
@@ -87,11 +91,29 @@ def thing_of_clause_in_front(sketch: Sketch, operation: Operation, anchors: Anch
             condition = clause.condition
             named = condition is not None and condition.subject not in pronouns.anaphors
             thing = anchors.about(clause)
+            if thing is None and named:
+                thing = _changed(sketch, clause, operation, anchors)
             if thing is not None and (
                 named or is_several(thing, anchors.lexicon) == (operation.object in pronouns.plural_anaphors)
             ):
                 return thing
     return None
+
+
+def _changed(sketch: Sketch, clause: Clause, operation: Operation, anchors: Anchors) -> str | None:
+    """Give what has become what it is, and was worked on: "when the dough has risen, shape it"."""
+    front, condition, lexicon = sketch.part.front, clause.condition, anchors.lexicon
+    if front is None or condition is None or condition.subject is None:
+        return None
+    several = (operation.object or "").lower() in lexicon.closed.plural_anaphors
+    perfect = any(
+        node.tag == "VBN" and any(front.nodes[p].lemma == HAVE for p in front.children(place, "aux"))
+        for place, node in enumerate(front.nodes)
+    )
+    position = anchors.mentions.about(content_words(condition.subject), anchors.first)
+    named = None if position is None else anchors.mentions.operations[position]
+    thing = None if named is None else named.object
+    return thing if perfect and thing is not None and is_several(thing, lexicon) is several else None
 
 
 def _resolved_person(

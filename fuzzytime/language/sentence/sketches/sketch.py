@@ -10,6 +10,7 @@ from fuzzytime.language.meaning.expressions import Duration, Edge, Phrase, Range
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.times_of_events import AHEAD, OVER
 from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.same_doers import tells_more
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.deadlines_of_clauses import DEADLINE
 from fuzzytime.language.sentence.sketches.elsewhere import aim_of, elsewhere, is_of_subject, reason_of
@@ -31,6 +32,7 @@ from fuzzytime.language.sentence.verbs.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
 from fuzzytime.language.sentence.verbs.moments import reference_of
 from fuzzytime.language.sentence.verbs.operations import Reader
+from fuzzytime.language.sentence.verbs.put_there import put_there
 from fuzzytime.language.sentence.verbs.remembered import as_remembered
 from fuzzytime.requirement import Constraint, Reference
 
@@ -116,7 +118,8 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     )
     if named.operation is not None or part.segment.verbless:
         return named
-    action = _untimed(part, action_of(part.tree, lexicon), kept, lexicon)
+    meant = action_of(part.tree, lexicon, told=tells_more(part))
+    action = _untimed(part, meant, kept, lexicon)
     if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
         return named
     verb = part.tree.nodes[action.place].start + part.offset
@@ -124,7 +127,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         # "…, then every two minutes until it thickens"
         return named
     things = of_things(part, kept, action)
-    others = elsewhere(part, kept, action, lexicon)
+    others = elsewhere(part, kept, action, lexicon, told=bool(clauses))
     things = [phrase for phrase in things if phrase not in others]
     told = ((aim_of(part, kept, action), "what it is for"), (reason_of(part, kept, action), "why"))
     aims = [(span, what) for span, what in told if span is not None]
@@ -235,14 +238,18 @@ def _happening(
     """Give what happens at a time, or after something else, where no verb says what is to be done."""
     root = part.tree.root
     timed = phrases or clauses
+    spans = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in phrases)]
+    put = put_there(part.tree, [place for span in spans for place in part.tree.at(*span)], lexicon)
+    if put is not None and not part.segment.verbless:
+        return replace(put, span=(put.span[0] + part.offset, put.span[1] + part.offset))
     if part.segment.verbless or root is None or not timed or not happens(part.tree, phrases, lexicon):
         return None
     vague = (p.span for p in phrases if isinstance(p.said.time, TimeWord))
     if any(root in part.tree.at(a - part.offset, b - part.offset) for a, b in vague):
         # "No rush, but …" is no rush hour.
         return None
-    spans = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
-    names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
+    said = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
+    names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in said])
     found = happening_at(root, part.tree, phrases, names, lexicon)
     return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))
 

@@ -24,6 +24,7 @@ from fuzzytime.language.sentence.together.first_times import from_first_time
 from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.said_again import done_again, each_of
 from fuzzytime.language.sentence.together.several_times import of_several_times
+from fuzzytime.language.sentence.together.told_beside import told_beside
 from fuzzytime.language.sentence.together.turns import counted_apart
 from fuzzytime.requirement import Constraint
 
@@ -33,6 +34,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     found: list[Sketch] = []
     remarks: list[Remark] = []
     sketches = [sketch_of(draft, part, lexicon) for part in draft.parts]
+    sketches = told_beside(sketches, draft.text, lexicon)
     sketches = repeated(led(sketches, draft.text), draft.text, lexicon)
     told = shared(at_once(within(sketches, draft.text, lexicon), draft.text), draft.text, lexicon)
     words = draft.scanned.words

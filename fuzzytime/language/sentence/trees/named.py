@@ -14,6 +14,8 @@ def names_person(thing: str, lexicon: Lexicon) -> bool:
         return False
     # "Gym at six" begins with a capital as it begins a sentence.
     capital = thing[:1].isupper() and (lexicon.happening | lexicon.taken).isdisjoint(words)
+    # "Next dose is at ten"
+    capital = capital and words[0] not in closed.general_ordinals
     return capital or not (lexicon.persons | lexicon.animals).isdisjoint(words)
 
 

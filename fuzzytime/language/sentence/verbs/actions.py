@@ -44,9 +44,12 @@ def _is_title(tree: Tree, root: int) -> bool:
     return alone and (node.tag == "VBZ" or not node.may_act)
 
 
-def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
-    """Find the verb that is meant: below "I want to", "can you", "don't forget to", "start"."""
-    root = _governing(tree)
+def action_of(tree: Tree, lexicon: Lexicon, *, told: bool = False) -> Action | None:
+    """Find the verb that is meant: below "I want to", "can you", "don't forget to", "start".
+
+    One word alone is no order, but may be what is ``told``: "the drone takes off, then lands".
+    """
+    root = tree.root if told else _governing(tree)
     if root is None:
         return None
     needless = _needless(tree, root)

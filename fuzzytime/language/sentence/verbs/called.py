@@ -7,6 +7,9 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.statement_trees import singular_verb
 
+ACTED = frozenset({"while", "when", "if"})
+"""Kinds of clauses that name no event: somebody does something in them."""
+
 
 def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
     """Give the tree of "room 12 checks out at ten" its verb, which was taken for a plural.
@@ -108,3 +111,30 @@ def _is_numbered(tree: Tree, place: int | None, lexicon: Lexicon) -> bool:
         return False
     name, number, word = tree.nodes[place - 2 : place + 1]
     return word.tag == "NNS" and word.may_act and name.lower in lexicon.workers and number.text.isdigit()
+
+
+def with_clause(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give the tree of "while Dad milks" its verb, taken for a plural, which hardly stands behind "while"."""
+    for verb in range(2, len(tree.nodes)):
+        word, name = tree.nodes[verb], tree.nodes[verb - 1]
+        first = verb - 1
+        while first > 0 and tree.nodes[first - 1].tag in {"DT", "PRP$"}:
+            first -= 1
+        kind = lexicon.clauses.get((tree.nodes[first - 1].lower,)) if first else None
+        ends = verb + 1 == len(tree.nodes) or not tree.nodes[verb + 1].text[0].isalnum()
+        named = name.tag == "NNP" or name.lower in lexicon.persons
+        plural = (
+            word.tag in {"NNS", "NNPS"} and word.may_act and word.lower.endswith("s") and name.head == verb
+        )
+        if kind not in ACTED or not (named and plural and ends):
+            continue
+        nodes = list(tree.nodes)
+        root = verb if word.head == verb else word.head
+        relation = "ROOT" if root == verb else "advcl"
+        nodes[verb] = replace(word, tag="VBZ", lemma=singular_verb(word.lower), head=root, relation=relation)
+        nodes[verb - 1] = replace(name, relation="nsubj")
+        for place in range(first, verb - 1):
+            nodes[place] = replace(nodes[place], head=verb - 1)
+        nodes[first - 1] = replace(nodes[first - 1], head=verb, relation="mark")
+        return tree.with_nodes(nodes)
+    return tree

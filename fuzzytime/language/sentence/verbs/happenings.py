@@ -13,6 +13,7 @@ from fuzzytime.requirement import Constraint
 DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg", "prt", "xcomp", "ccomp")
 """What hangs on a verb, and on no noun."""
 
+OF = "of"
 NAMES = ("NN", "VBG", "CD")
 NOUN_TAGS = frozenset({"NN", "NNS"})
 
@@ -41,6 +42,10 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     if tree.nodes[root].lower in lexicon.happening | lexicon.taken:
         return True
     if _is_somebodys(tree, root) and any(_is_clock(p) or p.said.is_day for p in phrases):
+        return True
+    # "A table of twelve at 7:15": no verb has an "of" behind it.
+    counted = root == 0 and any(tree.nodes[p].lower == OF for p in tree.children(root, "prep"))
+    if counted and any(map(_is_clock, phrases)):
         return True
     listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
     # "Incision at eight"

@@ -9,8 +9,8 @@ from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import Action
 from fuzzytime.language.sentence.verbs.called import worker_doing
 from fuzzytime.language.sentence.verbs.small_clauses import SmallClause, small_clause
-from fuzzytime.language.sentence.verbs.stated import Stated
 from fuzzytime.language.sentence.verbs.statements import others_do
+from fuzzytime.language.sentence.verbs.verb_words import VerbWords
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
@@ -21,7 +21,7 @@ IF, FIND = "if", "find"
 
 
 @dataclass(frozen=True, slots=True)
-class Reader(Stated):
+class Reader(VerbWords):
     """Reads operations off a tree."""
 
     def operation(self, action: Action) -> Operation:
@@ -30,6 +30,7 @@ class Reader(Stated):
         node = self.tree.nodes[verb]
         clause = small_clause(self.tree, verb, self.lexicon)
         result = self._participle(verb) if clause is None else self._result(clause)
+        result = result or self._joined_result(verb)
         particle = self._particle(verb, result)
         moved = self._moved_object(verb, particle)
         whole = moved or self._object(verb, particle, clause)
@@ -44,18 +45,18 @@ class Reader(Stated):
         if attended and not where and direct is None and complement is None:
             taken = self.attending(verb)
             direct, particle = self.said(taken), None if particle in taken else particle
+        whole_verb = self._whole_verb(verb)
+        places += whole_verb[:-1]
         return Operation(
             # "Robot 2 cleans the tank" asks it to clean the tank.
-            verb=node.lower if doer is None else node.lemma,
+            verb=" ".join(self.tree.nodes[p].lower for p in whole_verb) if doer is None else node.lemma,
             lemma="be" if stated and (self._has_frame(verb) or self._is_standing(verb)) else node.lemma,
-            span=(node.start, node.end),
+            span=(self.tree.nodes[whole_verb[0]].start, node.end),
             object=direct,
             place=self.said(where),
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=complement,
-            manner=None
-            if stated and node.lemma == "be"
-            else self.said(self.manner(verb, [*whole, *places, *where])),
+            manner=None if stated and node.lemma == "be" else self._how(verb, [*whole, *places, *where]),
             addressee=doer,
             due=None if stated or subject is None or direct != subject else self._must(verb),
             negated=action.negated,
@@ -81,6 +82,12 @@ class Reader(Stated):
             return subject, direct
         return direct, complement
 
+    def _how(self, verb: int, taken: list[int]) -> str | None:
+        """Give how it is done, in small letters where that begins the sentence: "quickly wash the car"."""
+        words = self.manner(verb, taken)
+        said = self.said(words)
+        return said if said is None or 0 not in words else said[:1].lower() + said[1:]
+
     def _takes(self, verb: int) -> bool:
         """Whether a verb says how long something takes, and of nothing that is done."""
         taking = self.tree.nodes[verb].lemma in self.lexicon.doing.taking
@@ -96,11 +103,6 @@ class Reader(Stated):
         words = [place for place in words if self.has_content(place, words)]
         # "Have it inspected every week and after each storm"
         return words[:-1] if words and self.tree.nodes[words[-1]].tag == "CC" else words
-
-    def _participle(self, verb: int) -> list[int]:
-        """Give the participle behind "get", as in "get dressed"."""
-        node = self.tree.nodes[verb]
-        return [node.head] if node.relation == "auxpass" and not self.timed(node.head) else []
 
     def _particle(self, verb: int, result: Sequence[int]) -> int | None:
         """Give the word that belongs to the verb: "put the kettle on", "turn on the oven".
@@ -190,7 +192,7 @@ class Reader(Stated):
         """Give what may be a verb's object, the likeliest first; some are empty."""
         level = self.level(verb)
         found = (*self.tree.children(verb, *OBJECTS), *self._asked(verb))
-        direct = [p for p in found if p > verb and p not in level and not self._is_aim(p)]
+        direct = [p for p in found if p > verb and p not in level and not self._is_apart(p)]
         yield self.words([p for p in direct if not self.timed(p) or self._is_joined(p)], verb)
         yield self._inquired(verb)
         # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
@@ -242,10 +244,14 @@ class Reader(Stated):
         led = [p for p in near if self.timed(p) and self.tree.children(p, "compound")]
         return self.words([p for p in named if not self.timed(p)] or led, verb)
 
-    def _is_aim(self, place: int) -> bool:
-        """Whether a sentence says what for: "so it's done by seven"."""
-        first = self.tree.reach(place)[0]
-        return self.tree.nodes[place].relation == "ccomp" and self.tree.nodes[first - 1].lower == "so"
+    def _is_apart(self, place: int) -> bool:
+        """Whether a sentence says what for, or is its own: "so it's done by seven", ", he never eats"."""
+        if self.tree.nodes[place].relation != "ccomp":
+            return False
+        subjects = [p for p in self.tree.children(place, *SUBJECTS) if p < place]
+        starts = {self.tree.reach(place)[0], *(self.tree.reach(p)[0] for p in subjects)}
+        behind_mark = any(self.tree.nodes[p - 1].text == "," for p in starts if p)
+        return self.tree.nodes[min(starts) - 1].lower == "so" or (bool(subjects) and behind_mark)
 
     def _is_joined(self, place: int) -> bool:
         """Whether a tree joined a word about time to the thing before it: "send me the file asap"."""

@@ -20,7 +20,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
     ``timed`` are the words about time: one stands right behind the verb. What is ``travelling`` leaves.
     """
     tree = _with_being(_with_having(_with_got(_with_phase(tree, timed, travelling))), timed)
-    tree = _with_two(tree, timed)
+    tree = _with_two(_with_done(tree), timed)
     tree = _with_plural(_with_subject(tree), timed)
     root = tree.root
     if root is None or behind_particles(tree, root) not in timed:
@@ -36,6 +36,9 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
         return tree
     if tree.nodes[root].tag not in {"NNS", "VBZ"}:
         return tree
+    sure = _with_sure(tree, root)
+    if sure is not None:
+        return sure
     subject = plural_subject(tree, root)
     first, second = tree.nodes[0], tree.nodes[1].tag if len(tree.nodes) > 1 else ""
     # "Print the boarding passes today"
@@ -48,6 +51,17 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
     nodes[subject] = replace(nodes[subject], relation="nsubj")
     for place in described:
         nodes[place] = replace(nodes[place], head=subject)
+    return tree.with_nodes(nodes)
+
+
+def _with_sure(tree: Tree, root: int) -> Tree | None:
+    """Give "the post office closes at five" its verb, before which a tree has what does it already."""
+    named = [p for p in tree.children(root, *GRAMMATICAL_SUBJECTS) if p < root]
+    node = tree.nodes[root]
+    if node.tag != "NNS" or not named or node.lower not in tree.lexicon.doing.surely_timed:
+        return None
+    nodes = list(tree.nodes)
+    nodes[root] = replace(node, tag="VBZ", lemma=singular_verb(node.lower))
     return tree.with_nodes(nodes)
 
 
@@ -116,7 +130,7 @@ def _with_subject(tree: Tree) -> Tree:
     """Give "the road is closed" what is so, which a tree may hang on the helping verb."""
     root = tree.root
     if root is None or tree.nodes[root].tag != "VBN":
-        return tree
+        return _with_name(tree)
     helping = [
         p for p in tree.children(root, "auxpass") if tree.nodes[p].lower in tree.lexicon.closed.present_be
     ]
@@ -125,6 +139,37 @@ def _with_subject(tree: Tree) -> Tree:
         return tree
     nodes = list(tree.nodes)
     nodes[subjects[0]] = replace(nodes[subjects[0]], head=root, relation="nsubjpass")
+    return tree.with_nodes(nodes)
+
+
+def _with_done(tree: Tree) -> Tree:
+    """Give "skip collected at three" what is collected, and "desk manned from eight" its participle."""
+    root = tree.root
+    if root is None or tree.children(root, "aux", "dobj"):
+        return tree
+    nodes = list(tree.nodes)
+    taken = [p for p in tree.children(root, "auxpass") if p == root - 1 == 0 and nodes[p].tag == "VB"]
+    if nodes[root].tag == "VBN" and taken and nodes[0].lemma not in tree.lexicon.causing:
+        nodes[0] = replace(nodes[0], tag="NN", relation="nsubjpass")
+        return tree.with_nodes(nodes)
+    named = [p for p in tree.children(root, "nsubj") if p == root - 1 and nodes[p].tag in {"NN", "NNS"}]
+    so = nodes[root].lower in tree.lexicon.standing | tree.lexicon.results
+    if nodes[root].tag == "VBD" and so and named and not tree.children(named[0], "det", "poss"):
+        nodes[root] = replace(nodes[root], tag="VBN")
+        return tree.with_nodes(nodes)
+    return tree
+
+
+def _with_name(tree: Tree) -> Tree:
+    """Give "at 9:15 Atlas drives to bay 3" who does it, whom a tree took for a part of the verb's name."""
+    root = tree.root
+    if root is None or tree.nodes[root].tag != "VBZ" or tree.children(root, *GRAMMATICAL_SUBJECTS):
+        return tree
+    named = [p for p in tree.children(root, "compound", "npadvmod") if p == root - 1]
+    if not named or tree.nodes[named[0]].tag != "NNP":
+        return tree
+    nodes = list(tree.nodes)
+    nodes[named[0]] = replace(nodes[named[0]], relation="nsubj")
     return tree.with_nodes(nodes)
 
 

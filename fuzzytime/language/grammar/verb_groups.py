@@ -1,0 +1,81 @@
+"""Verbs, and what is said like one, in the groups that readers of trees ask for by name."""
+
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.word_groups import Words
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Doing:
+    """Verbs, and what is said like one, by what they say of what happens or ask for: ``doing``."""
+
+    arriving: Words
+    leaving: Words
+    being_there: Words
+    getting_there: Words
+    beginning: Words
+    ending: Words
+    going_on: Words
+    for_days: Words
+    by_then: Words
+    by_the_day: Words
+    shutting: Words
+    lit: Words
+    running: Words
+    taking: Words
+    spent: Words
+    spending: Words
+    finished: Words
+    putting: Words
+    waiting: Words
+    setting: Words
+    set_going: Words
+    repeating: Words
+    shifting: Words
+    trying: Words
+    continuing: Words
+    settling: Words
+    inquiring: Words
+    requesting: Words
+    finding_out: Words
+    asking: Words
+    learning: Words
+    recalling: Words
+    messaging: Words
+    marking: Words
+    noting: Words
+    replying: Words
+    letters: Words
+    recipients: Words
+    before_messages: Words
+    sure: Words
+    unwanted: Words
+    eating: Words
+    keeping: Words
+    getting: Words
+    becoming: Words
+    being: Words
+    being_or_doing: Words
+    phases: Words
+    stopping: Words
+    happening: Words
+    surely_timed: Words
+    timed: Words
+    several_timed: Words
+    saying: Words
+    closing_up: Words
+    dropping: Words
+    declining: Words
+    revoking: Words
+    inviting: Words
+    seeking: Words
+    finding: Words
+    showing: Words
+    remembering: Words
+    needing: Words
+    hesitating: Words
+    bringing: Words
+    meeting: Words
+    resting: Words
+    watching: Words
+    past_alike: Words

@@ -1,0 +1,87 @@
+"""Trees mended where a part of what is named hangs elsewhere: "light the deck oven", "year 9 trip money"."""
+
+import re
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+
+from fuzzytime.language.sentence.trees.tags import SINGULAR, SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+
+BELOW_ZERO = re.compile(r"[-−]\d+(\.\d+)?$")
+"""A number below zero, which a tree takes for a mark."""
+
+
+def with_whole_things(tree: Tree) -> Tree:
+    """Give a tree whose things have all their words."""
+    return _with_level(_with_next_one(_with_numbered_subject(_with_last_noun(tree))))
+
+
+def _with_last_noun(tree: Tree) -> Tree:
+    """Give "light the deck oven" its thing, whose last word a tree has for a verb that none knows."""
+    for thing in tree.children(tree.root or 0, "dobj"):
+        place = thing + 1
+        if place >= len(tree.nodes) or tree.nodes[thing].tag not in SINGULAR:
+            continue
+        node = tree.nodes[place]
+        helps = node.relation == "aux"
+        if not (node.is_verb or helps) or node.may_act or node.head != tree.root or tree.children(place):
+            continue
+        nodes = [
+            replace(n, head=place) if n.head == thing and p < thing else n for p, n in enumerate(tree.nodes)
+        ]
+        nodes[place] = replace(node, tag="NN", relation="dobj", lemma=node.lower)
+        nodes[thing] = replace(nodes[thing], relation="compound", head=place)
+        return tree.with_nodes(nodes)
+    return tree
+
+
+def _with_numbered_subject(tree: Tree) -> Tree:
+    """Give "year 9 trip money has to be in" the word before its number, which hangs on the verb."""
+    root = tree.root
+    for subject in tree.children(root, *SUBJECTS) if root is not None else ():
+        first = tree.reach(subject)[0]
+        if first != 1 or tree.nodes[first].tag != "CD":
+            continue
+        node = tree.nodes[0]
+        if node.relation == "npadvmod" and node.tag in SINGULAR:
+            return tree.with_nodes((replace(node, relation="compound", head=subject), *tree.nodes[1:]))
+    return tree
+
+
+def _with_next_one(tree: Tree) -> Tree:
+    """Give "next on-call takes over" who does it, whose first word a tree hangs on the verb."""
+    root = tree.root
+    if not root or tree.nodes[root].tag != "VBZ" or tree.children(root, *SUBJECTS):
+        return tree
+    first = tree.nodes[0]
+    if first.relation != "advmod" or first.tag != "JJ" or first.head != root or tree.reach(0) != (0, root):
+        return tree
+    return tree.with_nodes((replace(first, relation="nsubj", tag="NN"), *tree.nodes[1:]))
+
+
+def _with_level(tree: Tree) -> Tree:
+    """Give "keep it below -60" its number, which was taken for a bracket."""
+    nodes = list(tree.nodes)
+    for place, node in enumerate(nodes[1:], start=1):
+        bare = not any(p > place - 1 for p in tree.children(place - 1))
+        if BELOW_ZERO.match(node.text) and node.relation == "punct" and nodes[place - 1].tag == "IN" and bare:
+            nodes[place] = replace(node, tag="CD", relation="pobj", head=place - 1)
+    return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
+def with_object_of_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "remind me later to call tim" who is called, whom a tree has for a measure of the reminding."""
+    root = tree.root
+    for aim in tree.children(root, "xcomp") if root is not None else ():
+        behind = aim + 1
+        near = behind < len(tree.nodes) and behind not in timed and not tree.children(aim, "dobj")
+        if near and _is_named(tree.nodes[behind], root):
+            nodes = list(tree.nodes)
+            nodes[behind] = replace(nodes[behind], relation="dobj", head=aim)
+            return tree.with_nodes(nodes)
+    return tree
+
+
+def _is_named(node: Node, root: int | None) -> bool:
+    """Whether a word names a thing or somebody, and hangs on the verb of the sentence."""
+    return node.head == root and node.relation == "npadvmod" and node.tag in SINGULAR

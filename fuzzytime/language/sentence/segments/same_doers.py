@@ -1,0 +1,84 @@
+"""What somebody does next, who is not named again: "Kestrel takes off at 1030, surveys a field, lands"."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.segments.waiting import Part, Source
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.called import worker_doing
+
+JOINTS = frozenset({"", ",", "and", ", and", "&"})
+"""What stands between what one does first and next, beside "then"."""
+
+THEN = "then"
+
+
+def done_next(source: Source, parts: Mapping[int, Part], lexicon: Lexicon) -> Iterator[Part]:
+    """Give the parts, by where they begin, that say what the one of the part before does next.
+
+    Each has in its segment who that is, and its verb has the ending for one.
+    """
+    before: Part | None = None
+    for start in sorted(parts):
+        part = parts[start]
+        if before is not None and part.segment.doer is None and _goes_on(source, before, part, lexicon):
+            doer, asked = _doer(before, lexicon)
+            if doer is not None:
+                called = doer if asked else part.segment.addressee
+                segment = replace(part.segment, doer=doer, addressee=called, verbless=False)
+                part = replace(part, segment=segment)
+                yield part
+        before = part
+
+
+def tells_more(part: Part) -> bool:
+    """Whether it says what one does next who was named before: "…, then lands"."""
+    root = part.tree.root
+    return part.segment.doer is not None and root is not None and part.tree.nodes[root].tag == "VBZ"
+
+
+def _doer(part: Part, lexicon: Lexicon) -> tuple[str | None, bool]:
+    """Give who does what a part tells, and whether that one is asked: "robot 2 cleans the tank"."""
+    segment, tree, root = part.segment, part.tree, part.tree.root
+    if segment.doer is not None:
+        return segment.doer, segment.doer == segment.addressee
+    if root is None or tree.nodes[root].tag != "VBZ":
+        return None, False
+    worker = worker_doing(tree, root, lexicon)
+    if worker is not None:
+        return worker, True
+    subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
+    if not subjects or tree.nodes[subjects[0]].tag in {"WDT", "WP", "EX"}:
+        return None, False
+    first, end = tree.reach(subjects[0])
+    named = tree.text[tree.nodes[first].start : tree.nodes[end - 1].end] if end <= root else ""
+    return named or None, False
+
+
+def _goes_on(source: Source, before: Part, part: Part, lexicon: Lexicon) -> bool:
+    """Whether a part begins with a verb that only one can do, in the sentence of the part before."""
+    text, first = source.scanned.text, part.segment.span[0]
+    between = text[before.segment.span[1] : first].lower()
+    then = part.segment.connective == THEN and not ENDS & set(between)
+    joint = between.strip()
+    if part.offset != first or not (then or joint in JOINTS):
+        return False
+    surely = then or joint.endswith(("and", "&"))
+    return _begins_doing(part.tree, lexicon, surely=surely and not part.segment.verbless)
+
+
+def _begins_doing(tree: Tree, lexicon: Lexicon, *, surely: bool) -> bool:
+    """Whether the first word is what one does; a plural may be a thing: "…, drinks at seven"."""
+    if not tree.nodes or tree.root is None:
+        return False
+    node, doing = tree.nodes[0], lexicon.doing
+    if not node.may_act or not node.lower.endswith("s") or node.lower == node.lemma:
+        return False
+    if any(p < tree.root for p in tree.children(tree.root, *SUBJECTS)):
+        return False
+    # "The drone takes off at nine, lands at ten"
+    moves = node.lower in doing.timed or node.lemma in doing.arriving | doing.leaving
+    return node.tag in {"VBZ", "VB"} or (node.tag == "NNS" and (surely or moves))

@@ -1,0 +1,48 @@
+"""The words that a verb has beside its object: "deep clean", "get dressed", "get him up and washed"."""
+
+from dataclasses import dataclass
+
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.verbs.stated import Stated
+
+
+@dataclass(frozen=True, slots=True)
+class VerbWords(Stated):
+    """Reads off a tree which words belong to a verb."""
+
+    def _participle(self, verb: int) -> list[int]:
+        """Give the participle behind "get", as in "get dressed"."""
+        node = self.tree.nodes[verb]
+        return [node.head] if node.relation == "auxpass" and not self.timed(node.head) else []
+
+    def _joined_result(self, verb: int) -> list[int]:
+        """Give what "and" joins to a particle as what somebody is then: "get him up and washed"."""
+        node = self.tree.nodes[verb]
+        if node.lemma not in self.lexicon.causing or not self.tree.children(verb, "dobj"):
+            return []
+        for place in self.tree.children(verb, "conj"):
+            state = self.tree.nodes[place].tag in {"VBN", "VBD", "JJ"} and not self.timed(place)
+            own = self.tree.children(place, *SUBJECTS, "dobj", "aux", "auxpass")
+            if state and not own and place > 1 and self.tree.nodes[place - 1].tag == "CC":
+                return [place - 1, place]
+        return []
+
+    def _whole_verb(self, verb: int) -> list[int]:
+        """Give a verb with the word in front that makes another of it: "deep clean it", "test drive it"."""
+        front = verb - 1
+        if (
+            front < 0
+            or not self.tree.children(verb, "dobj")
+            or self.tree.nodes[verb].tag not in {"VB", "VBP"}
+        ):
+            return [verb]
+        node = self.tree.nodes[front]
+        opens = not front or self.tree.nodes[front - 1].text in {",", ":"} or self.timed(front - 1)
+        alone = node.head == verb and not self.tree.children(front) and not self.timed(front)
+        known = self.lexicon.function_words | self.lexicon.vague_adverbs | self.lexicon.persons
+        named = node.lower in known | self.lexicon.machines | self.lexicon.workers | self.lexicon.places
+        flat = node.tag in {"JJ", "RB"} and not node.lower.endswith(
+            tuple(self.lexicon.closed.endings_of_manner)
+        )
+        acts = node.tag == "NN" and node.may_act
+        return [front, verb] if opens and alone and not named and (flat or acts) else [verb]
