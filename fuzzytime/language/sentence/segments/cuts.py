@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
+from fuzzytime.language.sentence.segments.frames import wishes_beside
 from fuzzytime.language.sentence.segments.further_orders import further_verbs
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
@@ -113,14 +114,16 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         if place > 1 and is_order_between_times(part.tree, place, timed, lexicon)
     }
     gaps = set(verbs_left_out(one, part, lexicon)) - statements - orders
-    starts += sorted(gaps)
-    for start in starts:
+    wishes = wishes_beside(one, part, lexicon)
+    for start in (*sorted(wishes), *starts, *sorted(gaps)):
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
             yield replace(one.segment, span=(first, end))
             whole = _begins_order(part, start) or _is_told(one, start, lexicon)
-            verbless = start in gaps and not whole
-            yield Segment((start, last), addressee=one.segment.addressee, verbless=verbless)
+            borrowed = wishes.get(start, ())
+            verbless = start in gaps and not whole and not borrowed
+            addressee = one.segment.addressee
+            yield Segment((start, last), addressee=addressee, verbless=verbless, borrowed=borrowed)
             return
 
 

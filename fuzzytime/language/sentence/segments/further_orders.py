@@ -110,7 +110,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
         return told
     if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):
         return place
-    if goes_on(tree, place, root, timed):
+    if goes_on(tree, place, root, timed) or _is_gerund_too(tree, place, root):
         return place
     if place > 1 and (_follows_so(tree, place, timed) or _follows_statement(tree, place, root, timed)):
         return place
@@ -213,6 +213,15 @@ def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
     return (
         place >= SHORTEST and apart and before and any(later in timed for later in range(place + 1, behind))
     )
+
+
+def _is_gerund_too(tree: Tree, place: int, root: int) -> bool:
+    """Whether a gerund stands beside the one that is the order: "mind feeding the cat and walking the dog"."""
+    node = tree.nodes[place]
+    both = node.tag == tree.nodes[root].tag == "VBG" and root == 0 and node.relation == "conj"
+    # "Washing and drying the towels" is one order.
+    joined = place > 2 and tree.nodes[place - 1].lower in tree.lexicon.closed.joints_of_orders
+    return both and joined and node.head == root and not tree.children(place, *ANY_SUBJECTS, "aux")
 
 
 def _is_second_statement(tree: Tree, place: int, root: int) -> bool:

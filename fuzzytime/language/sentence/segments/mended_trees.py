@@ -11,6 +11,12 @@ LEAST_DONE = 3
 NOUNS = frozenset({"NN", "NNS", "NNP"})
 """Tags of things that are listed."""
 
+WANTING = frozenset({"want", "like", "need"})
+"""Verbs of what is wished to be done with a thing."""
+
+BESIDE_DONE = frozenset({"prep", "agent", "npadvmod", "advmod", "punct", "cc", "conj", "prt"})
+"""How what hangs on a participle that names nothing."""
+
 LET = 2
 """Words before what is done in "let's film"."""
 
@@ -19,7 +25,7 @@ def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
     tree = _with_numbered_things(tree, lexicon)
     mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree)
-    return _with_list(mended or _does_compound(tree, lexicon) or tree)
+    return _with_list(_wants_done(mended or _does_compound(tree, lexicon) or tree))
 
 
 def _does_numbered(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -83,6 +89,25 @@ def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
     nodes[0] = replace(first, tag="VB", relation="ROOT", head=0)
     nodes[1] = replace(second, tag="NN", relation="compound", head=things[0])
     return tree.with_nodes(nodes)
+
+
+def _wants_done(tree: Tree) -> Tree:
+    """Give "I'd like the lawn mown" what is to be done, where that was taken for what the lawn is like.
+
+    "I want the book called Dune" names one.
+    """
+    root = tree.root
+    if root is None or tree.nodes[root].lemma not in WANTING or not tree.children(root, "nsubj"):
+        return tree
+    for thing in tree.children(root, "dobj"):
+        for done in tree.children(thing, "acl"):
+            named = [p for p in tree.children(done) if tree.nodes[p].relation not in BESIDE_DONE]
+            if done == thing + 1 and tree.nodes[done].tag == "VBN" and not named:
+                nodes = list(tree.nodes)
+                nodes[done] = replace(nodes[done], relation="ccomp", head=root)
+                nodes[thing] = replace(nodes[thing], relation="nsubj", head=done)
+                return tree.with_nodes(nodes)
+    return tree
 
 
 def _with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:

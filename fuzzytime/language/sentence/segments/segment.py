@@ -9,6 +9,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import LATER, Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.named_events import beside, counts_event, heads
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
@@ -24,7 +25,8 @@ class Segment:
     """A stretch of the text that holds one instruction, and the connective that led to it, with its span.
 
     ``addressee`` is who was asked by name, before a comma or behind one; ``verbless`` says that its verb was
-    said before: "the cat at eight and the dog at nine".
+    said before: "the cat at eight and the dog at nine". What is ``borrowed`` are other words said before that
+    hold in it too.
     """
 
     span: Span
@@ -32,6 +34,7 @@ class Segment:
     connective_span: Span = (0, 0)
     addressee: str | None = None
     verbless: bool = False
+    borrowed: tuple[Borrowed, ...] = ()
 
     def shares(self, text: str) -> bool:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""

@@ -234,7 +234,9 @@ def _beside(
         return replace(operation, object=before.object, stated=True) if goes_on else operation
     if before.stated and joined and not operation.stated and node.tag in {"VBZ", "VB", "VBP"}:
         return replace(operation, object=before.object, stated=True)
+    # "Would you mind turning it down and locking up": either is an order of its own.
     goes_on = node.tag == "VBG" and not before.stated and not operation.stated
+    goes_on = goes_on and before.verb == before.lemma
     return replace(operation, object=before.object) if goes_on else operation
 
 
