@@ -42,7 +42,13 @@ class Wish:
 
     def names(self, first: int, end: int) -> bool:
         """Whether words are there, and all name something."""
-        return first < end and all(self.tree.nodes[p].tag in NAMING for p in range(first, end))
+        return first < end and all(self._names(p) for p in range(first, end))
+
+    def _names(self, place: int) -> bool:
+        """Whether a word names something; behind whose it is, a plural may be taken for a verb: "her drops"."""
+        node, before = self.tree.nodes[place], self.tree.nodes[place - 1 : place]
+        owned = node.tag == "VBZ" and any(other.tag == "PRP$" for other in before)
+        return node.tag in NAMING or owned
 
     def is_name(self, place: int) -> int:
         """Give how many words name somebody at a place, a person or a worker with a number; 0 for none."""
@@ -268,8 +274,10 @@ def _ordered(wish: Wish) -> range | None:
 
 def _opened(wish: Wish) -> bool:
     """Whether a wish begins with a thing: "the tables", "Bella", not with what may be a verb."""
-    node = wish.tree.nodes[wish.start]
-    return node.tag in {*DETERMINERS, "CD", "NNS", "NNPS"} or (node.tag == "NNP" and node.text[0].isupper())
+    node, behind = wish.tree.nodes[wish.start], wish.tree.nodes[wish.start + 1 : wish.start + 2]
+    numbered = node.lower in wish.lexicon.machines | wish.lexicon.measure_nouns and behind and behind[0].tag == "CD"
+    named = node.tag == "NNP" and node.text[0].isupper()
+    return node.tag in {*DETERMINERS, "CD", "NNS", "NNPS"} or named or bool(numbered)
 
 
 def _goes_elsewhere(wish: Wish) -> list[Stretch] | None:
@@ -322,7 +330,7 @@ def _is_put_too(wish: Wish) -> list[Stretch] | None:
         return None
     time = next(p for p in range(verb[0], wish.start) if p in wish.timed)
     where, what = nodes[time - 2], nodes[time - 1]
-    bare = where.tag in WHERE and where.lower in wish.lexicon.places and what.tag == "NN"
+    bare = where.tag in WHERE and where.lower in wish.lexicon.places | {"to"} and what.tag == "NN"
     whole = bare and wish.names(verb[-1] + 1, time - 2)
     return [(wish.start, verb), (wish.end, range(time - 2, time))] if whole else None
 

@@ -158,8 +158,9 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lex
     helping = [p for p in tree.children(place, "aux") if not (wanted and tree.nodes[p].lower == "to")]
     if tree.children(place, *ANY_SUBJECTS, "mark") or (denied is None and helping):
         return None
-    if any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
-        # "Weld seam 3 at 11 and seam 4 at 12"
+    led = tree.nodes[place + 1 : place + 2] and tree.nodes[place + 1].tag in DETERMINERS
+    if not led and any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
+        # "Weld seam 3 at 11 and seam 4 at 12"; but "buy paint tomorrow and paint the fence"
         return None
     first = min([_behind_place(tree, place), *tree.children(place, "aux")]) if denied is None else denied
     start = behind_joint(tree, first, timed)

@@ -32,7 +32,7 @@ def is_order_between_times(tree: Tree, place: int, timed: set[int], lexicon: Lex
     root, node, behind = tree.root, tree.nodes[place], tree.nodes[place + 1 : place + 2]
     if root is None or root >= place or tree.children(root, *SUBJECTS):
         return False
-    objects = tree.children(root, "dobj")
+    objects = tree.children(root, "dobj", "oprd")
     led = all(tree.nodes[p].tag in DETERMINERS for thing in objects for p in sorted(tree.below(thing))[:1])
     if objects and not (led and node.lower in lexicon.chores):
         return False

@@ -5,6 +5,7 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Order
 from fuzzytime.language.meaning.expressions import Phrase, TimeWord
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
@@ -60,7 +61,23 @@ def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
             or _asks_another(part, between, lexicon)
         ):
             found.append(between[1].start)
-    return found + _gaps_in_front(one, part, lexicon)
+    return found + _gaps_in_front(one, part, lexicon) + _behind_first(one, part, own, lexicon)
+
+
+def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase], lexicon: Lexicon) -> list[int]:
+    """Give where the second of two things begins: "wash the blue towels first and the white ones after that"."""
+    words, found = one.source.scanned.words, []
+    for span, order in one.source.orders:
+        behind = [word for word in words if span[1] <= word.start]
+        then = next((p for p in own if span[1] <= p.span[0] and isinstance(p.said.time, TimeWord)), None)
+        if order is not Order.FIRST or then is None or span[0] < part.offset or then.said.time.word not in ORDERING:
+            continue
+        between = [word for word in behind if word.start < then.span[0]]
+        if len(between) > SHORTEST_GAP and between[0].text in {"and", ","}:
+            named = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
+            opened = between[1].text in lexicon.closed.noun_openers
+            found += [between[1].start] if opened and all(_is_of_thing(part, p, ()) for p in named) else []
+    return found
 
 
 def _gaps_in_front(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
@@ -92,7 +109,8 @@ def _names_another(
 ) -> bool:
     """Whether words between two times name another thing to do the same with: "and the dog at 9"."""
     root = part.tree.root
-    objects = part.tree.children(root, "dobj") if root is not None else ()
+    # "Tomorrow call Ann at eight and Bob at nine": a tree may have whom for what it becomes.
+    objects = part.tree.children(root, "dobj", "oprd") if root is not None else ()
     things = {part.tree.nodes[p].lower for p in objects}
     nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
     others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
@@ -110,7 +128,7 @@ def _names_another(
     # "Stop for a brew at ten and for lunch at noon"
     prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
     led = between[1].text in prepositions
-    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
+    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "oprd", "intj")))
     named = led or opened or (has_object and between[0].text in {"and", ","})
     return named and not others
 

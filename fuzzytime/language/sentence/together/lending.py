@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, overlap
+from fuzzytime.language.instruction import Operation, Span, overlap
 from fuzzytime.language.meaning.expressions import (
     HALFWAY,
     INTO,
@@ -122,14 +122,18 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
         return None
     then = part.segment.connective == "then"
     counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
-    if then and counted is not None:
+    if (then or part.segment.verbless) and counted is not None:
+        # "Take two tablets at breakfast and one at night"
         return counted
     if then and any(_goes_on(phrase.said) for phrase in sketch.phrases):
         return replace(before, place=rest or before.place)
     # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
     numbered = _is_next_numbered(before, sketch, lexicon)
-    thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in closed.noun_openers or numbered)
-    named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
+    first = rest.split()[0] if rest and _is_led_later(sketch, said[0]) else text[slice(*spans[0])] if spans else ""
+    thing = first.lower() in closed.noun_openers or numbered
+    # "Call Ann at ten, then Bob"
+    called = then and first[:1].isupper() and (before.object or "")[:1].isupper()
+    named = (thing or part.segment.verbless) if sketch.phrases else ((thing or called) and then)
     if part.segment.verbless and says_where(rest.lower(), lexicon):
         # "Hoover downstairs in the morning and upstairs after lunch"
         whole = says_where((before.object or "").lower(), lexicon)
@@ -146,6 +150,16 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
         if word.lower() in closed.indirect_objects and " " in before.object
     ]
     return replace(before, object=" ".join((*given, rest)), place=None)
+
+
+def _is_led_later(sketch: Sketch, said: Span) -> bool:
+    """Whether a distance from what was done before leads to a thing: "…, five minutes later the flour"."""
+    return any(
+        phrase.span[1] <= said[0]
+        and isinstance(phrase.said.time, Offset)
+        and phrase.said.preposition in {LATER, "after"}
+        for phrase in sketch.phrases
+    )
 
 
 def _counted_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
