@@ -220,7 +220,9 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
         again = [
             (place, waiting[place].behind_time)
             for place, tree in enumerate(found)
-            if place in own and waiting[place].doubts(tree, lexicon) and (carrier or waiting[place].behind_time)
+            if place in own
+            and waiting[place].doubts(tree, lexicon)
+            and (carrier or waiting[place].behind_time)
         ]
         carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
         for (place, skipped), tree in zip(again, carried, strict=True):

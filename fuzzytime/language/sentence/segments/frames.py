@@ -135,7 +135,9 @@ def _is_done_too(wish: Wish) -> list[Stretch] | None:
 def _subject(tree: Tree, verb: int) -> tuple[int, int] | None:
     """Give where what a verb is about begins, and where the words that help the verb do."""
     above = [verb, *tree.above(verb)]
-    owner, subjects = next(((v, s) for v in above if (s := tree.children(v, *SUBJECTS)) and s[0] < verb), (0, ()))
+    owner, subjects = next(
+        ((v, s) for v in above if (s := tree.children(v, *SUBJECTS)) and s[0] < verb), (0, ())
+    )
     if not subjects:
         return None
     helping = [p for v in above[: above.index(owner) + 1] for p in tree.children(v, "aux", "auxpass", "neg")]
@@ -166,7 +168,9 @@ def _is_asked_too(wish: Wish) -> list[Stretch] | None:
     tree, root = wish.tree, wish.tree.root
     if root is None or root >= wish.start or tree.nodes[root].lemma not in wish.lexicon.addressing | {"get"}:
         return None
-    asked = [p for p in range(root + 1, wish.start) if tree.nodes[p].lower == "to" and tree.nodes[p].tag == "TO"]
+    asked = [
+        p for p in range(root + 1, wish.start) if tree.nodes[p].lower == "to" and tree.nodes[p].tag == "TO"
+    ]
     if not asked or tree.nodes[root].tag not in {"VB", "VBP"} or wish.timed & {*range(root, asked[0])}:
         return None
     to, node = asked[0], tree.nodes[wish.start]
@@ -197,7 +201,11 @@ def _lets_too(wish: Wish) -> list[Stretch] | None:
         return None
     if tree.nodes[verb].tag in DONE:
         # "Have the hall swept by three and the bins emptied by four"
-        return [(wish.start, _front(wish, first + 1))] if _predicate(wish, verb) not in {None, wish.end} else None
+        return (
+            [(wish.start, _front(wish, first + 1))]
+            if _predicate(wish, verb) not in {None, wish.end}
+            else None
+        )
     node, behind = tree.nodes[wish.start], wish.start + 1
     named = wish.is_name(wish.start)
     if named and wish.is_name(first + 1) and wish.names(wish.start + named, wish.end):
@@ -242,10 +250,15 @@ OWNERS = frozenset({"his", "hers", "theirs", "mine", "yours", "ours"})
 def _is_sure_too(wish: Wish) -> list[Stretch] | None:
     """Give "make sure", which holds for another thing that must be so: "… and the alarm is set"."""
     tree = wish.tree
-    sure = next((p for p, n in enumerate(tree.nodes[: wish.start]) if n.lower in wish.lexicon.doing.sure), None)
+    sure = next(
+        (p for p, n in enumerate(tree.nodes[: wish.start]) if n.lower in wish.lexicon.doing.sure), None
+    )
     if sure is None or tree.nodes[wish.start].tag not in NAMING:
         return None
-    being = next((p for p in range(wish.start + 1, len(tree.nodes)) if tree.nodes[p].tag in {"VBZ", "VBP", "VBD"}), None)
+    being = next(
+        (p for p in range(wish.start + 1, len(tree.nodes)) if tree.nodes[p].tag in {"VBZ", "VBP", "VBD"}),
+        None,
+    )
     if being is None or not wish.names(wish.start, being) or wish.timed & {*range(wish.start, being)}:
         return None
     that = tree.nodes[sure + 1].lower == "that"
@@ -265,7 +278,12 @@ def _is_gone_for_too(wish: Wish) -> list[Stretch] | None:
 def _ordered(wish: Wish) -> range | None:
     """Give the verb of an order that has an object, with its particle; None without one."""
     tree, action = wish.tree, action_of(wish.tree, wish.lexicon)
-    if action is None or action.negated or action.place >= wish.start or tree.children(action.place, *SUBJECTS):
+    if (
+        action is None
+        or action.negated
+        or action.place >= wish.start
+        or tree.children(action.place, *SUBJECTS)
+    ):
         return None
     verb = action.place
     bare = tree.nodes[verb].lower == tree.nodes[verb].lemma and tree.nodes[verb].may_act
@@ -275,7 +293,9 @@ def _ordered(wish: Wish) -> range | None:
 def _opened(wish: Wish) -> bool:
     """Whether a wish begins with a thing: "the tables", "Bella", not with what may be a verb."""
     node, behind = wish.tree.nodes[wish.start], wish.tree.nodes[wish.start + 1 : wish.start + 2]
-    numbered = node.lower in wish.lexicon.machines | wish.lexicon.measure_nouns and behind and behind[0].tag == "CD"
+    numbered = (
+        node.lower in wish.lexicon.machines | wish.lexicon.measure_nouns and behind and behind[0].tag == "CD"
+    )
     named = node.tag == "NNP" and node.text[0].isupper()
     return node.tag in {*DETERMINERS, "CD", "NNS", "NNPS"} or named or bool(numbered)
 

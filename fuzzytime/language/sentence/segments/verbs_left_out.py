@@ -70,7 +70,12 @@ def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase], lexicon: Lexi
     for span, order in one.source.orders:
         behind = [word for word in words if span[1] <= word.start]
         then = next((p for p in own if span[1] <= p.span[0] and isinstance(p.said.time, TimeWord)), None)
-        if order is not Order.FIRST or then is None or span[0] < part.offset or then.said.time.word not in ORDERING:
+        if (
+            order is not Order.FIRST
+            or then is None
+            or span[0] < part.offset
+            or then.said.time.word not in ORDERING
+        ):
             continue
         between = [word for word in behind if word.start < then.span[0]]
         if len(between) > SHORTEST_GAP and between[0].text in {"and", ","}:
@@ -128,7 +133,9 @@ def _names_another(
     # "Stop for a brew at ten and for lunch at noon"
     prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
     led = between[1].text in prepositions
-    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "oprd", "intj")))
+    has_object = one.segment.verbless or (
+        root is not None and bool(part.tree.children(root, "dobj", "oprd", "intj"))
+    )
     named = led or opened or (has_object and between[0].text in {"and", ","})
     return named and not others
 

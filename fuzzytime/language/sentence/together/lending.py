@@ -129,7 +129,13 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
         return replace(before, place=rest or before.place)
     # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
     numbered = _is_next_numbered(before, sketch, lexicon)
-    first = rest.split()[0] if rest and _is_led_later(sketch, said[0]) else text[slice(*spans[0])] if spans else ""
+    first = (
+        rest.split()[0]
+        if rest and _is_led_later(sketch, said[0])
+        else text[slice(*spans[0])]
+        if spans
+        else ""
+    )
     thing = first.lower() in closed.noun_openers or numbered
     # "Call Ann at ten, then Bob"
     called = then and first[:1].isupper() and (before.object or "")[:1].isupper()
