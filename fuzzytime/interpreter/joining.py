@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 from fuzzytime.satisfaction import Clipped, Either, Interval, Rectangle, SatisfactionFunction, product
 
-
 CLOCKED = frozenset({Unit.HOUR, Unit.MINUTE, Unit.SECOND})
 """How fine clock times are."""
 

@@ -8,8 +8,7 @@ from fuzzytime.language.grammar.lent import is_heated, is_left_for, lasts_minute
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.beside import in_hour_of
-from fuzzytime.language.meaning.expressions import Duration, HourMark, Phrase, Range, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, Wall
 from fuzzytime.language.meaning.relations import Relative, days_away
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS, Half
 from fuzzytime.requirement import Constraint, Unit
@@ -36,10 +35,6 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
         # "Every two hours, then every four"
         counted = _counted(said.time.every, again.terms[-1][1])
         return replace(phrase, said=replace(said, time=replace(said.time, every=counted)))
-    if isinstance(said.time, HourMark) and isinstance(length.time, Wall):
-        # "Call Ann at five and Bob at half past"
-        whole = None if _ends_between(before, phrase, words) else in_hour_of(said.time, length.time)
-        return phrase if whole is None else replace(phrase, said=replace(said, time=whole))
     if not isinstance(length.time, Duration):
         return phrase
     unit = length.time.terms[-1][1]
@@ -77,7 +72,7 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
 
 
 def _further_after(phrase: Phrase, length: Duration, unit: Unit, *, near: bool) -> Phrase:
-    """Lend a number behind "after" the unit of a smaller one: "after 3 minutes the beans, after 5 the corn"."""
+    """Lend a number behind "after" the unit of a smaller one: "after 3 minutes this, after 5 that"."""
     clock = phrase.said.time.clock if isinstance(phrase.said.time, Wall) else None
     hour = clock is not None and clock.grain is Unit.HOUR and clock.half is None
     if clock is None or not hour or not near or len(length.terms) > 1 or clock.hour <= length.terms[0][0]:

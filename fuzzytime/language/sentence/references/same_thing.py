@@ -33,11 +33,9 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
         and anchors.position - 1 in anchors.told.since
     ):
         # "After 3 minutes the beans, after 5 the corn, after 8 turn it off": all since the same
-        begun = anchors.told.since[anchors.position - 1]
+        told = anchors.told.since[anchors.position - 1]
         return (
-            None
-            if begun is None
-            else only_counted(requirement, replace(begun, lag=distance), Constraint.AFTER)
+            None if told is None else only_counted(requirement, replace(told, lag=distance), Constraint.AFTER)
         )
     target = _asked_before(anchors) if said.preposition in {AFTER, IN} else None
     if target is None or _is_said_before(anchors, target, requirement):
@@ -89,7 +87,7 @@ def _behind_last(
 
 
 def _is_said_before(anchors: Anchors, target: int, requirement: TimeRequirement) -> bool:
-    """Whether a time stands in front of another instruction, and is of both: "in an hour, check and baste it"."""
+    """Whether a time in front of another instruction is of both: "in an hour, check and baste it"."""
     other = anchors.operation_at(target)
     return target >= anchors.first and other is not None and requirement.span[0] < other.span[0]
 

@@ -31,9 +31,9 @@ class Told:
         start = start_of(instruction, now)
         if start is not None:
             self.starts[position] = start
-        self.since |= {
-            position: p.anchor for p in instruction.requirements if p.preposition == AFTER and p.number
-        }
+        for part in instruction.requirements:
+            if part.preposition == AFTER and part.number:
+                self.since[position] = part.anchor
         if instruction.repeats is not None:
             self.repeated.add(position)
         meant = position if instruction.length_of is None else instruction.length_of.target

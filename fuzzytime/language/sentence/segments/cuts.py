@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
-from fuzzytime.language.sentence.segments.frames import wishes_beside
+from fuzzytime.language.sentence.segments.borrowing import wishes_beside
 from fuzzytime.language.sentence.segments.further_orders import further_verbs
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment

@@ -83,7 +83,7 @@ def _behind_told(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> in
 
 
 def _behind_named(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
-    """Give an order that has what is named with a time before it: "dentist at three, pick up the kids at four".
+    """Give an order that has what is named with a time before it: "dentist at three, fetch the kids at four".
 
     A machine is named to be asked: "robot at three, dock".
     """
@@ -217,7 +217,7 @@ def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
 
 
 def _is_gerund_too(tree: Tree, place: int, root: int) -> bool:
-    """Whether a gerund stands beside the one that is the order: "mind feeding the cat and walking the dog"."""
+    """Whether a gerund stands beside the order: "would you mind feeding the cat and walking the dog"."""
     node = tree.nodes[place]
     both = node.tag == tree.nodes[root].tag == "VBG" and root == 0 and node.relation == "conj"
     # "Washing and drying the towels" is one order.

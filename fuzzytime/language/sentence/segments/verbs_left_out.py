@@ -65,24 +65,24 @@ def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
 
 
 def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase], lexicon: Lexicon) -> list[int]:
-    """Give where the second of two things begins: "wash the blue towels first and the white ones after that"."""
+    """Give where the second thing begins: "wash the blue towels first and the white ones after that"."""
     words, found = one.source.scanned.words, []
-    for span, order in one.source.orders:
-        behind = [word for word in words if span[1] <= word.start]
-        then = next((p for p in own if span[1] <= p.span[0] and isinstance(p.said.time, TimeWord)), None)
-        if (
-            order is not Order.FIRST
-            or then is None
-            or span[0] < part.offset
-            or then.said.time.word not in ORDERING
-        ):
+    firsts = (span for span, order in one.source.orders if order is Order.FIRST and span[0] >= part.offset)
+    for _, end in firsts:
+        then = next((phrase for phrase in own if end <= phrase.span[0]), None)
+        between = [word for word in words if then is not None and end <= word.start < then.span[0]]
+        if then is None or not _is_ordering(then) or len(between) <= SHORTEST_GAP:
             continue
-        between = [word for word in behind if word.start < then.span[0]]
-        if len(between) > SHORTEST_GAP and between[0].text in {"and", ","}:
-            named = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
-            opened = between[1].text in lexicon.closed.noun_openers
-            found += [between[1].start] if opened and all(_is_of_thing(part, p, ()) for p in named) else []
+        named = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
+        opened = between[0].text in {"and", ","} and between[1].text in lexicon.closed.noun_openers
+        if opened and all(_is_of_thing(part, p, ()) for p in named):
+            found.append(between[1].start)
     return found
+
+
+def _is_ordering(phrase: Phrase) -> bool:
+    """Whether a time is about what was said before: "after that"."""
+    return isinstance(phrase.said.time, TimeWord) and phrase.said.time.word in ORDERING
 
 
 def _gaps_in_front(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
@@ -165,8 +165,7 @@ def _is_elsewhere(
 def _binds_alike(old: Phrase, new: Phrase, *, happens: bool) -> bool:
     """Whether two times may be of two things to do, or of two that happen."""
     kinds = {old.said.constraint, new.said.constraint}
-    ordered = isinstance(new.said.time, TimeWord) and new.said.time.word in ORDERING
-    return len(kinds) == 1 or kinds <= (MOMENTS if happens else SIDES) or ordered
+    return len(kinds) == 1 or kinds <= (MOMENTS if happens else SIDES) or _is_ordering(new)
 
 
 def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:

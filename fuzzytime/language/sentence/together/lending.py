@@ -123,7 +123,6 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     then = part.segment.connective == "then"
     counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
     if (then or part.segment.verbless) and counted is not None:
-        # "Take two tablets at breakfast and one at night"
         return counted
     if then and any(_goes_on(phrase.said) for phrase in sketch.phrases):
         return replace(before, place=rest or before.place)
@@ -169,7 +168,7 @@ def _is_led_later(sketch: Sketch, said: Span) -> bool:
 
 
 def _counted_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
-    """Give the operation before with another number: "two tablets now, then one every six hours"."""
+    """Give the operation before with another number: "two tablets now, then one at six"."""
     words = (before.object or "").split()
     place = next(
         (p for p, word in enumerate(words) if word.lower() in lexicon.numbers or word.isdecimal()), None
