@@ -92,9 +92,12 @@ def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Rem
 
 
 def _denied(scanned: Scanned, phrase: Phrase) -> Remark | None:
-    """Give what to say of a time that is denied alone in front: "not now, do it in an hour"."""
+    """Give what to say of a time that is denied alone in front: "not now, …", "rather than at six, …"."""
     texts = [word.text for word in scanned.words]
-    alone = texts[: phrase.first] == ["not"] and texts[phrase.end : phrase.end + 1] in ([","], ["."], [";"])
+    # "Instead of today" may have its "of" in the time.
+    led = texts[: phrase.first] in (["not"], ["rather", "than"], ["instead", "of"])
+    led = led or texts[: phrase.first + 1] == ["instead", "of"]
+    alone = led and texts[phrase.end : phrase.end + 1] in ([","], ["."], [";"])
     if not alone or phrase.end + 1 >= len(texts) or texts[phrase.end + 1] == "but":
         return None
     said = scanned.text[slice(*phrase.span)]

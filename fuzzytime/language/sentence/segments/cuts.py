@@ -33,8 +33,9 @@ def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     if one.segment.addressee is not None or len(nodes) < SHORTEST_CALL:
         return []
     first, last = one.segment.span
-    # As in "Robot 3: dock at noon", with a number behind it.
-    mark = 1 + (nodes[1].tag == "CD")
+    # As in "Robot 3: dock at noon", with a number behind it, or "arm A: pick part 3".
+    lettered = nodes[0].lower in lexicon.workers and len(nodes[1].text) == 1 and nodes[1].text.isupper()
+    mark = 1 + (nodes[1].tag == "CD" or lettered)
     for name, rest in ((nodes[:mark], nodes[mark + 1 :]), (nodes[-1:], nodes[:-2])):
         separator = nodes[mark] if name[0] is nodes[0] else nodes[-2]
         dash = separator.text == "-" and mark == 2
@@ -72,10 +73,12 @@ def _is_name(one: Waiting, part: Part, nodes: Sequence[Node], lexicon: Lexicon) 
     places = one.source.places(name.start + part.offset, nodes[-1].end + part.offset)
     known = name.text[0].isupper() or name.lower in lexicon.persons | lexicon.machines
     machine = len(nodes) > 1 and name.lower in lexicon.machines
+    # "Bob, mow the lawn": who is called like a verb, before what is done.
+    called = name.tag == "NNP" and part.tree.root == part.tree.nodes.index(name) + 2
     return (
         known
         and name.text.isalpha()
-        and (machine or not name.may_act)
+        and (machine or called or not name.may_act)
         and one.source.covered.isdisjoint(places)
     )
 

@@ -10,7 +10,9 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import LATER, Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
+from fuzzytime.language.sentence.segments.corrected_things import AFTER_ALL, corrected_things
 from fuzzytime.language.sentence.segments.named_events import beside, counts_event, heads
+from fuzzytime.language.sentence.segments.retractions import retractions
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 
@@ -68,9 +70,17 @@ def segments_of(
     following |= set(_behind_happening(phrases, words, lexicon))
     following |= set(beside(phrases, words, lexicon))
     following |= {phrase.end for phrase in phrases[:1] if heads(phrase, words)}
+    corrections = list(corrected_things(words, phrases, lexicon))
+    instead = {thing.pause: thing.start for thing in corrections}
+    following |= {thing.end for thing in corrections if thing.further}
+    following |= {end for let in retractions(words, lexicon) for end in (let.start, let.stop)}
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
+        if place in instead:
+            cuts.append((place, instead[place], AFTER_ALL))
+            place = instead[place]
+            continue
         if place in inside and place not in vague:
             place += 1
             continue
@@ -287,4 +297,4 @@ def _segment(
     span = (words[start].start, words[end - 1].end)
     if not any(character.isalnum() for character in text[span[0] : span[1]]):
         return None
-    return Segment(span, connective, said)
+    return Segment(span, connective, said, verbless=connective == AFTER_ALL)

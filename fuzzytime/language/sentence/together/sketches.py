@@ -12,6 +12,7 @@ from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.alternatives import not_used
 from fuzzytime.language.sentence.sketches.clause_requirements import BECOMING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch_of
+from fuzzytime.language.sentence.together.after_all import after_all
 from fuzzytime.language.sentence.together.again_between import again_between
 from fuzzytime.language.sentence.together.at_once import at_once
 from fuzzytime.language.sentence.together.both_sides import on_both_sides
@@ -29,7 +30,10 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     """Sketch the instructions of a draft; two times joined by "and" make two of one."""
     found: list[Sketch] = []
     remarks: list[Remark] = []
-    sketches = [sketch_of(draft, part, lexicon) for part in draft.parts]
+    sketches, corrections = after_all(
+        [sketch_of(draft, part, lexicon) for part in draft.parts], draft, lexicon
+    )
+    remarks += corrections
     sketches = repeated(led(sketches, draft.text), draft.text, lexicon)
     told = shared(at_once(within(sketches, draft.text, lexicon), draft.text), draft.text, lexicon)
     words = draft.scanned.words

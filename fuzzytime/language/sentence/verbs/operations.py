@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import Action
-from fuzzytime.language.sentence.verbs.called import worker_doing
+from fuzzytime.language.sentence.verbs.called import person_due, worker_doing
 from fuzzytime.language.sentence.verbs.small_clauses import SmallClause, small_clause
 from fuzzytime.language.sentence.verbs.stated import Stated
 from fuzzytime.language.sentence.verbs.statements import others_do
@@ -35,7 +35,7 @@ class Reader(Stated):
         whole = moved or self._object(verb, particle, clause)
         split = self.place_within(whole)
         places = [*result, *moved, *([] if particle is None else [particle])]
-        doer = worker_doing(self.tree, verb, self.lexicon)
+        doer = worker_doing(self.tree, verb, self.lexicon) or person_due(self.tree, verb, self.lexicon)
         stated = doer is None and self._is_stated(verb)
         subject = self._subject(verb) if doer is None else None
         direct, complement = self._named(verb, subject, whole[:split], result, stated=stated)
