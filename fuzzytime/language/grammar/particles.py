@@ -55,6 +55,9 @@ class Particles:
             # "Hand them in friday"
             return True
         wall = piece.value.time
+        if first == "on" and isinstance(wall, Offset):
+            # "Turn the telly on five minutes before that"
+            return True
         if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
             # "Shut them in at dusk"
             return True
