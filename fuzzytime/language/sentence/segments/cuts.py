@@ -136,7 +136,10 @@ def _begins_order(part: Part, start: int) -> bool:
     if place is None or place + 1 >= len(part.tree.nodes):
         return False
     node, behind = part.tree.nodes[place], part.tree.nodes[place + 1]
-    return node.may_act and node.lower == node.lemma and behind.tag in DETERMINERS
+    counted = behind.tag == "IN" and any(n.tag == "CD" for n in part.tree.nodes[place + 2 : place + 3])
+    # "Thaw the cells for 2 min, spin at 300 g for 5"
+    measured = counted and bool(part.tree.nodes[place + 3 : place + 4]) and not node.tag.startswith("NNP")
+    return node.may_act and node.lower == node.lemma and (behind.tag in DETERMINERS or measured)
 
 
 def _is_told(one: Waiting, start: int, lexicon: Lexicon) -> bool:
