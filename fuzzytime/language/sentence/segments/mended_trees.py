@@ -24,7 +24,7 @@ LET = 2
 def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
     tree = _with_numbered_things(tree, lexicon)
-    mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree)
+    mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _orders_verb(tree, lexicon)
     return _with_list(_wants_done(mended or _does_compound(tree, lexicon) or tree))
 
 
@@ -51,6 +51,18 @@ def _does_named(tree: Tree) -> Tree | None:
     moved = _with_thing_done(tree, root, root)
     moved[root - 1] = replace(moved[root - 1], relation="compound", head=root)
     return tree.with_nodes(moved)
+
+
+def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "press start" its verb, where what is pressed was taken for it."""
+    if (
+        len(tree.nodes) < LET
+        or tree.root != 1
+        or tree.nodes[0].relation != "aux"
+        or not tree.nodes[1].is_verb
+    ):
+        return None
+    return tree.with_nodes(_with_thing_done(tree, 1, 1)) if tree.nodes[0].lower in lexicon.ordering else None
 
 
 def _with_numbered_things(tree: Tree, lexicon: Lexicon) -> Tree:

@@ -80,7 +80,7 @@ def _orders_before(tree: Tree, root: int, start: int, joint: str, timed: Abstrac
     # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
     # "Using a fork, mash them" says how.
     # "In the morning feed the hens, in the evening lock them in": the first word behind its time.
-    firsts = (p for p in before if timed.issuperset(range(p)))
+    firsts = (p for p in before if timed >= {*range(p)})
     verbs = [p for p in firsts if _is_verb(tree, p) and tree.nodes[p].tag != "VBG"]
     orders = [*(p for p in before if tree.nodes[p].tag == "VB"), *verbs]
     # "Get dressed, we start in ten minutes"

@@ -56,7 +56,7 @@ def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
             continue
         if [word.text for word in between[:2]] in ([",", "and"], [",", "then"], ["and", "then"]):
             between = between[1:]
-        elif not between or between[0].text not in {"and", ","}:
+        elif not between or between[0].text not in {"and", ",", "or"}:
             continue
         if _goes_on_alone(part, between, old, new):
             continue
@@ -152,7 +152,7 @@ def _names_another(
     has_object = one.segment.verbless or (
         root is not None and bool(part.tree.children(root, "dobj", "oprd", "intj"))
     )
-    named = led or opened or (has_object and between[0].text in {"and", ","})
+    named = led or opened or (has_object and between[0].text in {"and", ",", "or"})
     return named and not others
 
 

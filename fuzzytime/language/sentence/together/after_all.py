@@ -12,7 +12,7 @@ from fuzzytime.language.sentence.segments.corrected_things import (
 )
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.retractions import retractions
-from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 
 
 def after_all(
@@ -27,6 +27,9 @@ def after_all(
     remarks: list[Remark] = []
     retracted = False
     for sketch in sketches:
+        if found and sketch.part.segment.verbless and _is_or_else(found[-1], sketch, draft.text, lexicon):
+            remarks.append(_not_chosen(sketch, draft.text))
+            continue
         if found and sketch.part.segment.span[0] in let_be:
             remarks.append(_retracted(found.pop(), sketch, draft.text))
             retracted = True
@@ -50,6 +53,18 @@ def after_all(
         span = (thing.old[0], thing.old[1])
         remarks.append(Remark(RemarkKind.CORRECTED, span, f"{old!r} is corrected by {new!r}"))
     return found, remarks
+
+
+def _is_or_else(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+    """Whether "or" joins another thing to the one before: "call Eva at three or Tom at four"."""
+    return text_between(before, sketch, text).strip(" ,").lower() in lexicon.closed.alternatives
+
+
+def _not_chosen(sketch: Sketch, text: str) -> Remark:
+    """Say that the second of two things is left out."""
+    span = sketch.part.segment.span
+    message = f"{text[slice(*span)]!r} is not used: of what 'or' joins, the first is taken"
+    return Remark(RemarkKind.POLICY, span, message)
 
 
 def _retracted(before: Sketch, sketch: Sketch, text: str) -> Remark:

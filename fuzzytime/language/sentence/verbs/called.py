@@ -67,7 +67,7 @@ def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
 
 
 def person_due(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
-    """Give who must do something with a thing: "Tim must hand in his homework"; None where nobody is named."""
+    """Give who must do something with a thing: "Tim must hand in his homework"; None for nobody."""
     helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")}
     subjects = tree.children(verb, "nsubj")
     due = bool(helping) and helping <= lexicon.closed.obligation and tree.nodes[verb].tag == "VB"
