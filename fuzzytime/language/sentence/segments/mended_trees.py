@@ -54,15 +54,12 @@ def _does_named(tree: Tree) -> Tree | None:
 
 
 def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
-    """Give "press start" its verb, where what is pressed was taken for it."""
-    if (
-        len(tree.nodes) < LET
-        or tree.root != 1
-        or tree.nodes[0].relation != "aux"
-        or not tree.nodes[1].is_verb
-    ):
+    """Give "press start" its verb, where what is pressed, which is named like a verb, was taken for it."""
+    if len(tree.nodes) < LET or tree.root != 1 or tree.nodes[0].relation not in {"aux", "compound"}:
         return None
-    return tree.with_nodes(_with_thing_done(tree, 1, 1)) if tree.nodes[0].lower in lexicon.ordering else None
+    called = tree.nodes[1].may_act and tree.nodes[1].lower == tree.nodes[1].lemma
+    orders = called and tree.nodes[0].lower in lexicon.ordering
+    return tree.with_nodes(_with_thing_done(tree, 1, 1)) if orders else None
 
 
 def _with_numbered_things(tree: Tree, lexicon: Lexicon) -> Tree:
@@ -111,6 +108,12 @@ def _wants_done(tree: Tree) -> Tree:
     root = tree.root
     if root is None or tree.nodes[root].lemma not in WANTING or not tree.children(root, "nsubj"):
         return tree
+    for done in tree.children(root, "ccomp"):
+        if tree.nodes[done].tag == "VBD" and _is_of_thing(tree, done):
+            # "I want the van washed": what is to be done was taken for what was.
+            nodes = list(tree.nodes)
+            nodes[done] = replace(nodes[done], tag="VBN")
+            return tree.with_nodes(nodes)
     for thing in tree.children(root, "dobj"):
         for done in tree.children(thing, "acl"):
             named = [p for p in tree.children(done) if tree.nodes[p].relation not in BESIDE_DONE]
@@ -120,6 +123,13 @@ def _wants_done(tree: Tree) -> Tree:
                 nodes[thing] = replace(nodes[thing], relation="nsubj", head=done)
                 return tree.with_nodes(nodes)
     return tree
+
+
+def _is_of_thing(tree: Tree, done: int) -> bool:
+    """Whether something is done with a named thing, and nobody says when: "I want the van washed"."""
+    subjects = tree.children(done, "nsubj", "nsubjpass")
+    named = bool(subjects) and tree.nodes[subjects[0]].tag in NOUNS
+    return named and not tree.children(done, "mark", "dobj")
 
 
 def _with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:

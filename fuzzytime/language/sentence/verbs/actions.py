@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.moments import reference_of
-from fuzzytime.language.sentence.verbs.small_clauses import gets_to_do, is_wanted_done, small_clause
+from fuzzytime.language.sentence.verbs.small_clauses import gets_to_do, small_clause
 from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("xcomp", "ccomp")
@@ -119,7 +119,7 @@ def _reference_of_verb(tree: Tree, root: int, below: int, lexicon: Lexicon) -> R
         return None
     if lemma in lexicon.wanting:
         # "I want the floor cleaned by noon": the result is what is wanted then.
-        return Reference.FINISH if tree.nodes[below].tag in {"VBN", "VBD"} else None
+        return Reference.FINISH if tree.nodes[below].tag == "VBN" else None
     named = lexicon.indicators.get(lemma)
     return None if named is None else Reference(named)
 
@@ -243,7 +243,7 @@ def _complement(tree: Tree, place: int, lemma: str) -> int | None:
             continue
         if node.is_verb and (node.tag in {"VB", "VBG"} or lemma == "let") and below > place:
             return below
-        if lemma in {"want", "like", "need"} and (node.tag in {"VBN", "VBP"} or is_wanted_done(tree, below)):
+        if lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:
             return below
         if lemma == "have" and node.tag == "VBN" and tree.children(below, "auxpass") and _has_to(tree, below):
             # "The dog has to be walked"

@@ -72,13 +72,6 @@ def _clauses(tree: Tree, verb: int) -> Iterator[SmallClause]:
                 yield SmallClause(noun, predicate)
 
 
-def is_wanted_done(tree: Tree, place: int) -> bool:
-    """Whether what is to be done with a thing was taken for what was: "I want the van washed"."""
-    subjects = tree.children(place, *SUBJECTS)
-    named = bool(subjects) and tree.nodes[subjects[0]].tag.startswith("NN")
-    return tree.nodes[place].tag == "VBD" and named and not tree.children(place, "mark", "dobj")
-
-
 def gets_to_do(tree: Tree, verb: int, below: int) -> bool:
     """Whether somebody is got to do something: "get Bob to mow the lawn"."""
     named = any(verb < place < below for place in tree.children(below, *SUBJECTS))
