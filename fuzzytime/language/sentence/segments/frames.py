@@ -93,9 +93,21 @@ def is_asked_too(wish: Wish) -> list[Stretch] | None:
     if also is not None and wish.names(wish.start, also) and wish.is_name(root + 1):
         return [(wish.start, front_of(wish, root + 1))] if wish.is_name(wish.start) else None
     reminds = tree.nodes[root].lemma in wish.lexicon.doing.recalling
+    if reminds and wish.names(wish.start, wish.end) and to + 2 < wish.start:
+        return _reminded_with(wish, to)
     governs = bool(behind) and (behind[0].tag in {*DETERMINERS, "PRP", "NNP"} or wish.start + 1 in wish.timed)
     bare = node.may_act and node.lower == node.lemma and governs
     return [(wish.start, front_of(wish, to + 1))] if reminds and bare else None
+
+
+def _reminded_with(wish: Wish, to: int) -> list[Stretch]:
+    """Give what is to be done with another thing: "remind me to turn" the oven "on" at five and the grill."""
+    said = (wish.start, range(front_of(wish, to).start, end_of(wish, to + 1)))
+    time = next((p for p in range(to, wish.start) if p in wish.timed), to)
+    carried = time > to + 2 and wish.tree.nodes[time - 1].lower in wish.lexicon.particles
+    return (
+        [said, (wish.end, range(time - 1, time))] if carried and wish.end < len(wish.tree.nodes) else [said]
+    )
 
 
 def lets_too(wish: Wish) -> list[Stretch] | None:
