@@ -7,7 +7,8 @@ Lines and sentences
 Further orders of one sentence
     Segments ``waiting`` for their trees (``mended_trees``, ``leading_markers``), and ``cuts`` once they
     have one: ``calls``, ``reasons``, ``further_orders``, ``orders_in_front``, ``overlooked_orders``,
-    ``orders_beside_times``, ``verbs_left_out``, ``fronts``, ``run_on_orders``.
+    ``orders_beside_times``, ``verbs_left_out``, ``further_steps``, ``fronts``,
+    ``run_on_orders``.
     What a further wish shares with the first is ``borrowed``: where (``borrowing``), and by what is said of
     both (``further_wishes``, ``frames``, ``other_things``).
 Times that belong to something

@@ -50,7 +50,9 @@ def _may_be_step(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 def _names_control(tree: Tree, place: int, root: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
     """Whether what follows is named like a verb, behind a thing with an article: "…, press start"."""
     behind, further = tree.nodes[place + 1 : place + 2], tree.nodes[place + 2 : place + 3]
-    named = bool(behind) and behind[0].tag == "NN" and behind[0].may_act and place + 1 not in timed
+    # "Clean the table, work surface and sink"
+    pressed = tree.nodes[place].lower in lexicon.ordering and bool(behind)
+    named = pressed and behind[0].tag == "NN" and behind[0].may_act and place + 1 not in timed
     opened = any(tree.nodes[p].tag in DETERMINERS for p in range(root + 1, place - 1))
     return named and opened and (not further or place + 2 in timed or _ends(further[0], lexicon))
 
