@@ -3,8 +3,11 @@
 import math
 from collections.abc import Iterator, Sequence
 
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 from fuzzytime.satisfaction import Clipped, Either, Interval, Rectangle, SatisfactionFunction, product
+
+CLOCKED = frozenset({Unit.HOUR, Unit.MINUTE, Unit.SECOND})
+"""How fine clock times are."""
 
 
 def either(functions: Sequence[SatisfactionFunction]) -> SatisfactionFunction:
@@ -19,6 +22,16 @@ def with_alternatives(requirements: Sequence[TimeRequirement]) -> Iterator[range
         if place == len(requirements) or not requirements[place].alternative:
             yield range(begin, place)
             begin = place
+
+
+def is_day_of_another(requirements: Sequence[TimeRequirement], places: range) -> bool:
+    """Whether a day says only of which day a clock time beside it is: "tomorrow, call Ann at eight"."""
+    one = requirements[places.start]
+    if len(places) > 1 or one.grain is not Unit.DAY or one.constraint is not Constraint.BETWEEN:
+        return False
+    first, end = one.earliest, one.latest
+    named = (p.t_spec for p in requirements if p.constraint is Constraint.AT and p.grain in CLOCKED)
+    return first is not None and end is not None and any(t is not None and first <= t < end for t in named)
 
 
 def both(first: SatisfactionFunction, second: SatisfactionFunction) -> SatisfactionFunction:

@@ -8,7 +8,7 @@ from fuzzytime.interpreter.behind import Behind
 from fuzzytime.interpreter.how_long import HowLong
 from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.joining import both, either, with_alternatives
+from fuzzytime.interpreter.joining import both, either, is_day_of_another, with_alternatives
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.retold import from_to, going_to, occurrence, until_then, waiting_until
@@ -113,7 +113,11 @@ class Maker:
         duration = self.how_long.of(wish, instruction)
         own = [part for part in requirements if part.anchor is None or part.anchor.target is None]
         resolutions = [self._resolved(part, operation, duration) for part in own]
-        offered = [[resolutions[place] for place in places] for places in with_alternatives(own)]
+        offered = [
+            [resolutions[place] for place in places]
+            for places in with_alternatives(own)
+            if not is_day_of_another(own, places)
+        ]
         function, named = self._moved(wish, self._joined(wish, offered), self._named(wish, offered))
         never = (one[0].reason for one in offered if all(part.reason for part in one))
         reason = next((reason for reason in never if reason), "")

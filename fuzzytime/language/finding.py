@@ -11,7 +11,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.word_tables import read_lexicon
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import HourMark, Phrase, Wall
 from fuzzytime.language.meaning.instants import UngroundedError
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.offered import alternative_to
@@ -116,6 +116,9 @@ def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
             here = replace(
                 moment, since=begun.earliest, carried=False, listed=False, follows=True, onto=False
             )
+        if before is not None and isinstance(phrase.said.time, HourMark) and phrase.said.time.open:
+            # "Flour at ten, eggs at half past": the half past behind that ten.
+            here = replace(moment, since=before[1].requirement.earliest, carried=False)
         if before is not None and phrase.said.alternative and _is_part_alone(phrase):
             # "Tonight or in the morning": the morning behind that night.
             here = replace(moment, since=before[1].requirement.earliest, follows=True)

@@ -7,7 +7,7 @@ from fuzzytime.language.english.minutes_past import moved
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.beside import lasts_then, refined
+from fuzzytime.language.meaning.beside import in_hour_of, lasts_then, refined
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -27,7 +27,7 @@ from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
-NOON, HALF_PAST = 12, 30
+NOON = 12
 
 
 def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
@@ -61,13 +61,10 @@ def _is_to_hour(first: Time, last: Time) -> bool:
 
 def _in_hour(first: Goal, last: Goal) -> Goal:
     """Give the end of a range in the hour of its start: "after ten but before half past", never "five to"."""
-    mark, wall = last.time, first.time
-    if not isinstance(mark, HourMark) or not mark.open or not isinstance(wall, Wall) or wall.clock is None:
+    if not isinstance(last.time, HourMark) or not isinstance(first.time, Wall):
         return last
-    if wall.clock.shift or not wall.clock.minute < mark.minute <= HALF_PAST:
-        return last
-    clock = replace(wall.clock, minute=mark.minute, grain=Unit.MINUTE, bare=False)
-    return replace(last, time=replace(wall, clock=clock))
+    whole = in_hour_of(last.time, first.time)
+    return last if whole is None else replace(last, time=whole)
 
 
 def _is_meal(wall: Wall) -> bool:

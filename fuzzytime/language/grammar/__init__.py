@@ -4,8 +4,8 @@ Nothing here knows a construction: rules are in ``fuzzytime.language.english``. 
 what stands around it, so that numbers and names are no times.
 
 From a text to readings
-    Words: ``words``, what is quoted (``quotes``), ``word_tables``, ``lexicon``, ``word_groups``, ``verb_groups``,
-    ``spelling``, ``numerals``.
+    Words: ``words``, what is quoted (``quotes``), ``word_tables``, ``lexicon``, ``word_groups``,
+    ``verb_groups``, ``timetables``, ``spelling``, ``numerals``.
     Rules applied, and the best readings chosen: ``chart``, ``spans``.
     What times lend each other: ``lending``, ``lent``; what is ``due`` behind "for".
     What looks like a time and is none: ``leftovers``.

@@ -120,8 +120,8 @@ class Judge:
         if self.texts[piece.end - 1] in {"before", "after"} and (isinstance(time, (Offset, TimeWord))):
             # "Call me ten minutes after"; but "after lunch call me", and "the night before".
             looks = self.around.before(piece) in self.beside.looking_after and isinstance(time, TimeWord)
-            # "Put the pie in ten minutes before"
-            behind_particle = self.around.before(piece) == "in" and isinstance(time, Offset)
+            # "Put the pie in ten minutes before", "turn the telly on five minutes before"
+            behind_particle = self.around.before(piece) in {"in", "on"} and isinstance(time, Offset)
             apart = behind_particle or not self.around.timely(piece.start - 1)
             led = piece.start > 0 and not looks and apart
             # "Mow the front before and the back after"; but "before and after lunch"

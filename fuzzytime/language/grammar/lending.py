@@ -20,6 +20,8 @@ LENT = frozenset({Constraint.AFTER, Constraint.FOR})
 STOPS = frozenset({".", ";", "!", "?"})
 """Marks behind which a number counts minutes again."""
 
+AFTER = "after"
+
 NOON = 12 * 3600
 
 
@@ -39,11 +41,13 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
     unit = length.time.terms[-1][1]
     if "in" == said.preposition == length.preposition and isinstance(said.time, Duration):
         # "Feed the cat in an hour and the dog in two"
-        near = not STOPS & {word.text for word in words[before.end : phrase.first]}
+        near = not _ends_between(before, phrase, words)
         alone = said.time.bare_end and said.time.until is None and len(said.time.terms) == 1
         hours = near and alone and said.time.terms[0][0] <= DAY_HOURS
         counted = _counted(said.time, unit) if hours else said.time
         return replace(phrase, said=replace(said, time=counted))
+    if AFTER == said.preposition == length.preposition and isinstance(said.time, Wall) and said.time.bare:
+        return _further_after(phrase, length.time, unit, near=not _ends_between(before, phrase, words))
     if length.constraint is not Constraint.FOR:
         return phrase
     if isinstance(said.time, Duration) and said.time.bare_end and said.constraint in LENT:
@@ -66,6 +70,20 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
     duration = Duration(((clock.hour, unit),))
     constraint = Constraint.FOR if said.preposition == "for" else said.constraint
     return replace(phrase, said=replace(said, time=duration, constraint=constraint))
+
+
+def _further_after(phrase: Phrase, length: Duration, unit: Unit, *, near: bool) -> Phrase:
+    """Lend a number behind "after" the unit of a smaller one: "after 3 minutes this, after 5 that"."""
+    clock = phrase.said.time.clock if isinstance(phrase.said.time, Wall) else None
+    hour = clock is not None and clock.grain is Unit.HOUR and clock.half is None
+    if clock is None or not hour or not near or len(length.terms) > 1 or clock.hour <= length.terms[0][0]:
+        return phrase
+    return replace(phrase, said=replace(phrase.said, time=Duration(((clock.hour, unit),))))
+
+
+def _ends_between(before: Phrase, phrase: Phrase, words: Sequence[Word]) -> bool:
+    """Whether a sentence ends between two times."""
+    return bool(STOPS & {word.text for word in words[before.end : phrase.first]})
 
 
 def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:

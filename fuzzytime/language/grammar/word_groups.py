@@ -55,6 +55,7 @@ class ClosedClasses:
     anaphors: Words
     third_person_objects: Words
     all_anaphors: Words
+    first_person_objects: Words
     indirect_objects: Words
     object_pronouns: Words
     wholes: Words

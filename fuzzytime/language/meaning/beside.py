@@ -5,6 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
+    HourMark,
     Range,
     Said,
     Wall,
@@ -13,6 +14,9 @@ from fuzzytime.language.meaning.feasts import Feast
 from fuzzytime.language.meaning.relations import Away, narrowed, same_day, weekday_at
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.requirement import Constraint, Unit
+
+HALF_PAST = 30
+"""Minutes past an hour that are hardly said as those to the next."""
 
 LONG = frozenset({Unit.MONTH, Unit.QUARTER, Unit.YEAR})
 """Periods that no clock time lies on."""
@@ -35,6 +39,14 @@ def _one_day(first: Calendar, second: Calendar) -> Calendar | None:
     if same_day(first, second):
         return second
     return first if same_day(second, first) else narrowed(first, second)
+
+
+def in_hour_of(mark: HourMark, wall: Wall) -> Wall | None:
+    """Give "half past" in the hour of a clock time before it; None for "five to", and where that is later."""
+    clock = wall.clock
+    if not mark.open or clock is None or clock.shift or not clock.minute < mark.minute <= HALF_PAST:
+        return None
+    return replace(wall, clock=replace(clock, minute=mark.minute, grain=Unit.MINUTE, bare=False))
 
 
 def joined(first: Wall, second: Wall) -> Wall | None:

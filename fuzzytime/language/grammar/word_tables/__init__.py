@@ -197,8 +197,9 @@ _ROWS = {
     "spacing": ("leading", "beside", "nouns", "turns"),
     "instances": ("first", "further"),
     "conversation": (
-        "dropping", "clearing", "swapping", "undoing", "redoing", "delaying", "later", "earlier", "last",
-        "everything", "both", "speaker", "late", "they", "being", "anew", "early", "rescheduled", "cancelled",
+        "dropping", "retracting", "clearing", "swapping", "undoing", "redoing", "delaying", "later",
+        "earlier", "last", "everything", "both", "speaker", "late", "they", "being", "anew", "early",
+        "rescheduled", "cancelled",
         "present", "perfect", "absent", "finished", "having", "unstarted", "yet", "wrong", "unable", "more",
         "needing", "open", "doing", "moment", "plan", "what", "showing", "when", "lasting", "why",
         "supposing", "filling", "first", "instead", "letting", "answering",

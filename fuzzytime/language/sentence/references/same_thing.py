@@ -1,12 +1,15 @@
 """Times that count from what was asked for of the same thing before: "take it out after forty minutes"."""
 
+from dataclasses import replace
+
+from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Duration, Offset, Said
 from fuzzytime.language.sentence.references.anchors import Anchors, only_counted
 from fuzzytime.language.sentence.references.mentions import shares_thing, undoes
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.times import seconds_between
 
-AFTER, IN = "after", "in"
+AFTER, IN, WITHIN = "after", "in", "within"
 
 
 def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -> TimeRequirement | None:
@@ -17,11 +20,25 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
     take it out in forty minutes".
     """
     own, distance = anchors.operation_at(anchors.position), requirement.t_spec
+    if own is not None and distance is not None and said.preposition in {IN, WITHIN}:
+        found = _behind_last(anchors, own, said, requirement)
+        if found is not None:
+            return found
     bare = isinstance(said.time, Duration) or (isinstance(said.time, Offset) and said.time.anchor is None)
     if own is None or not own.is_asked or distance is None or not bare:
         return None
+    if (
+        said.preposition == AFTER
+        and _is_lent(requirement, anchors)
+        and anchors.position - 1 in anchors.told.since
+    ):
+        # "After 3 minutes the beans, after 5 the corn, after 8 turn it off": all since the same
+        told = anchors.told.since[anchors.position - 1]
+        return (
+            None if told is None else only_counted(requirement, replace(told, lag=distance), Constraint.AFTER)
+        )
     target = _asked_before(anchors) if said.preposition in {AFTER, IN} else None
-    if target is None:
+    if target is None or _is_said_before(anchors, target, requirement):
         return None
     start = anchors.told.start(target)
     begun = None if start is None or anchors.now is None else seconds_between(anchors.now, start)
@@ -37,6 +54,48 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
         edge = Edge.START
     anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=distance, exact=True)
     return only_counted(requirement, anchor, Constraint.AFTER)
+
+
+def _behind_last(
+    anchors: Anchors, own: Operation, said: Said, requirement: TimeRequirement
+) -> TimeRequirement | None:
+    """Count what would be before the instruction right before it from that: "at 14:00, … within 30 minutes".
+
+    It is about the same thing, or tells who speaks of it; so is "in" where that is tried again.
+    """
+    last, distance = anchors.position - 1, requirement.t_spec or 0.0
+    before = anchors.operation_at(last) if last >= anchors.first else None
+    start = anchors.told.start(last)
+    if before is None or not before.is_asked or not own.is_asked or start is None or anchors.now is None:
+        return None
+    doing = anchors.lexicon.doing
+    again = own.object is None and own.lemma in doing.repeating | doing.trying
+    # "Leave the house at ten and call me within the hour"
+    reports = (
+        own.lemma in anchors.lexicon.addressing and own.object in anchors.lexicon.closed.first_person_objects
+    )
+    within = said.preposition == WITHIN
+    counted = (reports or is_about_the_same(anchors, last)) if within else again
+    if (
+        not counted
+        or distance > seconds_between(anchors.now, start)
+        or _is_said_before(anchors, last, requirement)
+    ):
+        return None
+    anchor = Anchor(text=requirement.text, target=last, edge=Edge.END, lag=distance, exact=not within)
+    return only_counted(requirement, anchor, Constraint.BETWEEN if within else Constraint.AFTER)
+
+
+def _is_said_before(anchors: Anchors, target: int, requirement: TimeRequirement) -> bool:
+    """Whether a time in front of another instruction is of both: "in an hour, check and baste it"."""
+    other = anchors.operation_at(target)
+    return target >= anchors.first and other is not None and requirement.span[0] < other.span[0]
+
+
+def _is_lent(requirement: TimeRequirement, anchors: Anchors) -> bool:
+    """Whether a number has the unit of one before it: "after 5"."""
+    last = requirement.text.lower().split()[-1]
+    return last.isdecimal() or last in anchors.lexicon.numbers
 
 
 def tells_length_of(anchors: Anchors, target: int) -> bool:

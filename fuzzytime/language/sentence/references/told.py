@@ -4,7 +4,9 @@ from dataclasses import dataclass, field
 from datetime import datetime, timedelta
 
 from fuzzytime.language.instruction import Instruction
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Anchor, Constraint
+
+AFTER = "after"
 
 WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 """What says when something begins, and not only when at the latest or at the earliest."""
@@ -14,6 +16,7 @@ WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 class Told:
     """What a text told so far: ``starts``; lengths in seconds, the latest told last; what is ``repeated``.
 
+    ``since`` is what those count from that are so long after something, None for the moment of speaking.
     ``above`` is what was told before the text: what is asked of both is answered by the text first.
     """
 
@@ -21,12 +24,16 @@ class Told:
     starts: dict[int, datetime] = field(default_factory=dict)
     lasting: dict[int, float] = field(default_factory=dict)
     repeated: set[int] = field(default_factory=set)
+    since: dict[int, Anchor | None] = field(default_factory=dict)
 
     def add(self, position: int, instruction: Instruction, now: datetime | None) -> None:
         """Add what an instruction tells of itself, or how long another goes on: "it takes an hour"."""
         start = start_of(instruction, now)
         if start is not None:
             self.starts[position] = start
+        for part in instruction.requirements:
+            if part.preposition == AFTER and part.number:
+                self.since[position] = part.anchor
         if instruction.repeats is not None:
             self.repeated.add(position)
         meant = position if instruction.length_of is None else instruction.length_of.target

@@ -65,8 +65,9 @@ def _called_at(one: Waiting, part: Part, place: int, lexicon: Lexicon) -> tuple[
     verb = name + length
     if not length or verb >= len(nodes) or name in timed or (leads and length < NUMBERED):
         return None
-    if nodes[verb].text in MARKS or (leads and nodes[verb].tag == "TO"):
-        # Behind "robot 2:", "tell robot 2 to"
+    asked = leads or (place > 0 and one.segment.addressee is not None and length == NUMBERED)
+    if nodes[verb].text in MARKS or (asked and nodes[verb].tag == "TO"):
+        # Behind "robot 2:", "tell robot 2 to", "tell robot 1 to sweep and robot 2 to"
         verb += 1
     called = " ".join(node.text for node in nodes[name : name + length])
     return (called, nodes[verb]) if _is_order(nodes, verb, timed, lexicon, sure=length == NUMBERED) else None

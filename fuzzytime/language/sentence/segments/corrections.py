@@ -7,7 +7,8 @@ from itertools import pairwise
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark, RemarkKind
-from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Quantity, Said, Wall
+from fuzzytime.language.meaning.beside import in_hour_of
+from fuzzytime.language.meaning.expressions import Duration, HourMark, Offset, Phrase, Quantity, Said, Wall
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint
 
@@ -91,9 +92,12 @@ def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Rem
 
 
 def _denied(scanned: Scanned, phrase: Phrase) -> Remark | None:
-    """Give what to say of a time that is denied alone in front: "not now, do it in an hour"."""
+    """Give what to say of a time that is denied alone in front: "not now, …", "rather than at six, …"."""
     texts = [word.text for word in scanned.words]
-    alone = texts[: phrase.first] == ["not"] and texts[phrase.end : phrase.end + 1] in ([","], ["."], [";"])
+    # "Instead of today" may have its "of" in the time.
+    led = texts[: phrase.first] in (["not"], ["rather", "than"], ["instead", "of"])
+    led = led or texts[: phrase.first + 1] == ["instead", "of"]
+    alone = led and texts[phrase.end : phrase.end + 1] in ([","], ["."], [";"])
     if not alone or phrase.end + 1 >= len(texts) or texts[phrase.end + 1] == "but":
         return None
     said = scanned.text[slice(*phrase.span)]
@@ -151,6 +155,12 @@ def _behind_pauses(scanned: Scanned, place: int) -> int:
 
 def _replaced(old: Said, new: object) -> Said | None:
     """Give what was said with a new time in it: bound as before, where the new words do not bind anew."""
+    if isinstance(new, Said) and isinstance(new.time, HourMark) and isinstance(old.time, Wall):
+        # "At five, or rather half past"
+        whole = in_hour_of(new.time, old.time)
+        new = (
+            new if whole is None else replace(new, time=whole, preposition=new.preposition or old.preposition)
+        )
     if isinstance(new, Said):
         bare = isinstance(new.time, Duration) or (isinstance(new.time, Wall) and new.time.bare)
         if new.preposition is not None or not bare:

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
+from fuzzytime.language.sentence.segments.borrowing import wishes_beside
 from fuzzytime.language.sentence.segments.further_orders import further_verbs
 from fuzzytime.language.sentence.segments.orders_behind_names import behind_told
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
@@ -33,8 +34,9 @@ def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     if one.segment.addressee is not None or len(nodes) < SHORTEST_CALL:
         return []
     first, last = one.segment.span
-    # As in "Robot 3: dock at noon", with a number behind it.
-    mark = 1 + (nodes[1].tag == "CD")
+    # As in "Robot 3: dock at noon", with a number behind it, or "arm A: pick part 3".
+    lettered = nodes[0].lower in lexicon.workers and len(nodes[1].text) == 1 and nodes[1].text.isupper()
+    mark = 1 + (nodes[1].tag == "CD" or lettered)
     for name, rest in ((nodes[:mark], nodes[mark + 1 :]), (nodes[-1:], nodes[:-2])):
         separator = nodes[mark] if name[0] is nodes[0] else nodes[-2]
         dash = separator.text == "-" and mark == 2
@@ -72,10 +74,12 @@ def _is_name(one: Waiting, part: Part, nodes: Sequence[Node], lexicon: Lexicon) 
     places = one.source.places(name.start + part.offset, nodes[-1].end + part.offset)
     known = name.text[0].isupper() or name.lower in lexicon.persons | lexicon.machines
     machine = len(nodes) > 1 and name.lower in lexicon.machines
+    # "Bob, mow the lawn": who is called like a verb, before what is done.
+    called = name.tag == "NNP" and part.tree.root == part.tree.nodes.index(name) + 2
     return (
         known
         and name.text.isalpha()
-        and (machine or not name.may_act)
+        and (machine or called or not name.may_act)
         and one.source.covered.isdisjoint(places)
     )
 
@@ -115,14 +119,16 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
     behind = behind_told(part.tree, root, timed, lexicon)
     orders |= set() if behind is None else {part.tree.nodes[behind].start + part.offset}
     gaps = set(verbs_left_out(one, part, lexicon)) - statements - orders
-    starts += sorted(gaps)
-    for start in starts:
+    wishes = wishes_beside(one, part, lexicon)
+    for start in (*sorted(wishes), *starts, *sorted(gaps)):
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
             yield replace(one.segment, span=(first, end))
             whole = _begins_order(part, start) or _is_told(one, start, lexicon)
-            verbless = start in gaps and not whole
-            yield Segment((start, last), addressee=one.segment.addressee, verbless=verbless)
+            borrowed = wishes.get(start, ())
+            verbless = start in gaps and not whole and not borrowed
+            addressee = one.segment.addressee
+            yield Segment((start, last), addressee=addressee, verbless=verbless, borrowed=borrowed)
             return
 
 
@@ -132,7 +138,10 @@ def _begins_order(part: Part, start: int) -> bool:
     if place is None or place + 1 >= len(part.tree.nodes):
         return False
     node, behind = part.tree.nodes[place], part.tree.nodes[place + 1]
-    return node.may_act and node.lower == node.lemma and behind.tag in DETERMINERS
+    counted = behind.tag == "IN" and any(n.tag == "CD" for n in part.tree.nodes[place + 2 : place + 3])
+    # "Thaw the cells for 2 min, spin at 300 g for 5"
+    measured = counted and bool(part.tree.nodes[place + 3 : place + 4]) and not node.tag.startswith("NNP")
+    return node.may_act and node.lower == node.lemma and (behind.tag in DETERMINERS or measured)
 
 
 def _is_told(one: Waiting, start: int, lexicon: Lexicon) -> bool:

@@ -11,6 +11,7 @@ from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.asides import Aside, asides_of, beside_each_other, without_asides
+from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
 from fuzzytime.language.sentence.segments.calls import called_first, called_next
 from fuzzytime.language.sentence.segments.corrections import corrected
 from fuzzytime.language.sentence.segments.cuts import addressed, pieces_of, reminded
@@ -248,9 +249,13 @@ def _done_next(sources: Sequence[Source], done: Sequence[dict[int, Part]], lexic
 
 def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
     """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
-    texts = [one.text for one in waiting]
-    found = [as_done(tree, lexicon) for tree in _uncapitalised(texts, trees)]
-    led_astray = [place for place, tree in enumerate(found) if tree.root in waiting[place].timed(tree)]
+    texts = [_heard(one) for one in waiting]
+    found = [
+        as_done(in_place(tree, one.source.sound, one.segment.span, one.segment.borrowed), lexicon)
+        for one, tree in zip(waiting, _uncapitalised(texts, trees), strict=True)
+    ]
+    own = {place for place, one in enumerate(waiting) if not one.segment.borrowed}
+    led_astray = [p for p, tree in enumerate(found) if p in own and tree.root in waiting[p].timed(tree)]
     blanked = trees([_without_root(found[place]) for place in led_astray])
     for place, tree in zip(led_astray, blanked, strict=True):
         # "The ferry leaves at 10:45 sharp": a word about time is never what is to be done.
@@ -260,7 +265,9 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
         again = [
             (place, waiting[place].behind_time)
             for place, tree in enumerate(found)
-            if waiting[place].doubts(tree, lexicon) and (carrier or waiting[place].behind_time)
+            if place in own
+            and waiting[place].doubts(tree, lexicon)
+            and (carrier or waiting[place].behind_time)
         ]
         carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
         for (place, skipped), tree in zip(again, carried, strict=True):
@@ -279,6 +286,12 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
     found = [with_called(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
     travelling = lexicon.travelling
     return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
+
+
+def _heard(one: Waiting) -> str:
+    """Give the main words of a segment, or all of it with those that it borrows."""
+    segment = one.segment
+    return with_borrowed(one.source.sound, segment.span, segment.borrowed) if segment.borrowed else one.text
 
 
 def _without_root(tree: Tree) -> str:

@@ -114,11 +114,20 @@ def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iter
     timed = {p for a, b in (phrase.span for phrase in source.phrases) for p in front.at(a, b)}
     for here, node in enumerate(front.nodes):
         start = node.start + one.segment.span[0]
-        if start > first and here not in timed and _may_begin(front, here, lexicon):
+        # "If the battery is low return to base, otherwise carry on": what is to be done is before the comma.
+        sure = one.text.lower().startswith(tuple(lexicon.beside.contrary)) and _is_free(front, here, lexicon)
+        if start > first and here not in timed and (sure or _may_begin(front, here, lexicon)):
             clause = source.sound[first:start].strip(" ,")
             # "If the pan is hot flip it, otherwise heat it": what is behind the comma goes its own way.
             order = source.sound[start:end].partition(",")[0]
             yield _Try(place, marker.kind, Front(marker.start, start), clause, order)
+
+
+def _is_free(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word may be a bare verb that nothing before it binds."""
+    node = tree.nodes[place]
+    bare = place > 0 and node.may_act and is_bare(node, lexicon)
+    return bare and not _is_counted(tree, place, lexicon) and not binds(tree, place - 1, lexicon)
 
 
 def _is_event_before_order(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -23,7 +23,7 @@ from fuzzytime.language.sentence.segments.orders_in_front import (
     order_behind_order,
 )
 from fuzzytime.language.sentence.segments.overlooked_orders import is_overlooked
-from fuzzytime.language.sentence.trees.tags import IMPERATIVE
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.actions import action_of, gone_to_do
 from fuzzytime.language.sentence.verbs.statements import (
@@ -84,6 +84,8 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
         return told
     if _goes_on(tree, place, timed, lexicon) or goes_on(tree, place, root, timed):
         return place
+    if _is_gerund_too(tree, place, root):
+        return place
     if place > 1 and (_follows_so(tree, place, timed) or _follows_statement(tree, place, root, timed)):
         return place
     if place > 1 and place != root:
@@ -130,8 +132,9 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lex
     helping = [p for p in tree.children(place, "aux") if not (wanted and tree.nodes[p].lower == "to")]
     if tree.children(place, *ANY_SUBJECTS, "mark") or (denied is None and helping):
         return None
-    if any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
-        # "Weld seam 3 at 11 and seam 4 at 12"
+    led = tree.nodes[place + 1 : place + 2] and tree.nodes[place + 1].tag in DETERMINERS
+    if not led and any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
+        # "Weld seam 3 at 11 and seam 4 at 12"; but "buy paint tomorrow and paint the fence"
         return None
     first = min([_behind_place(tree, place), *tree.children(place, "aux")]) if denied is None else denied
     start = behind_joint(tree, first, timed)
@@ -185,6 +188,15 @@ def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
     return (
         place >= SHORTEST and apart and before and any(later in timed for later in range(place + 1, behind))
     )
+
+
+def _is_gerund_too(tree: Tree, place: int, root: int) -> bool:
+    """Whether a gerund stands beside the order: "would you mind feeding the cat and walking the dog"."""
+    node = tree.nodes[place]
+    both = node.tag == tree.nodes[root].tag == "VBG" and root == 0 and node.relation == "conj"
+    # "Washing and drying the towels" is one order.
+    joined = place > 2 and tree.nodes[place - 1].lower in tree.lexicon.closed.joints_of_orders
+    return both and joined and node.head == root and not tree.children(place, *ANY_SUBJECTS, "aux")
 
 
 def _is_second_statement(tree: Tree, place: int, root: int, timed: set[int], *, told: bool) -> bool:

@@ -13,6 +13,11 @@ NOUNS = frozenset({"NN", "NNS", "NNP"})
 
 NTH = 3
 """Words before the thing in "prune the second rose"."""
+WANTING = frozenset({"want", "like", "need"})
+"""Verbs of what is wished to be done with a thing."""
+
+BESIDE_DONE = frozenset({"prep", "agent", "npadvmod", "advmod", "punct", "cc", "conj", "prt"})
+"""How what hangs on a participle that names nothing."""
 
 LET = 2
 """Words before what is done in "let's film"."""
@@ -22,7 +27,8 @@ def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
     tree = _with_manner(_with_name_in_front(_with_numbered_things(tree, lexicon), lexicon))
     mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
-    return _with_list(mended or _does_compound(tree, lexicon) or tree)
+    mended = mended or _orders_verb(tree, lexicon)
+    return _with_list(_wants_done(mended or _does_compound(tree, lexicon) or tree))
 
 
 def _with_manner(tree: Tree) -> Tree:
@@ -60,6 +66,15 @@ def _does_named(tree: Tree) -> Tree | None:
     moved = _with_thing_done(tree, root, root)
     moved[root - 1] = replace(moved[root - 1], relation="compound", head=root)
     return tree.with_nodes(moved)
+
+
+def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "press start" its verb, where what is pressed, which is named like a verb, was taken for it."""
+    if len(tree.nodes) < LET or tree.root != 1 or tree.nodes[0].relation not in {"aux", "compound"}:
+        return None
+    called = tree.nodes[1].may_act and tree.nodes[1].lower == tree.nodes[1].lemma
+    orders = called and tree.nodes[0].lower in lexicon.ordering
+    return tree.with_nodes(_with_thing_done(tree, 1, 1)) if orders else None
 
 
 def _with_numbered_things(tree: Tree, lexicon: Lexicon) -> Tree:
@@ -123,6 +138,38 @@ def _does_nth(tree: Tree, lexicon: Lexicon) -> Tree | None:
     moved[1] = replace(led, head=NTH)
     moved[2] = replace(number, relation="amod", head=NTH)
     return tree.with_nodes(moved)
+
+
+def _wants_done(tree: Tree) -> Tree:
+    """Give "I'd like the lawn mown" what is to be done, where that was taken for what the lawn is like.
+
+    "I want the book called Dune" names one.
+    """
+    root = tree.root
+    if root is None or tree.nodes[root].lemma not in WANTING or not tree.children(root, "nsubj"):
+        return tree
+    for done in tree.children(root, "ccomp"):
+        if tree.nodes[done].tag == "VBD" and _is_of_thing(tree, done):
+            # "I want the van washed": what is to be done was taken for what was.
+            nodes = list(tree.nodes)
+            nodes[done] = replace(nodes[done], tag="VBN")
+            return tree.with_nodes(nodes)
+    for thing in tree.children(root, "dobj"):
+        for done in tree.children(thing, "acl"):
+            named = [p for p in tree.children(done) if tree.nodes[p].relation not in BESIDE_DONE]
+            if done == thing + 1 and tree.nodes[done].tag == "VBN" and not named:
+                nodes = list(tree.nodes)
+                nodes[done] = replace(nodes[done], relation="ccomp", head=root)
+                nodes[thing] = replace(nodes[thing], relation="nsubj", head=done)
+                return tree.with_nodes(nodes)
+    return tree
+
+
+def _is_of_thing(tree: Tree, done: int) -> bool:
+    """Whether something is done with a named thing, and nobody says when: "I want the van washed"."""
+    subjects = tree.children(done, "nsubj", "nsubjpass")
+    named = bool(subjects) and tree.nodes[subjects[0]].tag in NOUNS
+    return named and not tree.children(done, "mark", "dobj")
 
 
 def _with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:

@@ -15,11 +15,13 @@ def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
     The tree may have it for a thing.
     """
     node = tree.nodes[place]
-    if place + 1 not in timed or tree.nodes[place - 1].text != "," or not node.may_act:
+    acts = node.may_act or node.lower in tree.lexicon.alone
+    if place + 1 not in timed or tree.nodes[place - 1].text != "," or not acts:
         return False
     # "Open in two seconds, close in five"
     listed = place - 2 in timed
-    lasts = tree.nodes[place + 1].lower == "for"
+    # "Drive to A1, pause ten seconds"
+    lasts = tree.nodes[place + 1].lower == "for" or node.lower in tree.lexicon.doing.waiting
     return node.lower == node.lemma and (listed or lasts or node.tag in IMPERATIVE)
 
 
@@ -32,7 +34,7 @@ def is_order_between_times(tree: Tree, place: int, timed: set[int], lexicon: Lex
     root, node, behind = tree.root, tree.nodes[place], tree.nodes[place + 1 : place + 2]
     if root is None or root >= place or tree.children(root, *SUBJECTS):
         return False
-    objects = tree.children(root, "dobj")
+    objects = tree.children(root, "dobj", "oprd")
     led = all(tree.nodes[p].tag in DETERMINERS for thing in objects for p in sorted(tree.below(thing))[:1])
     if objects and not (led and node.lower in lexicon.chores):
         return False

@@ -38,9 +38,12 @@ def order_behind_order(tree: Tree, root: int, timed: AbstractSet[int] = frozense
         if tree.nodes[root].tag == "VBG"
         else closed.predicting_modals
     )
+    if tree.nodes[root].lemma in tree.lexicon.doing.waiting:
+        # "Wash the dishes now, the pans can wait until tonight"
+        telling |= {"can"}
     if joint not in closed.joints_of_orders or (subjects and joint != ",") or not helping <= telling:
         return None
-    orders = _orders_before(tree, root, start, joint)
+    orders = _orders_before(tree, root, start, joint, timed)
     if subjects and not brought:
         bare = (p for p in orders if tree.nodes[p].tag == "VB" and first_of(tree, p) == 0)
         orders = [*bare, *(p for p in orders if _is_passive(tree, p))]
@@ -71,12 +74,14 @@ def behind_joint(tree: Tree, start: int, timed: AbstractSet[int]) -> int:
     return behind if led else first
 
 
-def _orders_before(tree: Tree, root: int, start: int, joint: str) -> list[int]:
+def _orders_before(tree: Tree, root: int, start: int, joint: str, timed: AbstractSet[int]) -> list[int]:
     """Give what may be orders below a root, before where it begins behind a joint."""
     before = [p for p in tree.children(root, *COORDINATE, "csubj", "csubjpass") if p < start]
     # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
     # "Using a fork, mash them" says how.
-    verbs = [p for p in before if p == 0 and _is_verb(tree, p) and tree.nodes[p].tag != "VBG"]
+    # "In the morning feed the hens, in the evening lock them in": the first word behind its time.
+    firsts = (p for p in before if timed >= {*range(p)})
+    verbs = [p for p in firsts if _is_verb(tree, p) and tree.nodes[p].tag != "VBG"]
     orders = [*(p for p in before if tree.nodes[p].tag == "VB"), *verbs]
     # "Get dressed, we start in ten minutes"
     orders += [p for p in before if _is_passive(tree, p)]

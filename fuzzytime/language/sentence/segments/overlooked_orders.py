@@ -1,6 +1,7 @@
 """Orders that a tree takes for something else: "wipe the rug and empty the bins"."""
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.segments.further_steps import is_further_step
 from fuzzytime.language.sentence.segments.orders_beside_times import (
     is_order_before_time,
     is_order_between_times,
@@ -18,6 +19,7 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
     return (
         (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
         or _follows_turning(tree, place, lexicon)
+        or is_further_step(tree, place, timed, lexicon)
         or is_order_before_time(tree, place, timed)
         or is_order_between_times(tree, place, timed, lexicon)
         or (

@@ -9,7 +9,10 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import LATER, Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.sentence.segments.borrowed import Borrowed
+from fuzzytime.language.sentence.segments.corrected_things import AFTER_ALL, corrected_things
 from fuzzytime.language.sentence.segments.named_events import beside, counts_event, heads
+from fuzzytime.language.sentence.segments.retractions import retractions
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 
@@ -25,7 +28,8 @@ class Segment:
 
     ``addressee`` is who was asked by name, before a comma or behind one; ``verbless`` says that its verb was
     said before: "the cat at eight and the dog at nine". ``doer`` is who does it, named before: "the drone
-    takes off at nine, surveys the field"; that one is asked where both are the same.
+    takes off at nine, surveys the field"; that one is asked where both are the same. What is ``borrowed`` are
+    other words said before that hold in it too.
     """
 
     span: Span
@@ -34,6 +38,7 @@ class Segment:
     addressee: str | None = None
     verbless: bool = False
     doer: str | None = None
+    borrowed: tuple[Borrowed, ...] = ()
 
     def shares(self, text: str) -> bool:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
@@ -67,9 +72,17 @@ def segments_of(
     following |= set(_behind_happening(phrases, words, lexicon))
     following |= set(beside(phrases, words, lexicon))
     following |= {phrase.end for phrase in phrases[:1] if heads(phrase, words)}
+    corrections = list(corrected_things(words, phrases, lexicon))
+    instead = {thing.pause: thing.start for thing in corrections}
+    following |= {thing.end for thing in corrections if thing.further}
+    following |= {end for let in retractions(words, lexicon) for end in (let.start, let.stop)}
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
+        if place in instead:
+            cuts.append((place, instead[place], AFTER_ALL))
+            place = instead[place]
+            continue
         if place in inside and place not in vague:
             place += 1
             continue
@@ -288,4 +301,4 @@ def _segment(
     span = (words[start].start, words[end - 1].end)
     if not any(character.isalnum() for character in text[span[0] : span[1]]):
         return None
-    return Segment(span, connective, said)
+    return Segment(span, connective, said, verbless=connective == AFTER_ALL)

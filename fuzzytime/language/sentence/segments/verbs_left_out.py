@@ -5,6 +5,7 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Order
 from fuzzytime.language.meaning.expressions import Phrase, TimeWord
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
@@ -19,6 +20,9 @@ THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH", "CD"})
 """Tags of words that name a thing, or what is called out: "goodbye"."""
 
 MORE = "more"
+
+LASTING = frozenset({"until", "for"})
+"""Prepositions of how long something goes on."""
 
 NAMES = frozenset({"NN", "NNS", "NNP", "NNPS"})
 """Tags of what names something, where a sentence has no verb."""
@@ -52,7 +56,9 @@ def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
             continue
         if [word.text for word in between[:2]] in ([",", "and"], [",", "then"], ["and", "then"]):
             between = between[1:]
-        elif not between or between[0].text not in {"and", ","}:
+        elif not between or between[0].text not in {"and", ",", "or"}:
+            continue
+        if _goes_on_alone(part, between, old, new):
             continue
         if len(between) >= SHORTEST_GAP and (
             _names_another(one, part, between, lexicon, old, new)
@@ -60,7 +66,39 @@ def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
             or _asks_another(part, between, lexicon)
         ):
             found.append(between[1].start)
-    return found + _gaps_in_front(one, part, lexicon)
+    return found + _gaps_in_front(one, part, lexicon) + _behind_first(one, part, own, lexicon)
+
+
+def _goes_on_alone(part: Part, between: Sequence[Word], old: Phrase, new: Phrase) -> bool:
+    """Whether a bare word is done so long, and is no thing: "leave dock at 13:00, mow until 15:00"."""
+    words = [word for word in between if word.is_letters]
+    nodes = [
+        part.tree.nodes[p] for w in words for p in part.tree.at(w.start - part.offset, w.end - part.offset)
+    ]
+    lasts = {phrase.said.preposition in LASTING for phrase in (old, new)}
+    bare = len(nodes) == 1 and nodes[0].may_act and nodes[0].lower == nodes[0].lemma
+    return bare and len(lasts) > 1 and new.said.preposition in LASTING
+
+
+def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase], lexicon: Lexicon) -> list[int]:
+    """Give where the second thing begins: "wash the blue towels first and the white ones after that"."""
+    words, found = one.source.scanned.words, []
+    firsts = (span for span, order in one.source.orders if order is Order.FIRST and span[0] >= part.offset)
+    for _, end in firsts:
+        then = next((phrase for phrase in own if end <= phrase.span[0]), None)
+        between = [word for word in words if then is not None and end <= word.start < then.span[0]]
+        if then is None or not _is_ordering(then) or len(between) <= SHORTEST_GAP:
+            continue
+        named = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
+        opened = between[0].text in {"and", ","} and between[1].text in lexicon.closed.noun_openers
+        if opened and all(_is_of_thing(part, p, ()) for p in named):
+            found.append(between[1].start)
+    return found
+
+
+def _is_ordering(phrase: Phrase) -> bool:
+    """Whether a time is about what was said before: "after that"."""
+    return isinstance(phrase.said.time, TimeWord) and phrase.said.time.word in ORDERING
 
 
 def _gaps_in_front(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
@@ -92,7 +130,8 @@ def _names_another(
 ) -> bool:
     """Whether words between two times name another thing to do the same with: "and the dog at 9"."""
     root = part.tree.root
-    objects = part.tree.children(root, "dobj") if root is not None else ()
+    # "Tomorrow call Ann at eight and Bob at nine": a tree may have whom for what it becomes.
+    objects = part.tree.children(root, "dobj", "oprd") if root is not None else ()
     things = {part.tree.nodes[p].lower for p in objects}
     nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
     others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
@@ -110,8 +149,10 @@ def _names_another(
     # "Stop for a brew at ten and for lunch at noon"
     prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
     led = between[1].text in prepositions
-    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
-    named = led or opened or (has_object and between[0].text in {"and", ","})
+    has_object = one.segment.verbless or (
+        root is not None and bool(part.tree.children(root, "dobj", "oprd", "intj"))
+    )
+    named = led or opened or (has_object and between[0].text in {"and", ",", "or"})
     return named and not others
 
 
@@ -140,8 +181,7 @@ def _is_elsewhere(
 def _binds_alike(old: Phrase, new: Phrase, *, happens: bool) -> bool:
     """Whether two times may be of two things to do, or of two that happen."""
     kinds = {old.said.constraint, new.said.constraint}
-    ordered = isinstance(new.said.time, TimeWord) and new.said.time.word in ORDERING
-    return len(kinds) == 1 or kinds <= (MOMENTS if happens else SIDES) or ordered
+    return len(kinds) == 1 or kinds <= (MOMENTS if happens else SIDES) or _is_ordering(new)
 
 
 def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:

@@ -11,6 +11,7 @@ from fuzzytime.language.meaning.expressions import (
     Edge,
     Offset,
     Phrase,
+    Range,
     Said,
     Wall,
 )
@@ -78,8 +79,32 @@ def said_of_time(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: L
     kept += passed
     clauses = [clause for clause in clauses if clause.time is None]
     kept.sort(key=lambda phrase: phrase.span)
+    clauses, kept = _with_lengths_told(draft, clauses, kept)
     clauses, kept = with_distances(clauses, kept, draft.text)
     return SaidOfTime(kept, clauses, left_out, excepted)
+
+
+def _with_lengths_told(
+    draft: Draft, clauses: Sequence[Clause], phrases: Sequence[Phrase]
+) -> tuple[list[Clause], list[Phrase]]:
+    """Give what goes on from when to when as that time: "while Ann naps from one to three"."""
+    waited: list[Clause] = []
+    kept = list(phrases)
+    for clause in clauses:
+        behind = (
+            place
+            for place, phrase in enumerate(kept)
+            if clause.span[1] <= phrase.span[0] and not draft.text[clause.span[1] : phrase.span[0]].strip()
+        )
+        place = next(behind, None)
+        goes_on = clause.kind == "while" and clause.verb is not None and clause.distance is None
+        if place is None or not goes_on or not isinstance(kept[place].said.time, Range):
+            waited.append(clause)
+            continue
+        span = (clause.span[0], kept[place].span[1])
+        first = next(p for p, word in enumerate(draft.scanned.words) if word.start >= span[0])
+        kept[place] = replace(kept[place], first=first, span=span, rule=DATED)
+    return waited, kept
 
 
 def _without_clock(clause: Clause, text: str) -> Clause:

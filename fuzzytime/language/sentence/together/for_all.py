@@ -53,6 +53,7 @@ def _held_in_front(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> l
     found: list[Sketch] = []
     phrases: tuple[Phrase, ...] = ()
     clauses: tuple[Clause, ...] = ()
+    inserted = False
     for sketch in sketches:
         if not found or _is_ended(found[-1], sketch, text):
             phrases, clauses = (), ()
@@ -67,7 +68,9 @@ def _held_in_front(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> l
             due = tuple(phrase for phrase in phrases if phrase.said.constraint is Constraint.BEFORE)
             found.append(sketch.under(due))
             continue
-        conditions = tuple(clause for clause in clauses if clause.kind == IF)
+        # "Buy milk, and if they have eggs buy six, and be back by noon": that is of its own order alone.
+        inserted = inserted and "," in (text_between(found[-1], sketch, text) if found else "")
+        conditions = () if inserted else tuple(clause for clause in clauses if clause.kind == IF)
         if conditions and sketch.asks and sketch.part.segment.connective in JOINED and not sketch.clauses:
             # "If it rains, bring in the chairs and call mum at six"
             found.append(sketch.under((), conditions))
@@ -77,6 +80,7 @@ def _held_in_front(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> l
             begin = sketch.operation.span[0]
             phrases = tuple(h for p in sketch.phrases if p.span[1] <= begin for h in _handed_on(p))
             clauses = tuple(c for c in sketch.clauses if c.span[1] <= begin and c.kind in HELD)
+            inserted = len(found) > 1 and not _is_ended(found[-2], sketch, text)
     return found
 
 

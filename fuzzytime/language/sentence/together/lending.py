@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import (
@@ -19,7 +18,7 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.sketches.telling import of_something_else, of_which
-from fuzzytime.language.sentence.verbs.places import says_where
+from fuzzytime.language.sentence.together.verbs_again import done_again_of
 from fuzzytime.requirement import Constraint, Reference, Unit
 
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
@@ -70,7 +69,7 @@ def repeated(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch
     found: list[Sketch] = []
     for sketch in sketches:
         before = found[-1].operation if found else None
-        again = None if before is None else _again(before, sketch, text, lexicon)
+        again = None if before is None else done_again_of(before, sketch, text, lexicon)
         if again is None:
             found.append(sketch)
             continue
@@ -113,87 +112,6 @@ def _from_then(phrase: Phrase, before: Sketch) -> Phrase:
         # "…, then twice a day for another week"
         until = replace(until, anchor=ends[0])
     return replace(phrase, said=replace(phrase.said, time=replace(time, starting=starting, until=until)))
-
-
-def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Operation | None:
-    """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
-    closed = lexicon.closed
-    part = sketch.part
-    spans = [(node.start + part.offset, node.end + part.offset) for node in part.tree.nodes]
-    said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
-    rest = text[said[0][0] : said[-1][1]] if said else ""
-    if sketch.phrases:
-        turned, _, level = rest.partition(" to ")
-        particle = _particle_alone(turned, lexicon)
-        if particle is not None:
-            # "And back up to 37 degrees at six"
-            return replace(before, particle=particle, place=f"to {level}" if level else before.place)
-        if rest and set(rest.lower().split()) <= closed.adverbs_of_repetition:
-            # "Ring the bell at six, then again at seven"
-            return before
-    said_again = sketch.operation
-    if said_again is not None and said_again.lemma in lexicon.doing.repeating and sketch.phrases:
-        # "Baste the roast, and repeat this every ten minutes"
-        return before if (said_again.object or "it").lower() in closed.singular_anaphors else None
-    if sketch.operation is not None and not _is_next_numbered(before, sketch, lexicon):
-        return None
-    then = part.segment.connective == "then"
-    counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
-    if then and counted is not None:
-        return counted
-    if then and any(_goes_on(phrase.said) for phrase in sketch.phrases):
-        return replace(before, place=rest or before.place)
-    # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
-    numbered = _is_next_numbered(before, sketch, lexicon)
-    thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in closed.noun_openers or numbered)
-    named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
-    if part.segment.verbless and says_where(rest.lower(), lexicon):
-        # "Hoover downstairs in the morning and upstairs after lunch"
-        whole = says_where((before.object or "").lower(), lexicon)
-        return replace(before, object=None if whole else before.object, place=rest, manner=None)
-    if rest and part.segment.verbless and before.object is None and before.place is not None:
-        # "Stop for a brew at ten and for lunch at noon"
-        return replace(before, place=rest) if rest.split()[0] == before.place.split()[0] else None
-    if not rest or not named or before.object is None:
-        return None
-    # "Hand me the wrench, then the pliers"
-    given = [
-        word
-        for word in before.object.split()[:1]
-        if word.lower() in closed.indirect_objects and " " in before.object
-    ]
-    return replace(before, object=" ".join((*given, rest)), place=None)
-
-
-def _counted_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
-    """Give the operation before with another number: "two tablets now, then one every six hours"."""
-    words = (before.object or "").split()
-    place = next(
-        (p for p, word in enumerate(words) if word.lower() in lexicon.numbers or word.isdecimal()), None
-    )
-    if place is None or not (rest.lower() in lexicon.numbers or rest.isdecimal()):
-        return None
-    noun = words[place + 1 :]
-    noun = [singular(noun[0]), *noun[1:]] if noun and rest.lower() in {"one", "1"} else noun
-    return replace(before, object=" ".join((*words[:place], rest, *noun)))
-
-
-def _goes_on(said: Said) -> bool:
-    """Whether the same goes on with it: "then for five minutes on high", "then every hour"."""
-    return said.constraint is Constraint.FOR or isinstance(said.time, Repeat)
-
-
-def _is_next_numbered(before: Operation, sketch: Sketch, lexicon: Lexicon) -> bool:
-    """Whether it is another of what the one before is about: "do ward 7, then ward 9"."""
-    first = sketch.part.tree.nodes[:2]
-    named = (before.object or "").lower().split()
-    return len(first) > 1 and first[1].tag == "CD" and first[0].lower in lexicon.machines & {*named}
-
-
-def _particle_alone(text: str, lexicon: Lexicon) -> str | None:
-    """Give the particle that is all that is said of a verb: "switch it on at six and off again at eight"."""
-    said = [word for word in text.lower().split() if word not in lexicon.closed.adverbs_of_repetition]
-    return said[0] if len(said) == 1 and said[0] in lexicon.particles else None
 
 
 def within(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
@@ -251,7 +169,9 @@ def _beside(
         return replace(operation, object=before.object, stated=True) if goes_on else operation
     if before.stated and joined and not operation.stated and node.tag in {"VBZ", "VB", "VBP"}:
         return replace(operation, object=before.object, stated=True)
+    # "Would you mind turning it down and locking up": either is an order of its own.
     goes_on = node.tag == "VBG" and not before.stated and not operation.stated
+    goes_on = goes_on and before.verb == before.lemma
     return replace(operation, object=before.object) if goes_on else operation
 
 

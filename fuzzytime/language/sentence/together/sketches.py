@@ -1,17 +1,16 @@
 """Instructions before they are grounded: operation, times and clauses of each part of a draft."""
 
-from collections.abc import Collection
 from dataclasses import replace
-from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Remark, Span
+from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Duration, Repeat
 from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.alternatives import not_used
 from fuzzytime.language.sentence.sketches.clause_requirements import BECOMING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch_of
+from fuzzytime.language.sentence.together.after_all import after_all
 from fuzzytime.language.sentence.together.again_between import again_between
 from fuzzytime.language.sentence.together.also_at_events import also_at_events
 from fuzzytime.language.sentence.together.at_once import at_once
@@ -20,6 +19,7 @@ from fuzzytime.language.sentence.together.choices_of_repetitions import first_of
 from fuzzytime.language.sentence.together.day_by_day import day_by_day, each_day_too
 from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days, under_first_line
 from fuzzytime.language.sentence.together.days_on import days_on
+from fuzzytime.language.sentence.together.first_offered import first_offered
 from fuzzytime.language.sentence.together.first_times import from_first_time
 from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.said_again import done_again, each_of
@@ -33,7 +33,10 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     """Sketch the instructions of a draft; two times joined by "and" make two of one."""
     found: list[Sketch] = []
     remarks: list[Remark] = []
-    sketches = [sketch_of(draft, part, lexicon) for part in draft.parts]
+    sketches, corrections = after_all(
+        [sketch_of(draft, part, lexicon) for part in draft.parts], draft, lexicon
+    )
+    remarks += corrections
     sketches = told_beside(sketches, draft.text, lexicon)
     sketches = repeated(led(sketches, draft.text), draft.text, lexicon)
     told = shared(at_once(within(sketches, draft.text, lexicon), draft.text), draft.text, lexicon)
@@ -51,9 +54,9 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
         for one in on_both_sides(again, words)
     )
     for one in split:
-        whole, later = _first_offered(one, draft.text)
+        whole, remarked = first_offered(one, draft.text)
         whole, others = first_of_choices(whole, words, lexicon)
-        remarks += (not_used(draft.text, span) for span in (*later, *others))
+        remarks += (*remarked, *(not_used(draft.text, span) for span in others))
         for again in also_at_events(whole, words, lexicon):
             found += of_several_times(again, words, lexicon)
     found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in again_between(found)]
@@ -108,32 +111,3 @@ def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
             return replace(sketch, clauses=tuple(clauses))
     lasting = replace(aside.length, said=replace(aside.length.said, constraint=Constraint.FOR))
     return replace(sketch, phrases=(*sketch.phrases, lasting), references=(*sketch.references, None))
-
-
-def _first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Span]]:
-    """Leave out clauses, and times behind one, that "or" joins to what is said before; give those left out.
-
-    "For ten minutes or until tender" says both: it is about as long as that.
-    """
-    lasting = {p.span for p in sketch.phrases if p.said.constraint is Constraint.FOR}
-    clauses = {clause.span for clause in sketch.clauses}
-    moments = {p.span for p in sketch.phrases if p.said.constraint in {None, Constraint.AT}}
-    left = [
-        second
-        for first, second in pairwise(sorted(sketch.heard))
-        if text[first[1] : second[0]].strip(" ,").lower() in sketch.part.tree.lexicon.closed.alternatives
-        and ((first in lasting and second in moments) or _is_other(first, second, lasting, clauses))
-    ]
-    phrases = [place for place, phrase in enumerate(sketch.phrases) if phrase.span not in left]
-    kept = replace(
-        sketch,
-        phrases=tuple(sketch.phrases[place] for place in phrases),
-        references=tuple(sketch.references[place] for place in phrases),
-        clauses=tuple(clause for clause in sketch.clauses if clause.span not in left),
-    )
-    return kept, left
-
-
-def _is_other(first: Span, second: Span, lasting: Collection[Span], clauses: Collection[Span]) -> bool:
-    """Whether a time or a clause stands for another: no length does that a clause ends."""
-    return first not in lasting and (first in clauses or second in clauses)

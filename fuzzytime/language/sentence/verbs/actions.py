@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.moments import reference_of
-from fuzzytime.language.sentence.verbs.small_clauses import small_clause
+from fuzzytime.language.sentence.verbs.small_clauses import gets_to_do, small_clause
 from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("xcomp", "ccomp")
@@ -79,6 +79,8 @@ def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
     below = _complement(tree, root, lemma)
     if below is None or is_numbered_place(tree, below, lexicon) or _names_kind(tree, root, below):
         # "Get to gate 22", "get wrapping paper"
+        return None
+    if gets_to_do(tree, root, below):
         return None
     if lemma not in lexicon.wanting and _brings_about(tree, root, lexicon):
         return None
@@ -244,7 +246,10 @@ def _complement(tree: Tree, place: int, lemma: str) -> int | None:
             continue
         if node.is_verb and (node.tag in {"VB", "VBG"} or lemma == "let") and below > place:
             return below
-        if node.is_verb and lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:
+        if lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:
+            return below
+        if lemma == "have" and node.tag == "VBN" and tree.children(below, "auxpass") and _has_to(tree, below):
+            # "The dog has to be walked"
             return below
     return None
 

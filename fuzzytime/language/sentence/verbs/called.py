@@ -69,6 +69,18 @@ def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
     return None
 
 
+def person_due(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
+    """Give who must do something with a thing: "Tim must hand in his homework"; None for nobody."""
+    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")}
+    subjects = tree.children(verb, "nsubj")
+    due = bool(helping) and helping <= lexicon.closed.obligation and tree.nodes[verb].tag == "VB"
+    if not due or len(subjects) != 1 or not tree.children(verb, "dobj"):
+        return None
+    name = tree.nodes[subjects[0]]
+    alone = name.tag == "NNP" and name.text[0].isupper() and not tree.children(subjects[0])
+    return name.text if alone else None
+
+
 def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give the tree of "robot 3 docks at noon" its verb, which was taken for a plural."""
     root = tree.root
@@ -100,6 +112,10 @@ def _acting(tree: Tree, verb: int, heads: AbstractSet[int | None]) -> list[Node]
     nodes = [replace(node, head=verb) if node.head in heads else node for node in tree.nodes]
     word = tree.nodes[verb]
     nodes[verb] = replace(word, tag="VBZ", lemma=singular_verb(word.lower), head=verb, relation="ROOT")
+    # "Drone 4 films the dam"
+    taken = (p for p, node in enumerate(nodes) if p > verb and node.head == verb and node.relation == "appos")
+    for thing in list(taken)[:1]:
+        nodes[thing] = replace(nodes[thing], relation="dobj")
     nodes[verb - 2] = replace(nodes[verb - 2], tag="NN", head=verb, relation="nsubj")
     nodes[verb - 1] = replace(nodes[verb - 1], head=verb - 2, relation="nummod")
     return nodes

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.language.sentence.verbs.actions import Action
-from fuzzytime.language.sentence.verbs.called import worker_doing
+from fuzzytime.language.sentence.verbs.actions import FINITE, Action
+from fuzzytime.language.sentence.verbs.called import person_due, worker_doing
 from fuzzytime.language.sentence.verbs.small_clauses import SmallClause, small_clause
 from fuzzytime.language.sentence.verbs.statements import others_do
 from fuzzytime.language.sentence.verbs.verb_words import VerbWords
@@ -15,7 +15,6 @@ from fuzzytime.language.sentence.verbs.verb_words import VerbWords
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
-
 
 IF, FIND = "if", "find"
 
@@ -36,7 +35,7 @@ class Reader(VerbWords):
         whole = moved or self._object(verb, particle, clause)
         split = self.place_within(whole)
         places = [*result, *moved, *([] if particle is None else [particle])]
-        doer = worker_doing(self.tree, verb, self.lexicon)
+        doer = worker_doing(self.tree, verb, self.lexicon) or person_due(self.tree, verb, self.lexicon)
         stated = doer is None and self._is_stated(verb)
         subject = self._subject(verb) if doer is None else None
         direct, complement = self._named(verb, subject, whole[:split], result, stated=stated)
@@ -144,14 +143,21 @@ class Reader(VerbWords):
         node = self.tree.nodes[place]
         # "On the way back"
         owned = self.tree.nodes[node.head].relation == "pobj"
-        # "Remind me to take it out"
-        nearest = next((above for above in self.tree.above(place) if self.has_to(above)), verb)
+        # "Remind me to take it out", "tell Ann that the meeting is off"
+        own = (above for above in self.tree.above(place) if self.has_to(above) or self._is_told(above))
+        nearest = next(own, verb)
         return (
             nearest == verb
             and verb in self.tree.above(place)
             and node.tag in {"IN", "RP", "RB"}
             and not owned
         )
+
+    def _is_told(self, verb: int) -> bool:
+        """Whether a verb with who or what it is about tells something: "the meeting is off"."""
+        verbs = (verb, *self.tree.children(verb, "aux", "auxpass"))
+        finite = any(self.tree.nodes[p].tag in FINITE | {"MD"} for p in verbs)
+        return finite and any(p < verb for p in self.tree.children(verb, *SUBJECTS))
 
     def _governs_nothing(self, place: int) -> bool:
         """Whether what follows is no noun for a preposition: a time, another preposition, a mark, the end."""

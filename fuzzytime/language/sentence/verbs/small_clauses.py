@@ -70,3 +70,9 @@ def _clauses(tree: Tree, verb: int) -> Iterator[SmallClause]:
         for predicate in tree.children(noun, *MODIFIERS):
             if predicate > noun and tree.nodes[predicate].tag in PREDICATES:
                 yield SmallClause(noun, predicate)
+
+
+def gets_to_do(tree: Tree, verb: int, below: int) -> bool:
+    """Whether somebody is got to do something: "get Bob to mow the lawn"."""
+    named = any(verb < place < below for place in tree.children(below, *SUBJECTS))
+    return tree.nodes[verb].lemma == "get" and named and tree.nodes[below].tag == "VB"

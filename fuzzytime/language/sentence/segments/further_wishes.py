@@ -1,0 +1,83 @@
+"""A further wish behind a joint and a time, and the words of the first that may hold in it too."""
+
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.actions import action_of
+
+NAMING = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "NNPS", "CD", "POS"})
+"""Tags of words that name who or what a wish is about."""
+
+Stretch = tuple[int, range]
+"""A place in a tree, and the places of the words that are heard again before it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """A further wish in a tree: where it begins, and where its time does."""
+
+    tree: Tree
+    start: int
+    end: int
+    timed: AbstractSet[int]
+    lexicon: Lexicon
+
+    def names(self, first: int, end: int) -> bool:
+        """Whether words are there, and all name something."""
+        return first < end and all(self._names(p) for p in range(first, end))
+
+    def _names(self, place: int) -> bool:
+        """Whether a word names something; a plural with an owner may be taken for a verb: "her drops"."""
+        node, before = self.tree.nodes[place], self.tree.nodes[place - 1 : place]
+        owned = node.tag == "VBZ" and any(other.tag == "PRP$" for other in before)
+        return node.tag in NAMING or owned
+
+    def is_name(self, place: int) -> int:
+        """Give how many words name somebody at a place, a person or a worker with a number; 0 for none."""
+        node, behind = self.tree.nodes[place], self.tree.nodes[place + 1 : place + 2]
+        if node.lower in self.lexicon.workers and behind and behind[0].tag == "CD":
+            return 2
+        return int(
+            (node.text[0].isupper() and node.text.isalpha() and not node.text.isupper())
+            or node.lower in self.lexicon.persons
+        )
+
+
+def front_of(wish: Wish, end: int) -> range:
+    """Give the words in front of a place, behind a time in front of them all."""
+    behind = (p + 1 for p in range(end - 1, -1, -1) if p in wish.timed or wish.tree.nodes[p].text == ",")
+    return range(next(behind, 0), end)
+
+
+def end_of(wish: Wish, verb: int) -> int:
+    """Give where a verb with its particle ends."""
+    particle = verb + 1
+    return particle + (wish.tree.nodes[particle].tag == "RP")
+
+
+def ordered(wish: Wish) -> range | None:
+    """Give the verb of an order that has an object, with its particle; None without one."""
+    tree, action = wish.tree, action_of(wish.tree, wish.lexicon)
+    if (
+        action is None
+        or action.negated
+        or action.place >= wish.start
+        or tree.children(action.place, *SUBJECTS)
+    ):
+        return None
+    verb = action.place
+    bare = tree.nodes[verb].lower == tree.nodes[verb].lemma and tree.nodes[verb].may_act
+    return range(verb, end_of(wish, verb)) if bare and tree.children(verb, "dobj", "xcomp") else None
+
+
+def is_opened(wish: Wish) -> bool:
+    """Whether a wish begins with a thing: "the tables", "Bella", not with what may be a verb."""
+    node, behind = wish.tree.nodes[wish.start], wish.tree.nodes[wish.start + 1 : wish.start + 2]
+    numbered = (
+        node.lower in wish.lexicon.machines | wish.lexicon.measure_nouns and behind and behind[0].tag == "CD"
+    )
+    named = node.tag == "NNP" and node.text[0].isupper()
+    return node.tag in {*DETERMINERS, "CD", "NNS", "NNPS"} or named or bool(numbered)

@@ -1,0 +1,122 @@
+"""What is done again, with another thing or at another time: "feed the cat at eight and the dog at nine"."""
+
+from dataclasses import replace
+
+from fuzzytime.english import singular
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation, Span, overlap
+from fuzzytime.language.meaning.expressions import LATER, Offset, Repeat, Said
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.verbs.places import says_where
+from fuzzytime.requirement import Constraint
+
+DO = "do"
+
+
+def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
+    closed = lexicon.closed
+    part = sketch.part
+    spans = [(node.start + part.offset, node.end + part.offset) for node in part.tree.nodes]
+    said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
+    rest = text[said[0][0] : said[-1][1]] if said else ""
+    if sketch.phrases:
+        turned, _, level = rest.partition(" to ")
+        particle = _particle_alone(turned, lexicon)
+        if particle is not None:
+            # "And back up to 37 degrees at six"
+            return replace(before, particle=particle, place=f"to {level}" if level else before.place)
+        if rest and set(rest.lower().split()) <= closed.adverbs_of_repetition:
+            # "Ring the bell at six, then again at seven"
+            return before
+    said_again = sketch.operation
+    if said_again is not None and said_again.lemma in lexicon.doing.repeating and sketch.phrases:
+        # "Baste the roast, and repeat this every ten minutes"
+        return before if (said_again.object or "it").lower() in closed.singular_anaphors else None
+    if said_again is not None and _is_it_after_all(before, said_again, lexicon) and sketch.phrases:
+        # "Don't water the plants today, do it tomorrow"
+        return replace(before, negated=False)
+    if sketch.operation is not None and not _is_next_numbered(before, sketch, lexicon):
+        return None
+    then = part.segment.connective == "then"
+    counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
+    if (then or part.segment.verbless) and counted is not None:
+        return counted
+    if then and any(_goes_on(phrase.said) for phrase in sketch.phrases):
+        return replace(before, place=rest or before.place)
+    # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
+    numbered = _is_next_numbered(before, sketch, lexicon)
+    first = (
+        rest.split()[0]
+        if rest and _is_led_later(sketch, said[0])
+        else text[slice(*spans[0])]
+        if spans
+        else ""
+    )
+    thing = first.lower() in closed.noun_openers or numbered
+    # "Call Ann at ten, then Bob"
+    called = then and first[:1].isupper() and (before.object or "")[:1].isupper()
+    named = (thing or part.segment.verbless) if sketch.phrases else ((thing or called) and then)
+    if part.segment.verbless and says_where(rest.lower(), lexicon):
+        # "Hoover downstairs in the morning and upstairs after lunch"
+        whole = says_where((before.object or "").lower(), lexicon)
+        return replace(before, object=None if whole else before.object, place=rest, manner=None)
+    if rest and part.segment.verbless and before.object is None and before.place is not None:
+        # "Stop for a brew at ten and for lunch at noon"
+        return replace(before, place=rest) if rest.split()[0] == before.place.split()[0] else None
+    if not rest or not named or before.object is None:
+        return None
+    # "Hand me the wrench, then the pliers"
+    given = [
+        word
+        for word in before.object.split()[:1]
+        if word.lower() in closed.indirect_objects and " " in before.object
+    ]
+    return replace(before, object=" ".join((*given, rest)), place=None)
+
+
+def _is_led_later(sketch: Sketch, said: Span) -> bool:
+    """Whether a distance from what was done before leads to a thing: "…, five minutes later the flour"."""
+    return any(
+        phrase.span[1] <= said[0]
+        and isinstance(phrase.said.time, Offset)
+        and phrase.said.preposition in {LATER, "after"}
+        for phrase in sketch.phrases
+    )
+
+
+def _counted_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before with another number: "two tablets now, then one at six"."""
+    words = (before.object or "").split()
+    place = next(
+        (p for p, word in enumerate(words) if word.lower() in lexicon.numbers or word.isdecimal()), None
+    )
+    if place is None or not (rest.lower() in lexicon.numbers or rest.isdecimal()):
+        return None
+    noun = words[place + 1 :]
+    noun = [singular(noun[0]), *noun[1:]] if noun and rest.lower() in {"one", "1"} else noun
+    return replace(before, object=" ".join((*words[:place], rest, *noun)))
+
+
+def _goes_on(said: Said) -> bool:
+    """Whether the same goes on with it: "then for five minutes on high", "then every hour"."""
+    return said.constraint is Constraint.FOR or isinstance(said.time, Repeat)
+
+
+def _is_next_numbered(before: Operation, sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether it is another of what the one before is about: "do ward 7, then ward 9"."""
+    first = sketch.part.tree.nodes[:2]
+    named = (before.object or "").lower().split()
+    return len(first) > 1 and first[1].tag == "CD" and first[0].lower in lexicon.machines & {*named}
+
+
+def _particle_alone(text: str, lexicon: Lexicon) -> str | None:
+    """Give the particle that is all that is said of a verb: "switch it on at six and off again at eight"."""
+    said = [word for word in text.lower().split() if word not in lexicon.closed.adverbs_of_repetition]
+    return said[0] if len(said) == 1 and said[0] in lexicon.particles else None
+
+
+def _is_it_after_all(before: Operation, operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether "do it" asks for what was not to be done before."""
+    does = operation.lemma == DO and (operation.object or "").lower() in lexicon.closed.singular_anaphors
+    return does and before.negated and not operation.negated and not before.stated
