@@ -9,7 +9,17 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
-from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Edge,
+    Ending,
+    Goal,
+    Offset,
+    Said,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
@@ -169,6 +179,24 @@ def earliest(said: Said) -> Said | None:
     if said.constraint not in {None, Constraint.AT, Constraint.AFTER} or isinstance(said.time, TimeWord):
         return None
     return replace(said, constraint=Constraint.AFTER, preposition="not before", edge=Edge.START)
+
+
+@grammar.rule(
+    "said",
+    "any|some day|time ,? but|except|excluding|bar|save for|not? on|at|in? <said>",
+    "anytime|whenever ,? but|except|excluding|bar|save for|not? on|at|in? <said>",
+    "any|some day|time other|apart than|from <said>",
+    weight=1.5,
+)
+def any_but(said: Said) -> Said | None:
+    """Any day but friday, anytime except lunchtime."""
+    return None if said.denied or isinstance(said.time, TimeWord) else replace(said, denied=True)
+
+
+@grammar.rule("said", "apart|aside from on|at|in? <said>", weight=0.5)
+def apart_from(said: Said) -> Said | None:
+    """(every day at nine) apart from sunday."""
+    return None if said.denied or isinstance(said.time, (TimeWord, Duration)) else replace(said, denied=True)
 
 
 @grammar.rule("said", "<hedge>? within the? <deictic>? <goal>", weight=0.2)

@@ -7,7 +7,7 @@ From a text to readings
     Words: ``words``, what is quoted (``quotes``), ``word_tables``, ``lexicon``, ``word_groups``,
     ``spelling``, ``numerals``.
     Rules applied, and the best readings chosen: ``chart``, ``spans``.
-    What times lend each other: ``lending``, ``lent``; what is ``due`` behind "for".
+    What times lend each other: ``lending``, ``lent``; what is ``due`` behind "for"; what is ``denied``.
     What looks like a time and is none: ``leftovers``.
 
 Whether a reading is a time where it stands (``judging``)

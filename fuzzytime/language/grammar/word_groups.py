@@ -202,6 +202,11 @@ class BesideTimes:
     second_choice: Words
     obliging: Words
     obliged: Words
+    denying_times: Words
+    before_no_denial: Words
+    leaving_out: Words
+    leaving_out_of_all: Words
+    behind_leaving_out: Words
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

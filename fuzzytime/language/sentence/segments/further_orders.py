@@ -83,7 +83,7 @@ def _behind_told(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> in
 
 
 def _behind_named(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
-    """Give an order that has what is named with a time before it: "dentist at three, pick up the kids at four".
+    """Give an order that has what is named with a time before it: "dentist at three, call mum at four".
 
     A machine is named to be asked: "robot at three, dock".
     """
