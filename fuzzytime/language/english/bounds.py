@@ -55,6 +55,13 @@ def release(preposition: Preposition, goal: Goal) -> Said | None:
     return said_of(_as_clock(goal), preposition.name, Constraint.AFTER, preposition.edge)
 
 
+@grammar.rule("said", "<preposition_after> <late clock with h>", weight=0.6)
+def not_before_with_h(preposition: Preposition, clock: Clock) -> Said | None:
+    """Not before 14h30; but "after 14h" may be so long from now."""
+    said = Said(Wall(clock=clock), Constraint.AFTER, preposition.name, (), preposition.edge)
+    return said if preposition.name == "not before" else None
+
+
 def _as_clock(goal: Goal) -> Goal:
     """Read the digits of a bound as a clock time, where they would be a year long gone: "by 1730"."""
     days = goal.time.days if isinstance(goal.time, Wall) and goal.time.weak else None

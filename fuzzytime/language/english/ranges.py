@@ -41,8 +41,10 @@ def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
     if _is_to_hour(first.time, last.time):
         # "Twenty to seven in the evening" is one time.
         return None
-    if isinstance(first.time, Wall) and first.time.bare and isinstance(last.time, Offset):
-        # "Between 10 and 15 minutes from now": the number shares the unit.
+    if isinstance(first.time, Wall) and (
+        _closes(first.time) or (first.time.bare and isinstance(last.time, Offset))
+    ):
+        # "From close to noon"; "between 10 and 15 minutes from now": the number shares the unit.
         return None
     if isinstance(first.time, Wall) and isinstance(last.time, Wall):
         apart = _lent(first.time, last.time)
@@ -69,6 +71,11 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
         return last
     clock = replace(wall.clock, minute=mark.minute, grain=Unit.MINUTE, bare=False)
     return replace(last, time=replace(wall, clock=clock))
+
+
+def _closes(wall: Wall) -> bool:
+    """Whether it is "close", which may be a hedge: "close to noon"."""
+    return wall.weak and wall.part is not None and wall.part.is_point
 
 
 def _is_meal(wall: Wall) -> bool:
