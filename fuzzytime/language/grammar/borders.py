@@ -127,7 +127,7 @@ class Borders:
         # "On friday or saturday to the fair", "on friday or saturday about the report"
         place = piece.end + any(p.category in BINDING for p in self.around.pieces(piece.end))
         timed = self.around.timely(place) or self.measures.is_number(place)
-        return piece.rule == "ranges.either_day" and (led or timed)
+        return piece.rule == "neighbouring_days.either_day" and (led or timed)
 
     def _likens(self, piece: Piece) -> bool:
         """Whether its "like" is what something looks like: "what is the weather like on friday"."""

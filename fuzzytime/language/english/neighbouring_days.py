@@ -1,0 +1,33 @@
+"""Days side by side as one stretch: "today or tomorrow", "on saturday or sunday"."""
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.expressions import Range, Said, Wall
+from fuzzytime.language.meaning.relations import Away, Relative
+from fuzzytime.requirement import Constraint, Unit
+
+grammar = Grammar()
+
+
+@grammar.rule("said", "either? <preposition_at>? <wall> ,? or maybe|perhaps|on? <wall>", weight=0.9)
+def either_day(preposition: Preposition | None, first: Wall, second: Wall) -> Said | None:
+    """Today or tomorrow, on saturday or sunday: days side by side are one stretch."""
+    if preposition is not None and preposition.name not in {"sometime", "on", "for"}:
+        return None
+    if any(wall.part is not None or wall.clock is not None or wall.weak for wall in (first, second)):
+        return None
+    day, other = first.days, second.days
+    if day is None or not _is_behind(day, other):
+        return None
+    return Said(Range(first, Wall(Away(1, Unit.DAY, day))), Constraint.BETWEEN, "sometime")
+
+
+def _is_behind(day: Calendar, other: Calendar | None) -> bool:
+    """Whether a day is the one behind another."""
+    if isinstance(other, Relative):
+        known = isinstance(day, Relative) and other.days == day.days + 1
+        return day.grain is Unit.DAY and (other.days == 1 if other.onward else known)
+    if isinstance(day, Fields) and isinstance(other, Fields) and day.weekly and other.weekly:
+        return other.weekday == ((day.weekday or 0) + 1) % 7
+    return False
