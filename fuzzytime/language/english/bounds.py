@@ -8,7 +8,7 @@ from fuzzytime.language.english.prepositions import said_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -44,7 +44,15 @@ def deadline(preposition: Preposition, goal: Goal) -> Said | None:
         return None
     if isinstance(goal.time, Coming):
         return replace(coming_deadline(goal), preposition=preposition.name)
-    return said_of(_as_clock(goal), preposition.name, Constraint.BEFORE, preposition.edge)
+    edge = Edge.START if preposition.name == "by" and _is_weekend(goal) else preposition.edge
+    return said_of(_as_clock(goal), preposition.name, Constraint.BEFORE, edge)
+
+
+def _is_weekend(goal: Goal) -> bool:
+    """Whether it is a weekend, by which something is done in the week before: "by the weekend"."""
+    days = goal.time.days if isinstance(goal.time, Wall) and goal.time.part is None else None
+    of = days.of if isinstance(days, Deictic) else days
+    return isinstance(of, Weekend) and not of.working
 
 
 @grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at <goal>", weight=0.2)

@@ -253,7 +253,11 @@ class _Grounder:
                 end -= timedelta(seconds=1)
         elif self.said.constraint is Constraint.AFTER and start != end and self.said.edge is Edge.END:
             start = end
-        if isinstance(time, Ending) and self.said.constraint is Constraint.BEFORE and time.edge is Edge.END:
+        due = isinstance(time, Ending) and self.said.constraint is Constraint.BEFORE
+        if due and isinstance(time, Ending) and time.edge is Edge.START:
+            # "By the start of next week"
+            end = start
+        elif due:
             end = found.end if not found.is_point else found.end + timedelta(seconds=1)
         return self.moment.seconds(start, zone), self.moment.seconds(end, zone)
 

@@ -207,7 +207,7 @@ _ROWS = {
 
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
-    "days", "days_on", "deictics", "all_meals", "parts", "day_halves", "day_parts", "shares", "edges",
-    "abbreviated_edges", "seasons", "holidays",
+    "days", "days_on", "deictics", "all_meals", "parts", "day_halves", "first_thing", "last_thing",
+    "day_parts", "shares", "edges", "abbreviated_edges", "seasons", "holidays",
     "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip

@@ -113,12 +113,13 @@ def _read_named_parts(tables: Tables, parts: Mapping[str, Part]) -> None:
     """Add what names a part of the day by another word: halves of days, and parts of certain days."""
     reader = tables.reader
 
-    for name, node in tables.rows("day_halves"):
-        chosen = reader.choice(name, f"day_halves.{name.text}", tuple(parts))
-        if chosen:
-            tables.add(
-                node, f"day_halves.{name.text}", "day_half", parts[chosen], tables.forms(node, "day_halves")
-            )
+    categories = {"day_halves": "day_half", "first_thing": "first thing", "last_thing": "last thing"}
+    for section, category in categories.items():
+        for name, node in tables.rows(section):
+            key = f"{section}.{name.text}"
+            chosen = reader.choice(name, key, tuple(parts))
+            if chosen:
+                tables.add(node, key, category, parts[chosen], tables.forms(node, section))
 
     def day_part(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
         day = reader.whole(fields["day"], f"day_parts.{name}.day", -9, 9)
