@@ -49,6 +49,9 @@ class BareHours(Standing):
         if said.preposition == "to" and self.given.puts_off(piece):
             # "Move my three o'clock to five"
             return True
+        if said.preposition is None and self.measures.is_sure(piece.start) and self._ends_order(piece):
+            # "Call ann 1430"
+            return self.is_called(piece.start)
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and bool(said.hedges)
         return True
@@ -75,11 +78,14 @@ class BareHours(Standing):
         before = self.texts[place - 1] if place else ""
         met = self.lexicon.persons | self.lexicon.animals | self.lexicon.events | self.beside.calls
         someone = before in self.closed.object_pronouns | met
-        named = place > 1 and self.words[place - 1].capital
+        named = (place > 1 and self.words[place - 1].capital) or self.is_called(place)
         spelt = all(text.isalpha() or text == "-" for text in self.texts[piece.start : piece.end])
         happens = before in self.lexicon.happening - self.lexicon.measure_nouns
-        ends = {"", ".", "!", ",", ";"} | self.closed.further_clause
-        return spelt and (someone or named or happens) and self.around.follower(piece) in ends
+        return spelt and (someone or named or happens) and self._ends_order(piece)
+
+    def _ends_order(self, piece: Piece) -> bool:
+        """Whether nothing more is said of what is to be done behind it."""
+        return self.around.follower(piece) in {"", ".", "!", ",", ";"} | self.closed.further_clause
 
     def _leads_to_distance(self, piece: Piece) -> bool:
         """Whether so long before or after something follows: "at ten two days before the fair"."""
