@@ -34,9 +34,7 @@ def last_thing(evening: Part) -> Wall:
     return Wall(Relative(0), _last_of(evening))
 
 
-@grammar.rule(
-    "wall", "<first thing> <days>|<date>|<weak date>", "<days>|<date> ,? <first thing>", weight=0.6
-)
+@grammar.rule("wall", "<first thing> <days>|<date>|<weak date>", "<days>|<date> ,? <first thing>", weight=0.6)
 def first_thing_on(first: Part | Calendar, second: Calendar | Part) -> Wall | None:
     """First thing tomorrow, tomorrow first thing."""
     part, days = (first, second) if isinstance(first, Part) else (second, first)

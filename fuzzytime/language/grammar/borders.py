@@ -193,5 +193,17 @@ class Borders:
         )
 
     def _is_object(self, piece: Piece) -> bool:
-        """Whether it begins with a part of the day that something is done to: "film the sunrise at six"."""
+        """Whether it begins with a part of the day that something is done to: "film the sunrise at six".
+
+        What is done to something "the evening of the 6th" is done then.
+        """
+        time = piece.value.time
+        dated = isinstance(time, Wall) and time.days is not None and time.part is not None
+        if (
+            dated
+            and piece.start > 1
+            and self.texts[piece.start] == "the"
+            and self.texts[piece.start + 2 : piece.start + 3] == ["of"]
+        ):
+            return False
         return self.around.is_object(piece.start + (self.texts[piece.start] == "the"))
