@@ -11,8 +11,8 @@ From a text to readings
     What looks like a time and is none: ``leftovers``.
 
 Whether a reading is a time where it stands (``judging``)
-    For any kind of time: ``borders``, ``cuts``, ``titles``, ``particles``, ``doses``, ``dining``,
-    ``events``, ``standing``, ``surroundings``, ``given_times``.
+    For any kind of time: ``borders``, ``cuts``, ``titles``, ``no_times``, ``particles``, ``doses``,
+    ``dining``, ``events``, ``standing``, ``surroundings``, ``given_times``.
     Behind another time: ``further``.
     For each kind: ``walls`` with ``bare_hours`` and ``naming``, ``ranges``, ``lengths``, ``measuring``.
 """

@@ -9,6 +9,7 @@ from fuzzytime.language.grammar.doses import Doses
 from fuzzytime.language.grammar.events import Events
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR, Measures
+from fuzzytime.language.grammar.no_times import NoTime
 from fuzzytime.language.grammar.particles import Particles
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.titles import Titles
@@ -38,6 +39,7 @@ class Borders:
         self.around = around
         self.measures = Measures(words, lexicon)
         self.titles = Titles(words, lexicon, self.measures, around)
+        self.no_times = NoTime(words, lexicon, self.measures, around)
         self.cuts = Cuts(words, lexicon, self.measures, around)
         self.particles = Particles(lexicon, around)
         self.doses = Doses(lexicon, around)
@@ -63,6 +65,7 @@ class Borders:
             or self._numbers_things(piece)
             or self._likens(piece)
             or self.titles.hold(piece)
+            or self.no_times.hold(piece)
             or self.cuts.make(piece)
             or self._begins_other_bound(piece)
             or self._hedges_what_follows(piece)

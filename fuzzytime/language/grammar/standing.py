@@ -27,7 +27,7 @@ class Standing:
         return self.texts[place] in self.lexicon.ambiguous
 
     def is_called(self, place: int) -> bool:
-        """Whether somebody who is called stands before a place: "call ann | five thirty"; not "call room 1430"."""
+        """Whether somebody is called right before a place: "call ann | five thirty"; not "call room 1430"."""
         verb = place - 2
         if verb > 0 and self.texts[verb] in self.closed.noun_openers:
             # "Ring the office five thirty"

@@ -263,3 +263,20 @@ class Doing:
     resting: Words
     watching: Words
     past_alike: Words
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NoTimes:
+    """Words around what looks like a time and is none, by what it is instead: ``no_times``."""
+
+    streets: Words
+    set_to: Words
+    holding: Words
+    valuing: Words
+    renewing: Words
+    reckoning: Words
+    far: Words
+    for_periods: Words
+    tiny: Words
+    adjectives: Words
+    idioms: Words

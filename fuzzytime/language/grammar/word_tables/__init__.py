@@ -5,7 +5,7 @@ from pathlib import Path
 from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
 from fuzzytime.language.grammar.spelling import misspellings
-from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Doing
+from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Doing, NoTimes
 from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
 from fuzzytime.language.grammar.word_tables.feasts import read_feasts
 from fuzzytime.language.grammar.word_tables.groups import read_groups
@@ -52,6 +52,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     doing = read_groups(speech, "doing", Doing)
     closed = read_groups(speech, "closed_classes", ClosedClasses)
     beside = read_groups(speech, "beside_times", BesideTimes)
+    no_times = read_groups(speech, "no_times", NoTimes)
     entries: dict[str, list[Entry]] = {}
     for entry in (*speech.entries, *days.entries):
         entries.setdefault(entry.words[0], []).append(entry)
@@ -94,6 +95,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         doing=doing,
         closed=closed,
         beside=beside,
+        no_times=no_times,
         past=_by_use(speech, "past"),
         undoing=_by_use(speech, "undoing"),
         told=_by_use(speech, "told"),
@@ -174,7 +176,7 @@ _SPEECH = (
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
     "passing", "doing", "past", "undoing", "circling", "dosing", "coming_in", "dining", "closed_classes",
-    "beside_times",
+    "beside_times", "no_times",
 )  # fmt: skip
 _ROWS = {
     "indicators": ("start", "finish", "throughout"),
