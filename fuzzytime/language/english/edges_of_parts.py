@@ -5,8 +5,9 @@ from dataclasses import dataclass, replace
 from fuzzytime.language.english.prepositions import said_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.calendar import Cycle
-from fuzzytime.language.meaning.expressions import Edge, Goal, Repeat, Said, Wall
+from fuzzytime.language.meaning.calendar import Calendar, Cycle
+from fuzzytime.language.meaning.expressions import Edge, Ending, Goal, Repeat, Said, Wall
+from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.requirement import Constraint, Unit
 
@@ -91,3 +92,22 @@ def by_late_part(preposition: Preposition, share: tuple[float, float], part: Par
     late = part.share(low, high)
     found = Wall(part=replace(late, start=(late.start + late.end) // 2, late=None))
     return said_of(Goal(found), preposition.name, Constraint.BEFORE, Edge.START)
+
+
+@grammar.rule("period end", "<series> -? end")
+def period_end(series: Calendar) -> Goal | None:
+    """(by) month end; but "the year end report", and a week end is free."""
+    longer = isinstance(series, Cycle) and series.unit not in {Unit.DAY, Unit.WEEK}
+    return Goal(Ending(Edge.END, Deictic(Which.THIS, series))) if longer else None
+
+
+@grammar.rule("said", "<preposition_before> <period end>", weight=0.4)
+def by_period_end(preposition: Preposition, goal: Goal) -> Said:
+    """By month end."""
+    return said_of(goal, preposition.name, Constraint.BEFORE, preposition.edge)
+
+
+@grammar.rule("said", "<preposition_at> <period end>", weight=0.4)
+def at_period_end(preposition: Preposition, goal: Goal) -> Said:
+    """At month end."""
+    return said_of(goal, preposition.name)

@@ -215,6 +215,12 @@ def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
     return Ending(first, days or Relative(0))
 
 
+@grammar.rule("end", "the? <series> 's end", weight=0.5)
+def end_of_its_own(series: Calendar) -> Ending | None:
+    """(by) the week's end."""
+    return Ending(Edge.END, Deictic(Which.THIS, series)) if isinstance(series, Cycle) else None
+
+
 @grammar.rule("end", "<end> <days>", "<end> on|of <days>", weight=0.5)
 def ending_of_day(end: Ending, days: Calendar) -> Ending | None:
     """The end of the day tomorrow, eod friday."""

@@ -221,6 +221,23 @@ def from_to(first: Goal, last: Goal) -> Said | None:
     return _range(first, last, "between")
 
 
+@grammar.rule(
+    "said",
+    "anytime|sometime|whenever <clock> to|- <clock>",
+    "any|some time <clock> to|- <clock>",
+    weight=1.2,
+)
+def sometime_from(first: Clock, last: Clock) -> Said | None:
+    """Anytime 3 to 5."""
+    return between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
+
+
+@grammar.rule("called at", "<clock> - <clock>", weight=1.0)
+def called_between(first: Clock, last: Clock) -> Said | None:
+    """(call ann) 10-12; beside what else is done the numbers may be of anything."""
+    return sometime_from(first, last)
+
+
 @grammar.rule("said", "<wall> <integer> - <integer>", weight=0.9)
 def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
     """Monday 11-4."""

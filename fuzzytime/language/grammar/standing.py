@@ -36,5 +36,6 @@ class Standing:
         if verb < 0 or self.texts[verb] not in calling or not self.texts[place - 1].isalpha():
             return False
         nouns = self.lexicon.measure_nouns | self.lexicon.machines | self.lexicon.function_words
-        number = self.measures.is_number(place - 1)
-        return not number and self.texts[place - 1] not in nouns and not self.around.timely(place - 1)
+        noun = self.texts[place - 1]
+        named = {noun, noun.removesuffix("s")}.isdisjoint(nouns) and not self.measures.is_number(place - 1)
+        return named and not self.around.timely(place - 1)

@@ -149,7 +149,10 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         },
         foreign=speech.single_words("foreign"),
         function_words=function_words,
-        misspelt=misspellings((form[0] for form in speech.words("spelling", "words")), known),
+        misspelt={
+            **misspellings((form[0] for form in speech.words("spelling", "words")), known),
+            **{form[0]: form[-1] for form in speech.words("spelling", "short")},
+        },
         usual_hours=usual_hours,
         policy=policy,
     )
@@ -184,7 +187,7 @@ _ROWS = {
         "wanting", "ordering", "forgetting", "causing", "letting", "intransitive", "alone", "chores",
         "addressing",
     ),
-    "spelling": ("words", "kept"),
+    "spelling": ("words", "short", "kept"),
     "timing": ("verbs", "alone"),
     "rescheduling": ("moving", "verbs", "events"),
     "connectives": ("then", "meanwhile", "first"),
@@ -210,6 +213,6 @@ _ROWS = {
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
     "days", "days_on", "deictics", "all_meals", "parts", "day_halves", "first_thing", "last_thing",
-    "day_parts", "shares", "edges", "abbreviated_edges", "seasons", "holidays",
+    "weeknights", "day_parts", "shares", "edges", "abbreviated_edges", "seasons", "holidays",
     "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip
