@@ -94,8 +94,8 @@ class Maker:
             time = occurrence(repeated, start, start if whole else end)
             made.append(self._interpreted(wish, reading, occurring, (time, *once)))
         made = [one for one in made if self._is_near(one)] or made[:1]
-        # What no occurrence can satisfy is one loss, not a hundred.
-        return made[:1] if all(one.reason for one in made) else made
+        # "Every hour but not at noon" leaves noon out; what none can satisfy is one loss, not a hundred.
+        return [one for one in made if not one.reason] or made[:1]
 
     def _is_near(self, made: Interpreted) -> bool:
         """Whether an occurrence may begin within the horizon, where one is given."""

@@ -6,6 +6,7 @@ from functools import cache
 
 from fuzzytime.errors import InstructionError
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.denied import denied
 from fuzzytime.language.grammar.leftovers import leftovers
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
@@ -98,7 +99,7 @@ def find_times(
     words = lexicon or shipped_lexicon()
     scanned = Scanned.of(text, shipped_grammar(), words)
     moment = Moment(now, policy or words.policy)
-    phrases = phrases_of(scanned, words)
+    phrases = tuple(denied(scanned.words, phrases_of(scanned, words), words))
     times = ground_all(phrases, text, moment)
     left = leftovers(scanned, [phrase.span for phrase in phrases], words)
     return replace(times, remarks=(*times.remarks, *left))

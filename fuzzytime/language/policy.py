@@ -60,6 +60,8 @@ class Policy:
         How a date of two numbers is read.
     bare_pair_from
         The first hour from which two number words alone ("eight forty") are a clock time.
+    kept_off
+        Minutes on either side of a clock time at which something is not to be done.
     ask
         Whether ambiguous times become questions. The choice is made in any case, and said.
     """
@@ -80,6 +82,7 @@ class Policy:
     weekend_days: int = 2
     date_order: DateOrder = DateOrder.MONTH_DAY
     bare_pair_from: int = 8
+    kept_off: int = 30
     ask: bool = True
 
     def begin_before(self, deadline: float) -> int:

@@ -8,8 +8,18 @@ from fuzzytime.language.english.prepositions import said_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
-from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Edge,
+    Ending,
+    Goal,
+    Offset,
+    Said,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
@@ -34,7 +44,15 @@ def deadline(preposition: Preposition, goal: Goal) -> Said | None:
         return None
     if isinstance(goal.time, Coming):
         return replace(coming_deadline(goal), preposition=preposition.name)
-    return said_of(_as_clock(goal), preposition.name, Constraint.BEFORE, preposition.edge)
+    edge = Edge.START if preposition.name == "by" and _is_weekend(goal) else preposition.edge
+    return said_of(_as_clock(goal), preposition.name, Constraint.BEFORE, edge)
+
+
+def _is_weekend(goal: Goal) -> bool:
+    """Whether it is a weekend, by which something is done in the week before: "by the weekend"."""
+    days = goal.time.days if isinstance(goal.time, Wall) and goal.time.part is None else None
+    of = days.of if isinstance(days, Deictic) else days
+    return isinstance(of, Weekend) and not of.working
 
 
 @grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at <goal>", weight=0.2)
@@ -43,6 +61,13 @@ def release(preposition: Preposition, goal: Goal) -> Said | None:
     if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
         return None
     return said_of(_as_clock(goal), preposition.name, Constraint.AFTER, preposition.edge)
+
+
+@grammar.rule("said", "<preposition_after> <late clock with h>", weight=0.6)
+def not_before_with_h(preposition: Preposition, clock: Clock) -> Said | None:
+    """Not before 14h30; but "after 14h" may be so long from now."""
+    said = Said(Wall(clock=clock), Constraint.AFTER, preposition.name, (), preposition.edge)
+    return said if preposition.name == "not before" else None
 
 
 def _as_clock(goal: Goal) -> Goal:
@@ -175,6 +200,24 @@ def earliest(said: Said) -> Said | None:
     if said.constraint not in {None, Constraint.AT, Constraint.AFTER} or isinstance(said.time, TimeWord):
         return None
     return replace(said, constraint=Constraint.AFTER, preposition="not before", edge=Edge.START)
+
+
+@grammar.rule(
+    "said",
+    "any|some day|time ,? but|except|excluding|bar|save for|not? on|at|in? <said>",
+    "anytime|whenever ,? but|except|excluding|bar|save for|not? on|at|in? <said>",
+    "any|some day|time other|apart than|from <said>",
+    weight=1.5,
+)
+def any_but(said: Said) -> Said | None:
+    """Any day but friday, anytime except lunchtime."""
+    return None if said.denied or isinstance(said.time, TimeWord) else replace(said, denied=True)
+
+
+@grammar.rule("said", "apart|aside from on|at|in? <said>", weight=0.5)
+def apart_from(said: Said) -> Said | None:
+    """(every day at nine) apart from sunday."""
+    return None if said.denied or isinstance(said.time, (TimeWord, Duration)) else replace(said, denied=True)
 
 
 @grammar.rule("said", "<hedge>? within the? <deictic>? <goal>", weight=0.2)

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.ranges import between
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import refined
@@ -46,7 +47,20 @@ def day_from(wall: Wall, after: Preposition, goal: Goal) -> Said | None:
     said, day = refined(Said(goal.time, Constraint.AFTER, after.name, goal.hedges), wall), wall.days
     if said is None or day is None or day.grain is not Unit.DAY or not isinstance(said.time, Wall):
         return None
-    return replace(said, time=Range(said.time, Ending(Edge.END, day)), constraint=Constraint.BETWEEN)
+    over: Wall | Ending = Ending(Edge.END, day)
+    if wall.part is not None:
+        # "This afternoon, but not before three"
+        over = replace(wall, part=replace(wall.part, start=wall.part.end))
+    return replace(said, time=Range(said.time, over), constraint=Constraint.BETWEEN)
+
+
+@grammar.rule("said", "<said> ,? but|and <preposition_after> <goal>", weight=0.9)
+def before_but_after(said: Said, after: Preposition, goal: Goal) -> Said | None:
+    """Tomorrow before noon, but not before ten: from the second to the first."""
+    if said.constraint is not Constraint.BEFORE or not isinstance(said.time, Wall) or said.time.clock is None:
+        return None
+    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
+    return between(goal, Goal(said.time, said.hedges)) if clocked and after.name != "since" else None
 
 
 @grammar.rule("said", "<wall> ,? but|and <preposition_before> <goal>", weight=0.6)

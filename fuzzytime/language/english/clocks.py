@@ -15,6 +15,9 @@ FULL_DIGITS = 4
 
 NOON_HOUR = NOON // 3600
 
+EARLIEST_WITH_H = 8
+"""From here on, "15h" is a clock time, where "3h" is a length."""
+
 TO_AN_HOUR = frozenset({15, 20})
 """Hours of the afternoon that, in words, may as well be minutes: "twenty to seven"."""
 
@@ -114,8 +117,18 @@ def hour_with_h(hour: Integer) -> Clock | None:
     if len(hour.digits) == FULL_DIGITS:
         return military(hour)
     return (
-        Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True) if hour.digits and 8 <= hour.value <= 24 else None
+        Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True)
+        if hour.digits and EARLIEST_WITH_H <= hour.value <= 24
+        else None
     )
+
+
+@grammar.rule("late clock with h", "<15h30>")
+@grammar.rule("late clock with h", "<integer> h")
+def late_with_h(said: Typed | Integer) -> Clock | None:
+    """(not before) 14h30: a length of time is hardly as long; but "not before 2h"."""
+    found = typed_with_h(said) if isinstance(said, Typed) else hour_with_h(said)
+    return found if found is not None and found.hour >= EARLIEST_WITH_H else None
 
 
 # Behind "at", and only there, these are clock times.

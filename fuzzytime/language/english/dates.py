@@ -19,6 +19,9 @@ LATE_HOURS = range(2100, 2400)
 
 LONGEST_MONTH = 31
 
+MONTHS = 12
+"""Of a year: two numbers up to here may be month and day in either order."""
+
 
 # -- a month and its days -------------------------------------------------------------------------------
 
@@ -73,7 +76,9 @@ def _valid(year: int | None, month: int, day: int | None) -> Fields | None:
 
 def _either(first: int, second: int, year: int | None) -> Fields | None:
     """Month and day in the order that is possible; month first where both are."""
-    return _valid(year, first, second) or _valid(year, second, first)
+    found = _valid(year, first, second) or _valid(year, second, first)
+    both = found is not None and max(first, second) <= MONTHS and first != second
+    return replace(found, turnable=True) if found is not None and both else found
 
 
 def century(year: int, digits: str) -> int:

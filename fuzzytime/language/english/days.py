@@ -6,7 +6,7 @@ from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Coming, Duration, Quantity, UnitWord, Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.meaning.nested import WeekOf, Within
+from fuzzytime.language.meaning.nested import Share, WeekOf, Within
 from fuzzytime.language.meaning.relations import (
     Away,
     Deictic,
@@ -23,6 +23,10 @@ from fuzzytime.requirement import Unit
 grammar = Grammar()
 
 PAST_WORDS = frozenset({Which.LAST, Which.PAST})
+
+
+MIDDLE = (0.25, 0.75)
+"""Which share of a week its middle is."""
 
 
 # -- days by name ---------------------------------------------------------------------------------------
@@ -106,6 +110,12 @@ def feast_series(found: Feast) -> Calendar:
 def this_or_next(which: Which, series: Calendar) -> Calendar | None:
     """Next week, this monday, last march."""
     return None if isinstance(series, Workday) and which is Which.THIS else Deictic(which, series)
+
+
+@grammar.rule("days", "midweek", "midweek <days>", weight=0.5)
+def midweek(week: Calendar | None = None) -> Calendar:
+    """Midweek: the middle days of the week."""
+    return Share(*MIDDLE, week or Cycle(Unit.WEEK))
 
 
 @grammar.rule("days", "one|some|any day <days>", "one|some|any day in|of|during <days>", weight=0.5)

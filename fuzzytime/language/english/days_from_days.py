@@ -5,9 +5,34 @@ from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Duration, Offset, Said, UnitWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.relations import Away, Relative, Stretch, Which, days_away
+from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
+
+
+@grammar.rule("wall", "on|in? the <part> before <days>|<date>|<day of month>", weight=1.3)
+def part_before(found: Part, days: Calendar) -> Wall | None:
+    """The night before friday: thursday night."""
+    return _part_beside(found, days, -1)
+
+
+@grammar.rule("wall", "on|in? the <part> after <days>|<date>|<day of month>", weight=1.3)
+def part_after(found: Part, days: Calendar) -> Wall | None:
+    """The morning after friday: saturday morning."""
+    return _part_beside(found, days, 1)
+
+
+def _part_beside(found: Part, days: Calendar, direction: int) -> Wall | None:
+    if found.is_point or days.grain is not Unit.DAY:
+        return None
+    return Wall(Away(direction, Unit.DAY, days), found)
+
+
+@grammar.rule("wall", "on? the eve of <days>|<date>|<day of month>", weight=1.5)
+def eve_of(days: Calendar) -> Wall | None:
+    """On the eve of friday: the day before."""
+    return Wall(Away(-1, Unit.DAY, days)) if days.grain is Unit.DAY else None
 
 
 @grammar.rule("days", "this|same day <deictic> <series>", "the same day <deictic> <series>", weight=0.6)

@@ -123,6 +123,15 @@ def tail(first: Duration, number: Integer) -> Duration | None:
     return replace(first, terms=(*first.terms, (number.value, SMALLER[unit])), bare_end=True)
 
 
+@grammar.rule("duration", "<duration> less|minus <duration>", weight=0.4)
+def less(longer: Duration, shorter: Duration) -> Duration | None:
+    """An hour less five minutes."""
+    seconds = longer.seconds - shorter.seconds
+    if seconds <= 0 or longer.until is not None or shorter.until is not None or shorter.bare_end:
+        return None
+    return Duration(((seconds / 60, Unit.MINUTE),), (*longer.hedges, *shorter.hedges))
+
+
 @grammar.rule("duration", "<quantity> <unit> or <quantity>", weight=0.2)
 def one_or_two(quantity: Quantity, unit: UnitWord, more: Quantity) -> Duration | None:
     """An hour or two."""

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.counted import so_far_in
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.distances import far_off
 from fuzzytime.language.meaning.expressions import (
     EARLIER,
@@ -24,6 +24,18 @@ from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
+
+LONGEST_TYPED = 6
+"""Hours that "in 1:30" may be from now, at most."""
+
+
+@grammar.rule("said", "in <hh:mm>", weight=0.3)
+def in_hours_and_minutes(numbers: Typed) -> Said | None:
+    """In 1:30: in an hour and a half."""
+    hours, minutes = numbers[0], numbers[1]
+    if hours > LONGEST_TYPED or minutes >= 60 or not hours + minutes:
+        return None
+    return Said(Duration(((hours, Unit.HOUR), (minutes, Unit.MINUTE))), Constraint.AT, "in")
 
 
 @grammar.rule("said", "every|each <integer>", weight=0.1)

@@ -156,7 +156,13 @@ def counted(duration: Duration, preposition: Preposition) -> Goal:
     return Goal(Offset(duration, -1 if preposition.name == "ago" else 1))
 
 
-@grammar.rule("goal", "<duration> before|til|to|prior <goal>", "<duration> prior to <goal>", weight=0.1)
+@grammar.rule(
+    "goal",
+    "<duration> before|til|to|prior <goal>",
+    "<duration> prior to <goal>",
+    "<duration> shy|short of <goal>",
+    weight=0.1,
+)
 def before_goal(duration: Duration, goal: Goal) -> Goal | None:
     """Twenty minutes before noon, an hour before about six."""
     return replace(goal, time=Offset(duration, -1, goal.time)) if _counts_from(goal) else None

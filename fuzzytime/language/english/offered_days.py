@@ -4,9 +4,10 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.calendar import Calendar, Fields
-from fuzzytime.language.meaning.expressions import Range, Said, Wall
-from fuzzytime.language.meaning.relations import Away, Relative
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.expressions import Range, Said, UnitWord, Wall
+from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.relations import Away, Deictic, Relative, Which
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -38,6 +39,15 @@ def another_day(days: Said, wall: Wall) -> Said | None:
     if not _is_behind(Fields(weekday=(first.weekday + last.count) % 7), wall.days):
         return None
     return replace(days, time=replace(stretch, last=Wall(replace(last, count=last.count + 1))))
+
+
+@grammar.rule("said", "this <unit> or|and next <unit>?", "this <unit> or|and the next|following", weight=1.2)
+def this_or_the_next(unit: UnitWord, again: UnitWord | None = None) -> Said | None:
+    """This week or next."""
+    if unit.unit in SUB_DAY or unit.unit is Unit.DAY or (again is not None and again.unit is not unit.unit):
+        return None
+    first, last = (Wall(Deictic(which, Cycle(unit.unit))) for which in (Which.THIS, Which.NEXT))
+    return Said(Range(first, last), Constraint.BETWEEN, "sometime")
 
 
 def _is_behind(day: Calendar, other: Calendar | None) -> bool:

@@ -170,48 +170,6 @@ def later_today(share: tuple[float, float], days: Calendar | None = None) -> Wal
     return Wall(days or Relative(0), whole.share(low, high))
 
 
-@grammar.rule("wall", "<days>|<date> ,? last thing", weight=0.4)
-def last_thing(days: Calendar) -> Wall | None:
-    """Tomorrow last thing."""
-    return later_today((0.75, 1.0), days)
-
-
-@grammar.rule("wall", "last thing", weight=0.1)
-def last_thing_alone() -> Wall | None:
-    """Last thing, without a day: this evening."""
-    return later_today((0.75, 1.0), Relative(0))
-
-
-@grammar.rule("wall", "<days>|<date> ,? first thing", weight=0.4)
-def first_thing(days: Calendar) -> Wall | None:
-    """Tomorrow first thing."""
-    return later_today((0.0, 0.5), days)
-
-
-@grammar.rule("wall", "<wall> first thing", weight=0.6)
-def first_in_part(wall: Wall) -> Wall | None:
-    """Monday morning first thing."""
-    return _share_of(wall, 0, 0.5)
-
-
-@grammar.rule("wall", "<wall> last thing", weight=0.6)
-def last_in_part(wall: Wall) -> Wall | None:
-    """Friday night last thing."""
-    return _share_of(wall, 0.5, 1)
-
-
-def _share_of(wall: Wall, low: float, high: float) -> Wall | None:
-    if wall.part is None or wall.clock is not None:
-        return None
-    return replace(wall, part=wall.part.share(low, high))
-
-
-@grammar.rule("wall", "first thing", weight=0.1)
-def first_thing_alone() -> Wall | None:
-    """First thing, without a day: of the next that begins."""
-    return later_today((0.0, 0.5), Relative(1))
-
-
 @grammar.rule("wall", "<days>|<date> <day_half>", weight=0.1)
 def day_half(days: Calendar, half: Part) -> Wall:
     """Tuesday am."""
@@ -255,6 +213,12 @@ def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
     if isinstance(days, Cycle):
         return Ending(first, Deictic(Which.THIS, days))
     return Ending(first, days or Relative(0))
+
+
+@grammar.rule("end", "the? <series> 's end", weight=0.5)
+def end_of_its_own(series: Calendar) -> Ending | None:
+    """(by) the week's end."""
+    return Ending(Edge.END, Deictic(Which.THIS, series)) if isinstance(series, Cycle) else None
 
 
 @grammar.rule("end", "<end> <days>", "<end> on|of <days>", weight=0.5)

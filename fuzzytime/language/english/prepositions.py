@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -95,6 +95,14 @@ def leisure() -> str:
 def minutes_to_spare(duration: Duration) -> str | None:
     """(when you've got) five minutes; but not two days."""
     return "time" if duration.seconds <= LEISURE and duration.unit is not Unit.SECOND else None
+
+
+@grammar.rule("said", "near <clock>", "near the? <part>", weight=0.3)
+def near(time: Clock | Part) -> Said | None:
+    """Near noon, near sunset; but "near school" is where."""
+    if isinstance(time, Clock):
+        return Said(Wall(clock=time), None, "around")
+    return None if time.meal or time.is_point else Said(Wall(part=time), None, "around")
 
 
 @grammar.rule("said", "at like|say ,? <clock>", weight=0.5)

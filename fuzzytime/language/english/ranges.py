@@ -40,8 +40,10 @@ def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
     if _is_to_hour(first.time, last.time):
         # "Twenty to seven in the evening" is one time.
         return None
-    if isinstance(first.time, Wall) and first.time.bare and isinstance(last.time, Offset):
-        # "Between 10 and 15 minutes from now": the number shares the unit.
+    if isinstance(first.time, Wall) and (
+        _closes(first.time) or (first.time.bare and isinstance(last.time, Offset))
+    ):
+        # "From close to noon"; "between 10 and 15 minutes from now": the number shares the unit.
         return None
     if isinstance(first.time, Wall) and isinstance(last.time, Wall):
         apart = _lent(first.time, last.time)
@@ -65,6 +67,11 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
         return last
     whole = in_hour_of(last.time, first.time)
     return last if whole is None else replace(last, time=whole)
+
+
+def _closes(wall: Wall) -> bool:
+    """Whether it is "close", which may be a hedge: "close to noon"."""
+    return wall.weak and wall.part is not None and wall.part.is_point
 
 
 def _is_meal(wall: Wall) -> bool:
@@ -209,6 +216,23 @@ def from_to(first: Goal, last: Goal) -> Said | None:
         # "Q1-2019" and "aug-01-2019" are one date each.
         return None
     return _range(first, last, "between")
+
+
+@grammar.rule(
+    "said",
+    "anytime|sometime|whenever <clock> to|- <clock>",
+    "any|some time <clock> to|- <clock>",
+    weight=1.2,
+)
+def sometime_from(first: Clock, last: Clock) -> Said | None:
+    """Anytime 3 to 5."""
+    return between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
+
+
+@grammar.rule("called at", "<clock> - <clock>", weight=1.0)
+def called_between(first: Clock, last: Clock) -> Said | None:
+    """(call ann) 10-12; beside what else is done the numbers may be of anything."""
+    return sometime_from(first, last)
 
 
 @grammar.rule("said", "<wall> <integer> - <integer>", weight=0.9)

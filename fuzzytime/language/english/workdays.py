@@ -3,11 +3,11 @@
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Weekend
 from fuzzytime.language.meaning.expressions import Edge, Range, Said, Wall
-from fuzzytime.language.meaning.relations import Relative, Which
+from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.workdays import Workday, Workdays
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
@@ -65,6 +65,13 @@ def within_few_workdays(*said: Preposition | Which | tuple[int, int]) -> Said | 
 def next_workday() -> Calendar:
     """The next working day, any weekday."""
     return Workdays(1, TODAY)
+
+
+@grammar.rule("days", "a|any weekday|workday <days>", "a|any weekday|workday in|of <days>", weight=0.8)
+def weekday_of_week(days: Calendar) -> Calendar | None:
+    """Any weekday next week: from its monday to its friday."""
+    weekly = isinstance(days, Deictic) and days.of == Cycle(Unit.WEEK)
+    return Deictic(days.which, Weekend(working=True)) if weekly and isinstance(days, Deictic) else None
 
 
 @grammar.rule("days", "<workdays> after|from|following|since <days>|<date>", weight=0.6)

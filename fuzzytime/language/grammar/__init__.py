@@ -7,12 +7,12 @@ From a text to readings
     Words: ``words``, what is quoted (``quotes``), ``word_tables``, ``lexicon``, ``word_groups``,
     ``verb_groups``, ``timetables``, ``spelling``, ``numerals``.
     Rules applied, and the best readings chosen: ``chart``, ``spans``.
-    What times lend each other: ``lending``, ``lent``; what is ``due`` behind "for".
+    What times lend each other: ``lending``, ``lent``; what is ``due`` behind "for"; what is ``denied``.
     What looks like a time and is none: ``leftovers``.
 
 Whether a reading is a time where it stands (``judging``)
-    For any kind of time: ``borders``, ``cuts``, ``titles``, ``particles``, ``doses``, ``dining``,
-    ``events``, ``standing``, ``surroundings``, ``given_times``.
+    For any kind of time: ``borders``, ``cuts``, ``titles``, ``no_times``, ``particles``, ``doses``,
+    ``dining``, ``events``, ``standing``, ``surroundings``, ``given_times``.
     Behind another time: ``further``.
     For each kind: ``walls`` with ``bare_hours``, ``run_on_hours`` and ``naming``, ``ranges``,
     ``lengths``, ``measuring``.

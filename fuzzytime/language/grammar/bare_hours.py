@@ -28,17 +28,7 @@ class BareHours(Standing):
         if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
             # "At three to one"
             return False
-        before = piece.start - 1
-        counted = self.measures.is_number(before)
-        if piece.start > 1 and joins(self.words, before):
-            # "A two-by-four"
-            return False
-        named = before > 0 and self.texts[before - 1] in self.lexicon.machines
-        if said.preposition == "by" and counted and not named and not self.measures.is_amount(before):
-            # "Two by four"
-            return False
-        if said.preposition == "through" and counted:
-            # "Pages 3 through 7"
+        if self._is_counted(piece, said):
             return False
         hour = self.measures.is_sure(piece.end - 1) or (
             wall.clock is not None and wall.clock.grain is Unit.HOUR
@@ -53,9 +43,24 @@ class BareHours(Standing):
         if said.preposition == "to" and self.given.puts_off(piece):
             # "Move my three o'clock to five"
             return True
+        if said.preposition is None and self.measures.is_sure(piece.start) and self._ends_order(piece):
+            # "Call ann 1430"
+            return self.is_called(piece.start)
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and (bool(said.hedges) or self._is_listed(piece))
         return True
+
+    def _is_counted(self, piece: Piece, said: Said) -> bool:
+        """Whether a number before it makes it the second of two: "two by four", "pages 3 through 7"."""
+        before = piece.start - 1
+        if piece.start > 1 and joins(self.words, before):
+            # "A two-by-four"
+            return True
+        if not self.measures.is_number(before):
+            return False
+        named = before > 0 and self.texts[before - 1] in self.lexicon.machines
+        measures = not named and not self.measures.is_amount(before)
+        return said.preposition == "through" or (said.preposition == "by" and measures)
 
     def accept_pair(self, piece: Piece, said: Said) -> bool:
         """Whether two numbers are hour and minute: "at five thirty", not the "to three fifty" of an oven."""
@@ -81,11 +86,14 @@ class BareHours(Standing):
         before = self.texts[place - 1] if place else ""
         met = self.lexicon.persons | self.lexicon.animals | self.lexicon.events | self.beside.calls
         someone = before in self.closed.object_pronouns | met
-        named = place > 1 and self.words[place - 1].capital
+        named = (place > 1 and self.words[place - 1].capital) or self.is_called(place)
         spelt = all(text.isalpha() or text == "-" for text in self.texts[piece.start : piece.end])
         happens = before in self.lexicon.happening - self.lexicon.measure_nouns
-        ends = {"", ".", "!", ",", ";"} | self.closed.further_clause
-        return spelt and (someone or named or happens) and self.around.follower(piece) in ends
+        return spelt and (someone or named or happens) and self._ends_order(piece)
+
+    def _ends_order(self, piece: Piece) -> bool:
+        """Whether nothing more is said of what is to be done behind it."""
+        return self.around.follower(piece) in {"", ".", "!", ",", ";"} | self.closed.further_clause
 
     def _is_listed(self, piece: Piece) -> bool:
         """Whether it is the hour of an entry of a list: "vet 10, dentist 3"."""

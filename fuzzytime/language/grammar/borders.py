@@ -10,6 +10,7 @@ from fuzzytime.language.grammar.events import Events
 from fuzzytime.language.grammar.given_times import GivenTimes
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR, Measures
+from fuzzytime.language.grammar.no_times import NoTime
 from fuzzytime.language.grammar.particles import Particles
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.titles import Titles
@@ -47,6 +48,7 @@ class Borders:
         self.around = around
         self.measures = Measures(words, lexicon)
         self.titles = Titles(words, lexicon, self.measures, around)
+        self.no_times = NoTime(words, lexicon, self.measures, around)
         self.cuts = Cuts(words, lexicon, self.measures, around)
         self.particles = Particles(lexicon, around)
         self.doses = Doses(lexicon, around)
@@ -73,6 +75,7 @@ class Borders:
             or self._numbers_things(piece)
             or self._likens(piece)
             or self.titles.hold(piece)
+            or self.no_times.hold(piece)
             or self.cuts.make(piece)
             or self._begins_other_bound(piece)
             or self._hedges_what_follows(piece)
@@ -204,36 +207,15 @@ class Borders:
         return ordinal and alone and not led
 
     def _is_excepted(self, piece: Piece) -> bool:
-        """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
-        start = piece.start
-        while start > 1 and self.texts[start - 1] in self.closed.denied_alternatives:
-            # "But not at six or at eight"
-            ends = (p for p in range(start - 2, 0, -1) if not self._is_of_time(p))
-            start = next(ends, 0) + 1
-        before = self.texts[max(0, start - 4) : start]
-        if before[-1:] in (["on"], ["at"], ["in"]):
-            before.pop()
-        if before[-1:] == ["but"] and self._is_added(piece):
+        """Whether "but" may leave it out, or add it: neither "call ann today but at six"."""
+        if self.around.before(piece) != "but":
             return False
-        return bool({"except", "excluding", "but"} & set(before[-1:])) or before[-2:] in (
-            ["except", "for"],
-            ["except", "on"],
-            ["but", "not"],
-        )
-
-    def _is_of_time(self, place: int) -> bool:
-        """Whether a word may be of a time: "at", "six"."""
-        number = self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
-        return number or self.around.timely(place) or self.texts[place] in self.closed.prepositions_of_points
-
-    def _is_added(self, piece: Piece) -> bool:
-        """Whether "but" adds it: a bound ("but not before six"), or any time where no other is repeated."""
         earlier = self.texts[: piece.start - 1]
-        if "not" in earlier[-NEAR:]:
-            # "Not today but tomorrow"
-            return True
+        if "not" in earlier[-NEAR:] or not self.beside.repeating.isdisjoint(earlier):
+            # "Not today but tomorrow", "every day at nine but sunday"
+            return False
         bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
-        return bound or (earlier[-1:] == [","] and not self.beside.repeating & set(earlier))
+        return not bound and earlier[-1:] != [","]
 
     def _begins_another(self, piece: Piece) -> bool:
         """Whether its last word is what something is said of next: "at 8:30, lunch is at twelve"."""
@@ -251,5 +233,17 @@ class Borders:
         )
 
     def _is_object(self, piece: Piece) -> bool:
-        """Whether it begins with a part of the day that something is done to: "film the sunrise at six"."""
+        """Whether it begins with a part of the day that something is done to: "film the sunrise at six".
+
+        What is done to something "the evening of the 6th" is done then.
+        """
+        time = piece.value.time
+        dated = isinstance(time, Wall) and time.days is not None and time.part is not None
+        if (
+            dated
+            and piece.start > 1
+            and self.texts[piece.start] == "the"
+            and self.texts[piece.start + 2 : piece.start + 3] == ["of"]
+        ):
+            return False
         return self.around.is_object(piece.start + (self.texts[piece.start] == "the"))

@@ -6,7 +6,7 @@ from typing import Any
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.verb_groups import Doing
-from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses
+from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, NoTimes
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Edge
 from fuzzytime.language.policy import Hours, Policy
@@ -68,6 +68,8 @@ class Lexicon:
         Determiners, pronouns, auxiliaries, conjunctions, prepositions and adverbs, in small groups.
     beside
         Words around a time, in small groups by what they make of it.
+    no_times
+        Words around what looks like a time and is none, in small groups by what it is.
     past
         Irregular forms of verbs of what is over.
     undoing
@@ -176,6 +178,7 @@ class Lexicon:
     doing: Doing
     closed: ClosedClasses
     beside: BesideTimes
+    no_times: NoTimes
     past: Mapping[str, frozenset[str]]
     undoing: Mapping[str, frozenset[str]]
     asides: Mapping[str, frozenset[str]]

@@ -47,7 +47,8 @@ class Particles:
         if first == "in" and rest[:1] in (["each"], ["every"]) and piece.start:
             # "Weigh in every monday"
             return True
-        if first in {"in", "on"} and self.around.is_day_from_now(piece.start + 1):
+        lasts = isinstance(piece.value.time, Duration)
+        if first in {"in", "on"} and self.around.is_day_from_now(piece.start + 1) and not lasts:
             # "Bring the washing in tomorrow", "leave the light on tonight"; but "a call for Al on tomorrow"
             verbs = self.lexicon.particles["on"] & set(self.texts[max(0, piece.start - NEAR) : piece.start])
             return first == "in" or bool(verbs)

@@ -17,6 +17,9 @@ class Ranges(Standing):
         if self.texts[piece.start] in self.closed.noun_openers and not self.around.may_end(piece):
             # "The Monday to Friday timetable"
             return False
+        if self.around.describes(piece):
+            # "Watch the ten to midnight film"
+            return False
         if self.around.is_owned(piece):
             # "Move my three o'clock to five"
             return False

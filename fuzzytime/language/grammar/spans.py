@@ -133,7 +133,16 @@ def _numeral(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
 def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     """Choose the times of a text."""
     judge = Judge(scanned.words, lexicon)
-    kept = [piece for piece in scanned.pieces("said") if judge.accepts(piece)]
+    called = [piece for piece in scanned.pieces("called at") if judge.walls.is_called(piece.start)]
+    instead = {(piece.start, piece.end) for piece in called}
+    kept = [
+        *called,
+        *(
+            piece
+            for piece in scanned.pieces("said")
+            if (piece.start, piece.end) not in instead and judge.accepts(piece)
+        ),
+    ]
     chosen = _best(kept, len(scanned.words))
     chosen += [piece for one in chosen for piece in judge.further.continued(one, scanned.cells, chosen)]
     read = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]

@@ -27,3 +27,17 @@ class Standing:
     def is_ambiguous(self, place: int) -> bool:
         """Whether the word at a place is an English word with another meaning, too: "may", "sun"."""
         return self.texts[place] in self.lexicon.ambiguous
+
+    def is_called(self, place: int) -> bool:
+        """Whether somebody is called right before a place: "call ann | five thirty"; not "call room 1430"."""
+        verb = place - 2
+        if verb > 0 and self.texts[verb] in self.closed.noun_openers:
+            # "Ring the office five thirty"
+            verb -= 1
+        calling = self.lexicon.addressing - self.lexicon.doing.learning
+        if verb < 0 or self.texts[verb] not in calling or not self.texts[place - 1].isalpha():
+            return False
+        nouns = self.lexicon.measure_nouns | self.lexicon.machines | self.lexicon.function_words
+        noun = self.texts[place - 1]
+        named = {noun, noun.removesuffix("s")}.isdisjoint(nouns) and not self.measures.is_number(place - 1)
+        return named and not self.around.timely(place - 1)

@@ -202,16 +202,31 @@ class Surroundings:
         return self.before(piece) in self.beside.spending and self.follower(piece).endswith("ing")
 
     def is_name(self, piece: Piece) -> bool:
-        """Whether it is who is called: "invite June and April", "phone May"."""
+        """Whether it is who is called: "invite June and April", "phone May", "ring aunt may"."""
         place = piece.start
         while place > 1 and self.texts[place - 1] in {"and", ","} and self.words[place - 2].capital:
             place -= 2
         before = self.texts[place - 1] if place else ""
-        return (
-            piece.category == "month"
-            and self.words[piece.start].capital
-            and before in self.lexicon.addressing
+        called = self.words[piece.start].capital and before in self.lexicon.addressing
+        return piece.category == "month" and (called or self.names_person(piece.start))
+
+    def names_person(self, place: int) -> bool:
+        """Whether a month at a place is a name: right behind a verb of calling, or "aunt", and no date.
+
+        "Call april on friday"; but "call april 5", "remind me march 2nd".
+        """
+        before = self.texts[place - 1] if place else ""
+        if before in {"and", ","} and place > 1 and any(p.category == "month" for p in self.pieces(place)):
+            return self.names_person(place - 2)
+        relatives = self.lexicon.persons - self.closed.object_pronouns - self.closed.persons_addressed
+        if before not in self.lexicon.addressing | relatives:
+            return False
+        behind = self.words[place + 1 : place + 2]
+        dated = bool(behind) and (
+            behind[0].is_digits or behind[0].text in self.lexicon.ordinals.keys() | {"the", "of", "'"}
         )
+        dated = dated or (bool(behind) and behind[0].text in self.lexicon.numbers)
+        return not dated and any(one.category == "month" for one in self.pieces(place))
 
     def names_place(self, piece: Piece) -> bool:
         """Whether a name goes on behind it: "to Thursday Island"."""

@@ -130,9 +130,20 @@ class Walls(Standing):
         if said.preposition == "of" and numbered:
             # "The corner of 5th and Main"
             return self.texts[piece.start + 1] == "the"
+        if self.is_left_out(piece) and wall.part is None:
+            # "Every monday except the 16th"
+            return self.around.may_end(piece)
         # "After the 10 o'clock feed"
         clocked = self.around.follower(piece) in self.beside.of_hours
         return bound and not clocked and self.around.may_end(piece)
+
+    def is_left_out(self, piece: Piece) -> bool:
+        """Whether it is left out of days: "every monday except the 16th"; but "every page but the first"."""
+        place = piece.start - 1 - (self.around.before(piece) == "the")
+        leaving = self.beside.leaving_out | self.beside.leaving_out_of_all
+        if place < 0 or self.texts[place] not in leaving:
+            return False
+        return any(self.texts[p] in self.beside.repeating and self.around.timely(p + 1) for p in range(place))
 
     def _is_of_noun(self, piece: Piece, said: Said) -> bool:
         """Whether a part of the day describes the noun behind it."""

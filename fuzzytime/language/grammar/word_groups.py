@@ -226,3 +226,25 @@ class BesideTimes:
     second_choice: Words
     obliging: Words
     obliged: Words
+    denying_times: Words
+    before_no_denial: Words
+    leaving_out: Words
+    leaving_out_of_all: Words
+    behind_leaving_out: Words
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NoTimes:
+    """Words around what looks like a time and is none, by what it is instead: ``no_times``."""
+
+    streets: Words
+    set_to: Words
+    holding: Words
+    valuing: Words
+    renewing: Words
+    reckoning: Words
+    far: Words
+    for_periods: Words
+    tiny: Words
+    adjectives: Words
+    idioms: Words

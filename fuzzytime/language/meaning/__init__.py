@@ -13,7 +13,8 @@ From values to requirements
     Grounding: ``grounding``, ``chosen_clocks``, ``dated_weekdays``, ``part_instants``,
     ``range_instants``; repetitions: ``series``.
     One of several times: ``offered_days``.
+    When something is not to be done: ``denied_times``.
     Two times as one: ``beside``, ``told_apart``, ``repeats_beside``, ``first_times``, ``distances``,
     ``intervals_on_days``, ``throughout``, ``offered``.
-    What is handed on: ``requirements``, ``decisions``.
+    What is handed on: ``requirements``, ``grains``, ``decisions``.
 """

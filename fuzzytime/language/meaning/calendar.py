@@ -8,7 +8,7 @@ business of `grounding`.
 import calendar
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import MAXYEAR, date, timedelta
 from itertools import takewhile
 
@@ -146,12 +146,16 @@ class Cycle(Calendar):
 
 @dataclass(frozen=True, slots=True)
 class Fields(Calendar):
-    """What of a date is said: any of year, month, day of the month and weekday (0 for Monday)."""
+    """What of a date is said: any of year, month, day of the month and weekday (0 for Monday).
+
+    ``turnable`` says that month and day are numbers that may change places: "thu 05/03".
+    """
 
     year: int | None = None
     month: int | None = None
     day: int | None = None
     weekday: int | None = None
+    turnable: bool = field(default=False, compare=False)
 
     @property
     def grain(self) -> Unit:
@@ -180,6 +184,7 @@ class Fields(Calendar):
             self.month if self.month is not None else other.month,
             self.day if self.day is not None else other.day,
             self.weekday if self.weekday is not None else other.weekday,
+            self.turnable or other.turnable,
         )
 
     @property

@@ -15,6 +15,24 @@ PASSED = timedelta(days=183)
 
 
 def nearest(calendar: Fields, today: Today) -> Iterator[Days]:
+    """Give the day on which a weekday fits its date, whichever number of it is the month: "thu 05/03".
+
+    Raises
+    ------
+    UngroundedError
+        If there is no such date.
+    """
+    found = next(_in_order(calendar, today), None)
+    fits = found is not None and found.first.weekday() == calendar.weekday
+    if calendar.turnable and not fits:
+        turned = next(_in_order(replace(calendar, month=calendar.day, day=calendar.month), today), None)
+        if turned is not None and turned.first.weekday() == calendar.weekday:
+            found = turned
+    if found is not None:
+        yield found
+
+
+def _in_order(calendar: Fields, today: Today) -> Iterator[Days]:
     """Give the day on which a weekday fits its date: the next, or that of the date that passed last.
 
     Where a month is said and neither fits, the date is believed; a day of the month alone is looked for.

@@ -238,6 +238,7 @@ class Said:
     thirty minutes"). ``listed`` are the further times of a list ("in 10, 20 and 30 minutes"). ``within`` is
     the day, or the part of one, in which a deadline lies and what is due is done: "tomorrow before five".
     ``alternative`` says that it may be kept instead of the time before it: "at seven or at eight".
+    ``denied`` says that it is when something is not to be done: "not on friday", "any day but friday".
     """
 
     time: Time | Duration | Repeat
@@ -250,11 +251,14 @@ class Said:
     listed: tuple["Said", ...] = ()
     within: Wall | None = None
     alternative: bool = False
+    denied: bool = False
 
     @property
     def is_day(self) -> bool:
         """Whether it is a day, a part of one, or a repetition of days, without a clock time."""
         time = self.time
+        if self.denied:
+            return False
         if isinstance(time, Repeat):
             timed = any(wall.clock is not None for wall in time.walls)
             bounds = (bound for bound in (time.starting, time.until) if bound is not None)

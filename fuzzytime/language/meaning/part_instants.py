@@ -3,7 +3,7 @@
 from datetime import date, datetime, time, timedelta
 
 from fuzzytime.language.meaning.instants import Instants, midnight
-from fuzzytime.language.meaning.times_of_day import NOON, WHOLE_DAY, Part
+from fuzzytime.language.meaning.times_of_day import FIRST_THING, NOON, WHOLE_DAY, Part
 from fuzzytime.requirement import Unit
 
 
@@ -29,4 +29,6 @@ def part_alone(part: Part, now: datetime, since: datetime | None, *, follows: bo
         next_day = since.date() > now.date() and night_before
         begun = since if follows or next_day else now
     here = part_on(begun.date(), part)
-    return here if here.end > begun else part_on(begun.date() + timedelta(days=1), part)
+    # "First thing in the morning", said in the morning, is tomorrow.
+    over = here.start if part.name == FIRST_THING else here.end
+    return here if over > begun else part_on(begun.date() + timedelta(days=1), part)

@@ -5,6 +5,7 @@ from datetime import timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.decisions import Deciding
+from fuzzytime.language.meaning.denied_times import beside
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -21,6 +22,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.grains import grain_of, zone_in
 from fuzzytime.language.meaning.instants import Instants, UngroundedError
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.offered_days import on_each_day_offered
@@ -60,11 +62,21 @@ def grounded(phrase: Phrase, text: str, moment: Moment) -> tuple[Grounded, ...]:
         first = tuple(_Grounder(one, text, moment).result() for one in offered)
     except OverflowError as error:
         raise UngroundedError("a time must lie in the years 1 to 9999") from error
+    if phrase.said.denied:
+        return _beside(first, moment)
     if phrase.said.lasting is None:
         return first
     length = phrase.said.lasting
     said = Said(replace(length, hedges=()), Constraint.FOR, "for", length.hedges)
     return *first, _Grounder(replace(phrase, said=said), text, moment).result()
+
+
+def _beside(found: tuple[Grounded, ...], moment: Moment) -> tuple[Grounded, ...]:
+    """Give the times that are left beside those at which something is not to be done."""
+    first, *_ = found
+    left = beside([one.requirement for one in found], first.recurrence, moment)
+    told = Grounded(requirement=left[0], remarks=first.remarks, questions=first.questions)
+    return told, *(Grounded(requirement=one) for one in left[1:])
 
 
 class _Grounder:
@@ -166,7 +178,7 @@ class _Grounder:
 
     def _of_repeat(self, time: Repeat) -> Grounded:
         recurrence = recurrence_of(time, self.moment)
-        grains = [_grain_of(wall) for wall in time.walls]
+        grains = [grain_of(wall) for wall in time.walls]
         requirement = self._requirement(
             Constraint.EVERY,
             None,
@@ -180,7 +192,7 @@ class _Grounder:
         return Grounded(requirement=requirement, recurrence=recurrence, remarks=remarks)
 
     def _of_instants(self, time: Time) -> Grounded:
-        zone = _zone_in(time)
+        zone = zone_in(time)
         lasting = self.said.lasting.seconds if self.said.lasting is not None else 0.0
         ends = self.said.constraint is Constraint.BEFORE
         opens = ends and self.said.edge is Edge.START
@@ -241,7 +253,11 @@ class _Grounder:
                 end -= timedelta(seconds=1)
         elif self.said.constraint is Constraint.AFTER and start != end and self.said.edge is Edge.END:
             start = end
-        if isinstance(time, Ending) and self.said.constraint is Constraint.BEFORE and time.edge is Edge.END:
+        due = isinstance(time, Ending) and self.said.constraint is Constraint.BEFORE
+        if due and isinstance(time, Ending) and time.edge is Edge.START:
+            # "By the start of next week"
+            end = start
+        elif due:
             end = found.end if not found.is_point else found.end + timedelta(seconds=1)
         return self.moment.seconds(start, zone), self.moment.seconds(end, zone)
 
@@ -282,19 +298,3 @@ def _bounded(said: Said) -> Said:
     if said.constraint is not None or not isinstance(said.time, Wall) or not UPPER & set(said.hedges):
         return said
     return replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST)
-
-
-def _grain_of(wall: Wall) -> Unit:
-    if wall.clock is not None:
-        return wall.clock.grain
-    return Unit.HOUR if wall.part is not None or wall.days is None else wall.days.grain
-
-
-def _zone_in(time: Time) -> str | None:
-    if isinstance(time, Wall):
-        return time.zone
-    if isinstance(time, Range):
-        return _zone_in(time.first) or _zone_in(time.last)
-    if isinstance(time, Offset) and time.anchor is not None:
-        return _zone_in(time.anchor)
-    return None

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from typing import TypeGuard
 
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.closing_recurrence import ClosingRecurrence
@@ -10,6 +11,7 @@ from fuzzytime.language.meaning.expressions import (
     Duration,
     HourMark,
     Offset,
+    Range,
     Repeat,
     Time,
     TimeWord,
@@ -49,8 +51,7 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> Series:
         return _on_calendar(_on_days(repeat, repeat.at, repeat.every.seconds / DAY_SECONDS, moment), moment)
     if repeat.walls and not _is_even(repeat):
         return _on_calendar(repeat, moment)
-    first = _bound(repeat.starting, moment, last=False)
-    last = _bound(repeat.until, moment, last=True)
+    first, last = _bounds(repeat, moment)
     if repeat.apart:
         raise UngroundedError("how many times is not said")
     if repeat.times is not None and repeat.every is not None:
@@ -113,8 +114,7 @@ def _on_days(repeat: Repeat, at: Wall, days: float, moment: Moment) -> Repeat:
 
 def _on_calendar(repeat: Repeat, moment: Moment) -> CalendarRecurrence:
     moment.grounding()
-    first = _bound(repeat.starting, moment, last=False)
-    last = _bound(repeat.until, moment, last=True)
+    first, last = _bounds(repeat, moment)
     found = CalendarRecurrence(
         walls=repeat.walls,
         moment=moment,
@@ -141,6 +141,21 @@ def _begins_on_day(first: Time | None) -> bool:
 def _is_even(repeat: Repeat) -> bool:
     """Whether days are counted from today: "every two days", without a time of day."""
     return repeat.every is not None and all(wall.clock is None and wall.part is None for wall in repeat.walls)
+
+
+def _bounds(repeat: Repeat, moment: Moment) -> tuple[float | None, float | None]:
+    """Give where a repetition begins and is over: of two times of day, one may say the day of both."""
+    first, last = repeat.starting, repeat.until
+    if _is_timed(first) and _is_timed(last) and (first.days is None) is not (last.days is None):
+        # "Every ten minutes from three to four tomorrow"
+        found = moment.grounding().instants(Range(first, last))
+        return moment.seconds(found.start), moment.seconds(found.end)
+    return _bound(first, moment, last=False), _bound(last, moment, last=True)
+
+
+def _is_timed(time: Time | None) -> TypeGuard[Wall]:
+    """Whether it is a time of day, of any day or of one."""
+    return isinstance(time, Wall) and (time.clock is not None or time.part is not None)
 
 
 def _bound(time: Time | None, moment: Moment, *, last: bool) -> float | None:

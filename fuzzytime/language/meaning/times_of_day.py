@@ -98,6 +98,10 @@ class Clock:
         return min(self.candidates(), key=lambda seconds: (seconds - begin) % DAY_SECONDS)
 
 
+FIRST_THING = "first thing"
+"""The name of the first of a part of the day, which is over once it has begun."""
+
+
 @dataclass(frozen=True, slots=True)
 class Part:
     """A part of the day: where it begins and ends, in seconds since midnight, beyond a day past the next.

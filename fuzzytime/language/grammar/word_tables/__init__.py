@@ -6,7 +6,7 @@ from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
 from fuzzytime.language.grammar.spelling import misspellings
 from fuzzytime.language.grammar.verb_groups import Doing
-from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses
+from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, NoTimes
 from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
 from fuzzytime.language.grammar.word_tables.feasts import read_feasts
 from fuzzytime.language.grammar.word_tables.groups import read_groups
@@ -53,6 +53,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     doing = read_groups(speech, "doing", Doing)
     closed = read_groups(speech, "closed_classes", ClosedClasses)
     beside = read_groups(speech, "beside_times", BesideTimes)
+    no_times = read_groups(speech, "no_times", NoTimes)
     entries: dict[str, list[Entry]] = {}
     for entry in (*speech.entries, *days.entries):
         entries.setdefault(entry.words[0], []).append(entry)
@@ -95,6 +96,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         doing=doing,
         closed=closed,
         beside=beside,
+        no_times=no_times,
         past=_by_use(speech, "past"),
         undoing=_by_use(speech, "undoing"),
         told=_by_use(speech, "told"),
@@ -149,7 +151,10 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         },
         foreign=speech.single_words("foreign"),
         function_words=function_words,
-        misspelt=misspellings((form[0] for form in speech.words("spelling", "words")), known),
+        misspelt={
+            **misspellings((form[0] for form in speech.words("spelling", "words")), known),
+            **{form[0]: form[-1] for form in speech.words("spelling", "short")},
+        },
         usual_hours=usual_hours,
         policy=policy,
     )
@@ -176,7 +181,7 @@ _SPEECH = (
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
     "passing", "doing", "past", "undoing", "circling", "dosing", "coming_in", "dining", "closed_classes",
-    "beside_times",
+    "beside_times", "no_times",
 )  # fmt: skip
 _ROWS = {
     "indicators": ("start", "finish", "throughout"),
@@ -184,7 +189,7 @@ _ROWS = {
         "wanting", "ordering", "forgetting", "causing", "letting", "intransitive", "alone", "chores",
         "addressing",
     ),
-    "spelling": ("words", "kept"),
+    "spelling": ("words", "short", "kept"),
     "timing": ("verbs", "alone"),
     "rescheduling": ("moving", "verbs", "switching", "events"),
     "connectives": ("then", "meanwhile", "first"),
@@ -210,7 +215,7 @@ _ROWS = {
 
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
-    "days", "days_on", "deictics", "all_meals", "parts", "day_halves", "day_parts", "shares", "edges",
-    "abbreviated_edges", "seasons", "holidays",
+    "days", "days_on", "deictics", "all_meals", "parts", "day_halves", "first_thing", "last_thing",
+    "weeknights", "day_parts", "shares", "edges", "abbreviated_edges", "seasons", "holidays",
     "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip

@@ -69,6 +69,15 @@ def _stopped(form: Form) -> list[Form]:
     return [(*form, ".")] if len(form) == 1 and len(form[0]) < FULL_STOP_BELOW and not whole else []
 
 
+NAMED_PARTS = {
+    "day_halves": "day_half",
+    "first_thing": "first thing",
+    "last_thing": "last thing",
+    "weeknights": "weeknight",
+}
+"""Sections whose rows give words to a part of the day, and the categories of those."""
+
+
 def read_parts(tables: Tables) -> None:
     """Add parts of the day, and shares and edges of longer periods."""
     reader = tables.reader
@@ -113,12 +122,12 @@ def _read_named_parts(tables: Tables, parts: Mapping[str, Part]) -> None:
     """Add what names a part of the day by another word: halves of days, and parts of certain days."""
     reader = tables.reader
 
-    for name, node in tables.rows("day_halves"):
-        chosen = reader.choice(name, f"day_halves.{name.text}", tuple(parts))
-        if chosen:
-            tables.add(
-                node, f"day_halves.{name.text}", "day_half", parts[chosen], tables.forms(node, "day_halves")
-            )
+    for section, category in NAMED_PARTS.items():
+        for name, node in tables.rows(section):
+            key = f"{section}.{name.text}"
+            chosen = reader.choice(name, key, tuple(parts))
+            if chosen:
+                tables.add(node, key, category, parts[chosen], tables.forms(node, section))
 
     def day_part(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
         day = reader.whole(fields["day"], f"day_parts.{name}.day", -9, 9)

@@ -8,9 +8,20 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.meaning.beside import in_hour_of
-from fuzzytime.language.meaning.expressions import Duration, HourMark, Offset, Phrase, Quantity, Said, Wall
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    HourMark,
+    Offset,
+    Phrase,
+    Quantity,
+    Repeat,
+    Said,
+    Time,
+    Wall,
+)
 from fuzzytime.language.meaning.times_of_day import Clock
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
 
@@ -50,6 +61,9 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
         between = [word.text for word in scanned.words[old.end : new.first]]
         if between == ["instead"] and scanned.words[new.first].text == "of":
             between = ["instead", "of"]
+        if "not" in between and _lies_in(new.said.time, old.said.time):
+            # "Tomorrow, not at noon"
+            continue
         if _takes_back(between) and old in kept:
             # "On monday, not tuesday"; but "tomorrow, not before ten" is one time.
             kept.remove(new)
@@ -65,6 +79,16 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
             message = f"{scanned.text[slice(*old.span)]!r} is corrected by {said!r}"
             remarks.append(Remark(RemarkKind.CORRECTED, span, message))
     return kept
+
+
+def _lies_in(inner: Time | Duration | Repeat, outer: Time | Duration | Repeat) -> bool:
+    """Whether a time is in another, so that it is left out of that: noon in tomorrow, friday in next week."""
+    if not isinstance(inner, Wall) or not isinstance(outer, Wall) or outer.clock is not None:
+        return False
+    if inner.days is None:
+        return inner.clock is not None or outer.part is None
+    longer = outer.days is not None and outer.days.grain is not Unit.DAY
+    return longer and isinstance(inner.days, Fields) and inner.days.weekly
 
 
 def _takes_back(between: Sequence[str]) -> bool:

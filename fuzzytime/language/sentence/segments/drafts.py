@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.denied import denied
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.instruction import Order, Remark, Span
@@ -151,6 +152,7 @@ def drafted(
         scanned, instances = instances_of(scanned, grammar, lexicon)
         several.append(instances)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
+        phrases = denied(scanned.words, phrases, lexicon)
         apart = tuple(orders_beside(scanned.text, messages[-1]))
         source = Source(now, scanned, tuple(phrases), tuple(remarks), apart=apart)
         orders = tuple(order_words(scanned.words, source.covered, lexicon))

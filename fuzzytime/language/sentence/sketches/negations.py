@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
@@ -102,13 +103,14 @@ def _denied_times(
 ) -> set[tuple[int, int]]:
     """Give the spans of the times at which something is not to be done, as it is to be done at others.
 
-    "Never leave it open for more than a minute" asks for nothing; nor does "then don't serve it", where the
-    word that connects it only goes on telling.
+    "Never leave it open for more than a minute" asks for nothing, nor does "never open it before noon", which
+    holds each day; but "never water it before sunday" does. "Then don't serve it" asks for nothing, either:
+    the word that connects it only goes on telling.
     """
-    if NEVER in said.lower().split():
-        return set()
     joining = None if connected is None else connected.span
-    return {one.span for one in requirements if one.span != joining and _is_turned(one)}
+    denied = (one for one in requirements if one.span != joining and _is_turned(one))
+    for_good = NEVER in said.lower().split()
+    return {one.span for one in denied if not for_good or _is_before_day(one)}
 
 
 def _is_turned(requirement: TimeRequirement) -> bool:
@@ -116,6 +118,12 @@ def _is_turned(requirement: TimeRequirement) -> bool:
     anchor = requirement.anchor
     opening = requirement.earliest == 0.0 or (anchor is not None and anchor.edge is Edge.START)
     return requirement.constraint in TURNED or (_is_stretch(requirement) and opening)
+
+
+def _is_before_day(requirement: TimeRequirement) -> bool:
+    """Whether something is due before a day, or a longer period: "before sunday"."""
+    unanchored = requirement.constraint is Constraint.BEFORE and requirement.anchor is None
+    return unanchored and requirement.grain is not None and requirement.grain not in SUB_DAY
 
 
 def _is_stretch(requirement: TimeRequirement) -> bool:

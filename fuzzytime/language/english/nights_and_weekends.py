@@ -1,0 +1,87 @@
+"""Parts of working days and of weekends, again and again: "every weeknight", "weekend mornings"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.english.repetitions import daily
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.calendar import Cycle, Fields, Weekend
+from fuzzytime.language.meaning.expressions import Duration, Offset, Repeat, Said, Wall
+from fuzzytime.language.meaning.relations import Deictic, Stretch, Which
+from fuzzytime.language.meaning.repeats_beside import narrowed_repeat
+from fuzzytime.language.meaning.times_of_day import Clock, Part
+from fuzzytime.requirement import Constraint, Unit
+
+grammar = Grammar()
+
+WORKING, FREE = range(5), range(5, 7)
+"""Days of the week, 0 for Monday."""
+
+SOON = 7
+"""Days of which one is meant by "one of these"."""
+
+LONGEST_MONTH = 31
+
+
+def _on(days: range, *parts: Part) -> Repeat:
+    return Repeat(walls=tuple(Wall(Fields(weekday=day), part) for part in parts for day in days))
+
+
+@grammar.rule("repeat", "every|each <weeknight>", "on? <weeknight>")
+def weeknights(night: Part) -> Repeat:
+    """Every weeknight."""
+    return _on(WORKING, night)
+
+
+@grammar.rule("called at", "<clock> <repeat>", weight=0.5)
+def called_every(clock: Clock, repeat: Repeat) -> Said | None:
+    """(call ann) 8 every morning; but "take 2 every morning" says how many."""
+    found = narrowed_repeat(repeat, Wall(clock=replace(clock, bare=False, pair=False)))
+    return None if found is None or repeat.plural else Said(found, Constraint.EVERY)
+
+
+@grammar.rule("repeat", "on? weekend <parts>", "every|each weekend <part>", weight=0.3)
+def weekend_parts(part: Part) -> Repeat:
+    """Weekend mornings."""
+    return _on(FREE, part)
+
+
+@grammar.rule("repeat", "every|each weekday <part> and|& <part>", weight=0.5)
+def two_weekday_parts(first: Part, second: Part) -> Repeat:
+    """Every weekday morning and evening."""
+    return _on(WORKING, first, second)
+
+
+@grammar.rule("repeat", "for? <integer> days in a row", "for? <integer> days running", weight=0.6)
+def days_in_a_row(number: Integer) -> Repeat | None:
+    """Three days in a row."""
+    if not 1 < number.value <= LONGEST_MONTH:
+        return None
+    return _each_for(number.value)
+
+
+@grammar.rule("repeat", "for? <integer> <parts> in a row", "for? <integer> <parts> running", weight=0.6)
+def parts_in_a_row(number: Integer, part: Part) -> Repeat | None:
+    """Three mornings in a row."""
+    if not 1 < number.value <= LONGEST_MONTH:
+        return None
+    return _each_for(number.value, part)
+
+
+def _each_for(days: int, part: Part | None = None) -> Repeat:
+    until = Offset(Duration(((days, Unit.DAY),)))
+    if part is None:
+        return replace(daily(), until=until)
+    return Repeat(walls=(Wall(Cycle(Unit.DAY), part),), until=until)
+
+
+@grammar.rule("wall", "one of these <parts>", weight=1.0)
+def one_of_these(part: Part) -> Wall | None:
+    """One of these evenings: of those of the next days."""
+    return Wall(Stretch(SOON, Unit.DAY), part) if not part.is_point else None
+
+
+@grammar.rule("wall", "all weekend long?", "throughout the? weekend", weight=0.5)
+def all_weekend() -> Wall:
+    """All weekend."""
+    return Wall(Deictic(Which.THIS, Weekend()))

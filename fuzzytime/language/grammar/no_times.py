@@ -1,0 +1,144 @@
+"""What looks like a time and is none: street numbers, ratios, set values, metres, arithmetic, idioms."""
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.standing import Standing
+from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall
+from fuzzytime.requirement import Unit
+
+LONGEST_IDIOM = 5
+"""Words of an idiom, at most."""
+
+BEFORE = 3
+"""Words between a verb and the value of what it sets, at most."""
+
+FAR = 6
+"""Words between a verb and how far something goes, at most, with those of its number."""
+
+ENDS = frozenset({".", ",", "!", "?", ";"})
+
+
+class NoTime(Standing):
+    """What stands around readings that only look like a time."""
+
+    def hold(self, piece: Piece) -> bool:
+        """Whether a reading is none."""
+        return (
+            self._is_of_idiom(piece)
+            or self._is_of_street(piece)
+            or self._is_value(piece)
+            or self._is_far(piece)
+            or self._is_reckoned(piece)
+            or self._is_of_period(piece)
+            or self._is_adjective(piece)
+            or self._is_name_of_person(piece)
+            or self._is_of_played(piece)
+            or self._ends_name(piece)
+        )
+
+    def _is_of_idiom(self, piece: Piece) -> bool:
+        """Whether it is in an idiom: "up to date", "call it a day"."""
+        forms = [tuple(text.split()) for text in self.lexicon.no_times.idioms]
+        for start in range(max(0, piece.start - LONGEST_IDIOM), piece.end):
+            found = longest_match(self.words, start, forms)
+            if found is not None and start + len(found) > piece.start:
+                return True
+        return False
+
+    def _is_of_street(self, piece: Piece) -> bool:
+        """Whether a street is called like it: "12 march road"; but "on 12 march road works begin"."""
+        streets = self.lexicon.no_times.streets
+        if not self.around.is_day(piece.end - 1) or self.around.follower(piece) not in streets:
+            return False
+        behind = {*self.texts[piece.end + 1 : piece.end + 2]}
+        return behind <= self.lexicon.function_words | ENDS or self.around.timely(piece.end + 1)
+
+    def _is_value(self, piece: Piece) -> bool:
+        """Whether something is set to it: "set the ratio to 1:30", "price it at 8.45", "upgrade to 10.30"."""
+        said, kinds = piece.value, self.lexicon.no_times
+        wall = said.time
+        digits = any(self.words[place].is_digits for place in range(piece.start, piece.end))
+        timed = isinstance(wall, Wall) and wall.clock is not None and wall.clock.grain is Unit.MINUTE
+        marked = bool(
+            {":", "."} & {text for place in range(piece.start, piece.end) for text in self.texts[place]}
+        )
+        if not (digits and timed and marked) or not isinstance(wall, Wall) or wall.days is not None:
+            return False
+        if self.around.follower(piece) in {"scale", "ratio"}:
+            return True
+        first, before = self.texts[piece.start], self.around.before(piece)
+        place = piece.start - 1
+        if first not in {"to", "at"}:
+            first, before, place = before, self.texts[place - 1] if place else "", place - 1
+        verbs = {*self.texts[max(0, place - BEFORE) : place + 1]}
+        if first == "to":
+            return before in kinds.set_to or before in kinds.renewing
+        held = before in kinds.set_to and not kinds.holding.isdisjoint(verbs)
+        valued = any(self.texts[p] in kinds.valuing and self.around.opens(p) for p in range(place))
+        return first == "at" and (held or valued)
+
+    def _is_far(self, piece: Piece) -> bool:
+        """Whether it is so many metres: "swim 50m", "cut the board to 1.5 m"; but "boil for 5 m"."""
+        time = piece.value.time
+        if not isinstance(time, Duration) or piece.value.preposition is not None:
+            return False
+        if self.texts[piece.end - 1] != "m" or time.unit is not Unit.MINUTE or len(time.terms) > 1:
+            return False
+        for place in range(piece.start - 1, max(-1, piece.start - 1 - FAR), -1):
+            if self.texts[place] in self.closed.joints_of_orders:
+                # "Lower the heat and simmer 5 m"
+                return False
+            if self.texts[place] in self.lexicon.no_times.far:
+                return True
+        return False
+
+    def _is_reckoned(self, piece: Piece) -> bool:
+        """Whether it is what a number is taken from: "subtract 3 from 10"."""
+        verbs = self.texts[max(0, piece.start - 2) : piece.start - 1]
+        number = self.measures.is_number(piece.start - 1)
+        return (
+            self.texts[piece.start] == "from"
+            and number
+            and not self.lexicon.no_times.reckoning.isdisjoint(verbs)
+        )
+
+    def _is_of_period(self, piece: Piece) -> bool:
+        """Whether it is the period that something is of: "the rent for may", "the third quarter numbers"."""
+        wall = piece.value.time
+        days = wall.days if isinstance(wall, Wall) and wall.clock is None and wall.part is None else None
+        if days is None or days.grain in {Unit.DAY, Unit.WEEK}:
+            return False
+        if piece.value.preposition == "for":
+            return self.around.before(piece) in self.lexicon.no_times.for_periods
+        article = self.texts[piece.start] in self.closed.noun_openers and piece.start > 0
+        return article and piece.value.preposition is None and not self.around.may_end(piece)
+
+    def _is_adjective(self, piece: Piece) -> bool:
+        """Whether its last word says what a thing is like: "every minute detail", "sun cream"."""
+        follower, last = self.around.follower(piece), self.texts[piece.end - 1]
+        if isinstance(piece.value.time, Repeat):
+            return last == "minute" and follower in self.lexicon.no_times.tiny
+        return self.is_ambiguous(piece.end - 1) and follower in self.lexicon.no_times.adjectives
+
+    def _is_name_of_person(self, piece: Piece) -> bool:
+        """Whether it begins with who is called: "ring aunt may on sunday"; but "call me may 5"."""
+        return self.around.names_person(piece.start)
+
+    def _is_of_played(self, piece: Piece) -> bool:
+        """Whether it is in the name of what is played: "play three o'clock blues", "watch 28 days later"."""
+        verb, time, follower = piece.start - 1, piece.value.time, self.around.follower(piece)
+        if self.texts[piece.end - 1] == "later" and follower in {""} | ENDS:
+            begin = piece.end - 3
+            days = begin > 0 and self.words[begin].is_digits and self.around.is_unit(begin + 1)
+            return days and self.texts[begin - 1] in self.lexicon.playing and self.around.opens(begin - 1)
+        if verb < 0 or self.texts[verb] not in self.lexicon.playing or not self.around.opens(verb):
+            return False
+        clocked = isinstance(time, Wall) and time.clock is not None and piece.value.preposition is None
+        return clocked and follower.isalpha() and not self.around.may_end(piece)
+
+    def _ends_name(self, piece: Piece) -> bool:
+        """Whether it is the second half of what a thing is called by: "the ten to midnight film"."""
+        first = piece.start - 1
+        joined = self.texts[piece.start] == "to" and self.measures.is_number(first)
+        named = joined and first > 0 and self.texts[first - 1] in self.closed.articles
+        return named and not self.around.may_end(piece)
