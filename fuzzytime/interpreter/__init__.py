@@ -7,12 +7,12 @@ Understanding (``interpreter``)
     Values: ``request``, ``interpretation``.
     Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``, ``joining``.
     In other words: ``retold``, ``told_anew``, ``lasting``, ``waits``.
-    Repeated beside something else: ``inside``, ``behind``.
+    Repeated beside something else: ``inside``, ``behind``, ``passing``; done ``meanwhile``.
     Who, and how far ahead: ``asked``, ``horizon``.
 
 What binds skills
     References: ``references``, ``ties``, ``circles``.
-    Order: ``in_order`` by ``steps``, ``loosening``.
+    Order: ``in_order`` by ``steps``, ``procedures``, ``loosening``.
 
 Planning (``planner``)
     What happens by itself, and what has begun: ``happening``, ``started``.

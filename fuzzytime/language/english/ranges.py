@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.beside import in_hour_of, lasts_then, refined
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Cycle
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Ending,
@@ -22,6 +22,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.nested import Nth
+from fuzzytime.language.meaning.range_ends import closes, comparable, is_meal, lent
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
@@ -41,13 +42,13 @@ def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
         # "Twenty to seven in the evening" is one time.
         return None
     if isinstance(first.time, Wall) and (
-        _closes(first.time) or (first.time.bare and isinstance(last.time, Offset))
+        closes(first.time) or (first.time.bare and isinstance(last.time, Offset))
     ):
         # "From close to noon"; "between 10 and 15 minutes from now": the number shares the unit.
         return None
     if isinstance(first.time, Wall) and isinstance(last.time, Wall):
-        apart = _lent(first.time, last.time)
-        if apart is None or not _comparable(*apart):
+        apart = lent(first.time, last.time)
+        if apart is None or not comparable(*apart):
             return None
         first, last = replace(first, time=apart[0]), replace(last, time=apart[1])
     return Said(Range(first.time, last.time), Constraint.BETWEEN, preposition, (*first.hedges, *last.hedges))
@@ -67,48 +68,6 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
         return last
     whole = in_hour_of(last.time, first.time)
     return last if whole is None else replace(last, time=whole)
-
-
-def _closes(wall: Wall) -> bool:
-    """Whether it is "close", which may be a hedge: "close to noon"."""
-    return wall.weak and wall.part is not None and wall.part.is_point
-
-
-def _is_meal(wall: Wall) -> bool:
-    return wall.part is not None and (wall.weak or (wall.part.meal and wall.days is None))
-
-
-def _comparable(first: Wall, last: Wall) -> bool:
-    """Whether two can be the ends of one range: a year and a clock time cannot."""
-    for one, other in ((first, last), (last, first)):
-        coarse = one.days is not None and one.days.grain is not Unit.DAY and one.clock is None
-        if coarse and other.clock is not None and other.days is None:
-            return False
-    return True
-
-
-def _lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
-    """Lend each end what only the other says: "july 13 to 15", "from 5 to 6pm tomorrow"."""
-    if (first.clock is None) != (last.clock is None):
-        bare = first if first.clock is not None else last
-        other = last if first.clock is not None else first
-        if bare.bare and isinstance(other.days, Fields) and other.days.day is not None:
-            # A number beside a date is a day of the month.
-            day = Fields(day=bare.clock.hour) if bare.clock is not None else None
-            if day is None or not 1 <= (day.day or 0) <= 31:
-                return None
-            lent = Wall(day, weak=other.weak)
-            first, last = (lent, last) if bare is first else (first, lent)
-    if first.clock is not None and last.clock is not None:
-        days = first.days or last.days
-        zone = first.zone or last.zone
-        part = None if first.days and last.days else first.part or last.part
-        # The other end's day, where it says one itself, is its own.
-        first = replace(first, days=first.days or days, zone=zone, part=first.part or part)
-        last = replace(last, zone=zone, part=last.part or part)
-        if last.days == first.days:
-            last = replace(last, days=None)
-    return first, last
 
 
 @grammar.rule(
@@ -208,7 +167,7 @@ def from_to(first: Goal, last: Goal) -> Said | None:
     walls = [goal.time for goal in (first, last) if isinstance(goal.time, Wall)]
     if len(walls) == 2 and all(wall.bare for wall in walls):
         return None
-    if isinstance(first.time, Wall) and _is_meal(first.time):
+    if isinstance(first.time, Wall) and is_meal(first.time):
         # "Move lunch to one": a meal is what is moved; "close to six".
         return None
     grains = {wall.days.grain for wall in walls if wall.days is not None and wall.clock is None}

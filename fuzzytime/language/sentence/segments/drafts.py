@@ -12,7 +12,6 @@ from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.asides import Aside, asides_of, beside_each_other, without_asides
-from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
 from fuzzytime.language.sentence.segments.calls import called_first, called_next
 from fuzzytime.language.sentence.segments.corrections import corrected
 from fuzzytime.language.sentence.segments.cuts import addressed, pieces_of, reminded
@@ -21,8 +20,6 @@ from fuzzytime.language.sentence.segments.gaps import with_gaps
 from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
-from fuzzytime.language.sentence.segments.mended_things import with_object_of_aim, with_whole_things
-from fuzzytime.language.sentence.segments.mended_trees import as_acting, as_done, as_order
 from fuzzytime.language.sentence.segments.messages import (
     Message,
     messages_of,
@@ -32,18 +29,15 @@ from fuzzytime.language.sentence.segments.messages import (
 )
 from fuzzytime.language.sentence.segments.next_ones import next_one
 from fuzzytime.language.sentence.segments.order_words import order_words
+from fuzzytime.language.sentence.segments.parsing import trees_of, uncapitalised
 from fuzzytime.language.sentence.segments.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.same_doers import done_next
 from fuzzytime.language.sentence.segments.segment import segments_of
 from fuzzytime.language.sentence.segments.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
-from fuzzytime.language.sentence.trees.tree import Tree, Trees
-from fuzzytime.language.sentence.verbs.called import with_called, with_clause, with_event, with_worker
-from fuzzytime.language.sentence.verbs.statement_trees import as_statement
-
-CARRIERS = ("", "please ", "you should ")
-"""Words that make a parser see the verb behind them, tried in this order."""
+from fuzzytime.language.sentence.trees.tree import Trees
+from fuzzytime.language.sentence.verbs.called import with_clause
 
 NAMING = "name"
 """The rule of a clock time that names an event."""
@@ -197,10 +191,8 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
             waiting = [] if last_round else _done_next(sources, done, lexicon)
         if not waiting:
             break
-        found = _trees(waiting, trees, lexicon)
-        fronts = [
-            with_clause(tree, lexicon) for tree in _uncapitalised([one.front for one in waiting], trees)
-        ]
+        found = trees_of(waiting, trees, lexicon)
+        fronts = [with_clause(tree, lexicon) for tree in uncapitalised([one.front for one in waiting], trees)]
         led = {} if last_round else fronts_of(waiting, found, fronts, trees, lexicon)
         alone = [place for place in range(len(waiting)) if place not in led and not last_round]
         joined = [waiting[place] for place in alone], [found[place] for place in alone]
@@ -247,70 +239,3 @@ def _done_next(sources: Sequence[Source], done: Sequence[dict[int, Part]], lexic
         for position, (source, own) in enumerate(zip(sources, done, strict=True))
         for part in done_next(source, own, lexicon)
     ]
-
-
-def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
-    """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
-    texts = [_heard(one) for one in waiting]
-    found = [
-        as_done(in_place(tree, one.source.sound, one.segment.span, one.segment.borrowed), lexicon)
-        for one, tree in zip(waiting, _uncapitalised(texts, trees), strict=True)
-    ]
-    own = {place for place, one in enumerate(waiting) if not one.segment.borrowed}
-    led_astray = [p for p, tree in enumerate(found) if p in own and tree.root in waiting[p].timed(tree)]
-    blanked = trees([_without_root(found[place]) for place in led_astray])
-    for place, tree in zip(led_astray, blanked, strict=True):
-        # "The ferry leaves at 10:45 sharp": a word about time is never what is to be done.
-        if tree.root not in waiting[place].timed(tree):
-            found[place] = replace(tree, text=texts[place])
-    for carrier in CARRIERS:
-        again = [
-            (place, waiting[place].behind_time)
-            for place, tree in enumerate(found)
-            if place in own
-            and waiting[place].doubts(tree, lexicon)
-            and (carrier or waiting[place].behind_time)
-        ]
-        carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
-        for (place, skipped), tree in zip(again, carried, strict=True):
-            bare = as_order(tree.without_carrier(carrier, texts[place], skipped))
-            if bare.nodes and not waiting[place].doubts(bare, lexicon):
-                found[place] = bare
-    told = [place for place, one in enumerate(waiting) if one.segment.doer is not None]
-    led = trees([f"{waiting[place].segment.doer} {texts[place]}" for place in told])
-    for place, tree in zip(told, led, strict=True):
-        # "The plumber comes at four, fixes the tap": it is a verb behind who does it.
-        alone = tree.without_carrier(f"{waiting[place].segment.doer} ", texts[place], 0)
-        found[place] = as_acting(alone)
-    found = [with_whole_things(tree) for tree in found]
-    found = [with_object_of_aim(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
-    found = [with_worker(with_event(with_clause(tree, lexicon), lexicon), lexicon) for tree in found]
-    found = [with_called(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
-    travelling = lexicon.travelling
-    return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
-
-
-def _heard(one: Waiting) -> str:
-    """Give the main words of a segment, or all of it with those that it borrows."""
-    segment = one.segment
-    return with_borrowed(one.source.sound, segment.span, segment.borrowed) if segment.borrowed else one.text
-
-
-def _without_root(tree: Tree) -> str:
-    """Give the text of a tree with spaces for its root."""
-    node = tree.nodes[tree.root or 0]
-    return tree.text[: node.start] + " " * (node.end - node.start) + tree.text[node.end :]
-
-
-def _uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:
-    """Parse texts as if they began with a small letter: a capital makes a verb look like a name ("Chop")."""
-    asked = [_lowered(text) if text[1:2].islower() else text for text in texts]
-    return [
-        tree.without_carrier("", text, 0) if text != said else tree
-        for text, said, tree in zip(texts, asked, trees(asked), strict=True)
-    ]
-
-
-def _lowered(text: str) -> str:
-    """Give a text whose first letter is no capital, as behind other words."""
-    return text[:1].lower() + text[1:] if len(text[:1].lower()) == 1 else text

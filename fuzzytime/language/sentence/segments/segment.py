@@ -3,12 +3,12 @@
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
-from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import LATER, Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import LATER, Offset, Phrase, TimeWord
+from fuzzytime.language.sentence.segments.behind_happenings import behind_happening, listed
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.corrected_things import AFTER_ALL, corrected_things
 from fuzzytime.language.sentence.segments.named_events import beside, counts_event, heads
@@ -68,8 +68,8 @@ def segments_of(
     vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
     following = {phrase.first for phrase in phrases if _follows(phrase, words)}
     following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
-    following |= set(_listed(phrases))
-    following |= set(_behind_happening(phrases, words, lexicon))
+    following |= set(listed(phrases))
+    following |= set(behind_happening(phrases, words, lexicon))
     following |= set(beside(phrases, words, lexicon))
     following |= {phrase.end for phrase in phrases[:1] if heads(phrase, words)}
     corrections = list(corrected_things(words, phrases, lexicon))
@@ -101,45 +101,6 @@ def segments_of(
             cuts.append((place, place + 1, ""))
         place += 1
     return list(_between(text, words, cuts, {phrase.first for phrase in phrases}, lexicon))
-
-
-def _listed(phrases: Sequence[Phrase]) -> Iterator[int]:
-    """Give where the lines of a timetable begin: "10:00 stretch, 10:15 walk"; not "10:00, 10:15"."""
-    clocks = [phrase for phrase in phrases if _is_clock(phrase)]
-    if not clocks or clocks[0].first > 0:
-        return
-    for before, clock in pairwise(clocks):
-        between = [other for other in phrases if before.end <= other.first < clock.first]
-        if clock.first - before.end > 1 and not between:
-            yield clock.first
-
-
-def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
-    """Give where an order begins behind what happens: "lunch at noon, cook it beforehand"."""
-    first = next(iter(phrases), None)
-    if first is None or not first.first or longest_match(words, 0, lexicon.clauses) is not None:
-        # "After the wedding on the 21st, call mum"
-        return
-    # "My dentist appointment at ten, …" names what happens, "call at ten, …" asks for it.
-    named = (
-        all(word.text in lexicon.closed.noun_openers | lexicon.taken for word in words[: first.first])
-        and first.first > 1
-    )
-    # "Vet 10, dentist 3"
-    listed = first.first == 1 and words[0].text in lexicon.taken and len(phrases) > 1
-    if not (named or listed) and words[first.first - 1].text not in lexicon.happening:
-        return
-    behind = first.end + 1
-    if behind < len(words) and words[first.end].text in {",", "-", ":"}:
-        taken = lexicon.function_words | lexicon.places | lexicon.closed.alternatives
-        if words[behind].is_letters and words[behind].text not in taken and phrases[-1].first != behind:
-            yield behind
-
-
-def _is_clock(phrase: Phrase) -> bool:
-    """Whether it is a clock time alone, without a preposition."""
-    time = phrase.said.time
-    return phrase.said.preposition is None and isinstance(time, Wall) and time.clock is not None
 
 
 def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:

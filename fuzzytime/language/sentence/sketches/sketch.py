@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, RemarkKind, Span, overlap
-from fuzzytime.language.meaning.expressions import Duration, Edge, Phrase, Range, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, TimeWord
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.times_of_events import AHEAD, OVER
 from fuzzytime.language.sentence.segments.drafts import Draft
@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.deadlines_of_clauses import DEADLINE
 from fuzzytime.language.sentence.sketches.elsewhere import aim_of, elsewhere, is_of_subject, reason_of
 from fuzzytime.language.sentence.sketches.of_things import of_things
+from fuzzytime.language.sentence.sketches.retimed import by_that_day, is_there, on_that_day, put_off
 from fuzzytime.language.sentence.sketches.said_of_time import DATED, said_of_time
 from fuzzytime.language.sentence.sketches.telling import (
     of_something_else,
@@ -34,17 +35,13 @@ from fuzzytime.language.sentence.verbs.moments import reference_of
 from fuzzytime.language.sentence.verbs.operations import Reader
 from fuzzytime.language.sentence.verbs.put_there import put_there
 from fuzzytime.language.sentence.verbs.remembered import as_remembered
-from fuzzytime.requirement import Constraint, Reference
+from fuzzytime.requirement import Reference
 
 if TYPE_CHECKING:
     from fuzzytime.skills import FuzzyParameter
 
 
 LEAVE = "leave"
-UNTIL = "until"
-
-WHEN = frozenset({None, Constraint.AT})
-"""How a day binds on which something is."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -148,12 +145,12 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     ]
     a, b = operation.span
     if not operation.negated:
-        kept = [_by_that_day(phrase, clauses) for phrase in kept]
+        kept = [by_that_day(phrase, clauses) for phrase in kept]
     references = [_reference(part, phrase, action, lexicon, clauses) for phrase in kept]
     if is_there(operation, lexicon):
-        kept = [_on_that_day(phrase) for phrase in kept]
+        kept = [on_that_day(phrase) for phrase in kept]
     if not operation.negated and {operation.lemma, operation.phrase} & lexicon.moving:
-        kept = [_put_off(phrase) for phrase in kept]
+        kept = [put_off(phrase) for phrase in kept]
     if _is_gone(operation, lexicon):
         references = [None if one is Reference.THROUGHOUT else one for one in references]
     if operation.stated:
@@ -175,37 +172,6 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     )
 
 
-def _by_that_day(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
-    """Bind what is to be done before an event by the end of its day: "before the show on Saturday"."""
-    said, time = phrase.said, phrase.said.time
-    ahead = (c for c in clauses if c.kind in AHEAD and c.distance is None and c.span[1] + 1 == phrase.span[0])
-    day = isinstance(time, Wall) and time.clock is None and time.part is None and said.constraint in WHEN
-    if not day or next(ahead, None) is None:
-        return phrase
-    return replace(phrase, said=replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST))
-
-
-def is_there(operation: Operation, lexicon: Lexicon) -> bool:
-    """Whether somebody is somewhere then, or no longer: what nobody does a day ahead."""
-    alone = operation.complement is None and (operation.object is None or operation.place is None)
-    if operation.phrase in lexicon.doing.being_there:
-        # "Leave the keys at reception" is done at any time until then.
-        return alone
-    return (
-        operation.phrase in lexicon.doing.getting_there
-        and operation.object is None
-        and operation.place is not None
-    )
-
-
-def _put_off(phrase: Phrase) -> Phrase:
-    """Take until when something is put off as when it is: "postpone the demo until thursday"."""
-    said = phrase.said
-    if said.preposition != UNTIL or said.constraint is not Constraint.BEFORE:
-        return phrase
-    return replace(phrase, said=replace(said, constraint=None, edge=Edge.START))
-
-
 def _is_gone(operation: Operation, lexicon: Lexicon) -> bool:
     """Whether "leave" is to go: "leave the house between seven and eight" is no "leave the lamp on"."""
     if operation.phrase != LEAVE or operation.complement is not None:
@@ -213,15 +179,6 @@ def _is_gone(operation: Operation, lexicon: Lexicon) -> bool:
     if operation.object is None:
         return operation.place is not None and operation.place.lower().startswith(("for ", "to "))
     return operation.place is None and operation.object.lower().split()[-1] in lexicon.beside.sites
-
-
-def _on_that_day(phrase: Phrase) -> Phrase:
-    """Bind a deadline of some day by that day: "be at the station by seven tomorrow"."""
-    said, time = phrase.said, phrase.said.time
-    day = isinstance(time, Wall) and time.days is not None and time.clock is not None
-    if not isinstance(time, Wall) or not day or said.constraint is not Constraint.BEFORE:
-        return phrase
-    return replace(phrase, said=replace(said, within=Wall(time.days, time.part, zone=time.zone)))
 
 
 def order_of(draft: Draft, part: Part) -> Order | None:

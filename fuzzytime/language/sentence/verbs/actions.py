@@ -6,6 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.moments import reference_of
+from fuzzytime.language.sentence.verbs.orders_before import is_order, order_before
 from fuzzytime.language.sentence.verbs.small_clauses import gets_to_do, small_clause
 from fuzzytime.requirement import Reference
 
@@ -152,10 +153,10 @@ def _governing(tree: Tree) -> int | None:
     if root is not None and _is_title(tree, root):
         return None
     if root is not None and not tree.nodes[root].is_verb:
-        root = next((p for p in tree.children(root) if _is_order(tree, p)), None)
+        root = next((p for p in tree.children(root) if is_order(tree, p)), None)
     if root is None:
         return None
-    root = _order_before(tree, root)
+    root = order_before(tree, root)
     return None if _only_is(tree, root) else root
 
 
@@ -186,46 +187,6 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
     goes_on = node.tag == "VBG" and bool(helping) and helping <= closed.present_be
     became = node.tag == "VBN" and bool(tree.children(verb, "auxpass")) and helping <= closed.present_be
     return is_so or became or (goes_on and _complement(tree, verb, node.lemma) is None)
-
-
-def _order_before(tree: Tree, root: int) -> int:
-    """Give the bare verb in front that a tree took for a subject or an auxiliary: "have the vacuum go"."""
-    for place in tree.children(root, "csubj", "aux", "auxpass"):
-        node = tree.nodes[place]
-        if node.relation == "auxpass":
-            # "Get dressed"
-            if (
-                node.lemma == "get"
-                and node.tag in {"VB", "VBP"}
-                and not tree.children(root, "aux", *SUBJECTS)
-            ):
-                return place
-            continue
-        bare = node.is_bare and not tree.children(place, "aux", *SUBJECTS)
-        if bare and (node.relation == "csubj" or (node.lemma == "have" and _brings(tree, place, root))):
-            return place
-    if tree.nodes[root].tag in {"VBZ", "VBD"} and tree.children(root, *SUBJECTS):
-        # "Serve the soup the second it boils": the clause was taken for the sentence.
-        for place in tree.children(root, "advcl", "ccomp"):
-            if place < min(tree.children(root, *SUBJECTS)) and tree.nodes[place].tag == "VB":
-                led = [p for p in tree.children(place, "advmod") if p < place]
-                return root if led or tree.children(place, "mark", "aux", *SUBJECTS) else place
-    return root
-
-
-def _brings(tree: Tree, have: int, root: int) -> bool:
-    """Whether a "have" taken for an auxiliary brings something about: "have it washed", "have him go"."""
-    between = any(have < place < root for place in tree.children(root, *SUBJECTS))
-    return tree.nodes[root].tag == "VB" or (tree.nodes[root].tag == "VBN" and between)
-
-
-def _is_order(tree: Tree, place: int) -> bool:
-    node = tree.nodes[place]
-    return (
-        node.is_bare
-        and node.relation not in {"relcl", "acl", "advcl"}
-        and not tree.children(place, *SUBJECTS)
-    )
 
 
 def _assured(tree: Tree, place: int, lexicon: Lexicon) -> int | None:

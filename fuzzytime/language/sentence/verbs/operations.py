@@ -298,9 +298,3 @@ class Reader(VerbWords):
             for place in self.tree.children(verb, "advcl")
             if any(self.tree.nodes[p].lower == "to" for p in self.tree.children(place, "aux"))
         ]
-
-    def _before_noun(self, words: Sequence[int], verb: int) -> list[int]:
-        """Give the words right before an object that a tree took for a time: "install the night light"."""
-        between = list(range(verb + 1, words[0])) if words else []
-        measured = between and self.tree.nodes[between[-1]].relation == "npadvmod"
-        return between if measured and not any(self.timed(place) for place in between) else []

@@ -5,13 +5,11 @@ from dataclasses import replace
 
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.plural_statements import is_led_by_plural, with_plural
 from fuzzytime.language.sentence.verbs.statements import (
     behind_particles,
     plural_subject,
 )
-
-BESIDE_NAMES = frozenset({"IN", "DT", "PRP$", "JJ", "NN", "NNP", "CD"})
-"""Tags of words that say where those are who do something: "the guests in room 12"."""
 
 
 def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str] = frozenset()) -> Tree:
@@ -21,11 +19,11 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
     """
     tree = _with_being(_with_having(_with_got(_with_phase(tree, timed, travelling))), timed)
     tree = _with_two(_with_done(tree), timed)
-    tree = _with_plural(_with_subject(tree), timed)
+    tree = with_plural(_with_subject(tree), timed)
     root = tree.root
     if root is None or behind_particles(tree, root) not in timed:
         return tree
-    if tree.nodes[root].tag in {"NN", "JJ"} and tree.nodes[root].may_act and _is_led_by_plural(tree, root):
+    if tree.nodes[root].tag in {"NN", "JJ"} and tree.nodes[root].may_act and is_led_by_plural(tree, root):
         # "My parents land at four", "the guests in room 12 check out at ten"
         nodes = list(tree.nodes)
         nodes[root] = replace(nodes[root], tag="VBP", lemma=nodes[root].lower)
@@ -270,33 +268,6 @@ def _with_one_doing(tree: Tree) -> Tree | None:
     lemma = nodes[root].lemma if nodes[root].is_verb else nodes[root].lower.removesuffix("ing")
     nodes[root] = replace(nodes[root], tag="VBG", lemma=lemma)
     return tree.with_nodes(nodes)
-
-
-def _with_plural(tree: Tree, timed: AbstractSet[int]) -> Tree:
-    """Give the tree of "the shops open at nine" its verb, which was taken for how they are."""
-    root = tree.root
-    if root is None or tree.nodes[root].tag != "NNS" or not tree.children(root, "det", "poss"):
-        return tree
-    verb = root + 1
-    if (
-        verb + 1 not in timed
-        or tree.nodes[verb].lower not in tree.lexicon.doing.several_timed
-        or tree.nodes[verb].head != root
-    ):
-        return tree
-    nodes = [
-        replace(node, head=verb) if node.head == root and p > verb else node
-        for p, node in enumerate(tree.nodes)
-    ]
-    nodes[verb] = replace(nodes[verb], tag="VBP", lemma=nodes[verb].lower, head=verb, relation="ROOT")
-    nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
-    return tree.with_nodes(nodes)
-
-
-def _is_led_by_plural(tree: Tree, verb: int) -> bool:
-    """Whether several who do something stand before a word that may be a verb, with where they are."""
-    led = (p for p in tree.children(verb, "nsubj") if tree.nodes[p].tag == "NNS" and p < verb)
-    return any(all(node.tag in BESIDE_NAMES for node in tree.nodes[p + 1 : verb]) for p in led)
 
 
 def singular_verb(verb: str) -> str:

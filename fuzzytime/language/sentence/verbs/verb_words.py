@@ -1,5 +1,6 @@
 """The words that a verb has beside its object: "deep clean", "get dressed", "get him up and washed"."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
@@ -46,3 +47,9 @@ class VerbWords(Stated):
         )
         acts = node.tag == "NN" and node.may_act
         return [front, verb] if opens and alone and not named and (flat or acts) else [verb]
+
+    def _before_noun(self, words: Sequence[int], verb: int) -> list[int]:
+        """Give the words right before an object that a tree took for a time: "install the night light"."""
+        between = list(range(verb + 1, words[0])) if words else []
+        measured = between and self.tree.nodes[between[-1]].relation == "npadvmod"
+        return between if measured and not any(self.timed(place) for place in between) else []

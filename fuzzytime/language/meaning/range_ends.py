@@ -1,0 +1,52 @@
+"""What the two ends of a range lend each other: "from 5 to 6 pm", "monday 9 to 5"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import (
+    Wall,
+)
+from fuzzytime.requirement import Unit
+
+
+def closes(wall: Wall) -> bool:
+    """Whether it is "close", which may be a hedge: "close to noon"."""
+    return wall.weak and wall.part is not None and wall.part.is_point
+
+
+def is_meal(wall: Wall) -> bool:
+    """Whether it is a meal of a day that is not said, or may be none."""
+    return wall.part is not None and (wall.weak or (wall.part.meal and wall.days is None))
+
+
+def comparable(first: Wall, last: Wall) -> bool:
+    """Whether two can be the ends of one range: a year and a clock time cannot."""
+    for one, other in ((first, last), (last, first)):
+        coarse = one.days is not None and one.days.grain is not Unit.DAY and one.clock is None
+        if coarse and other.clock is not None and other.days is None:
+            return False
+    return True
+
+
+def lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
+    """Lend each end what only the other says: "july 13 to 15", "from 5 to 6pm tomorrow"."""
+    if (first.clock is None) != (last.clock is None):
+        bare = first if first.clock is not None else last
+        other = last if first.clock is not None else first
+        if bare.bare and isinstance(other.days, Fields) and other.days.day is not None:
+            # A number beside a date is a day of the month.
+            day = Fields(day=bare.clock.hour) if bare.clock is not None else None
+            if day is None or not 1 <= (day.day or 0) <= 31:
+                return None
+            lent = Wall(day, weak=other.weak)
+            first, last = (lent, last) if bare is first else (first, lent)
+    if first.clock is not None and last.clock is not None:
+        days = first.days or last.days
+        zone = first.zone or last.zone
+        part = None if first.days and last.days else first.part or last.part
+        # The other end's day, where it says one itself, is its own.
+        first = replace(first, days=first.days or days, zone=zone, part=first.part or part)
+        last = replace(last, zone=zone, part=last.part or part)
+        if last.days == first.days:
+            last = replace(last, days=None)
+    return first, last

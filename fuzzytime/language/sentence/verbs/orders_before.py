@@ -1,0 +1,45 @@
+"""Orders in front of the root of a tree, taken for its subject or its helping verb: "have the vacuum go"."""
+
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree
+
+
+def order_before(tree: Tree, root: int) -> int:
+    """Give the bare verb in front that a tree took for a subject or an auxiliary: "have the vacuum go"."""
+    for place in tree.children(root, "csubj", "aux", "auxpass"):
+        node = tree.nodes[place]
+        if node.relation == "auxpass":
+            # "Get dressed"
+            if (
+                node.lemma == "get"
+                and node.tag in {"VB", "VBP"}
+                and not tree.children(root, "aux", *SUBJECTS)
+            ):
+                return place
+            continue
+        bare = node.is_bare and not tree.children(place, "aux", *SUBJECTS)
+        if bare and (node.relation == "csubj" or (node.lemma == "have" and _brings(tree, place, root))):
+            return place
+    if tree.nodes[root].tag in {"VBZ", "VBD"} and tree.children(root, *SUBJECTS):
+        # "Serve the soup the second it boils": the clause was taken for the sentence.
+        for place in tree.children(root, "advcl", "ccomp"):
+            if place < min(tree.children(root, *SUBJECTS)) and tree.nodes[place].tag == "VB":
+                led = [p for p in tree.children(place, "advmod") if p < place]
+                return root if led or tree.children(place, "mark", "aux", *SUBJECTS) else place
+    return root
+
+
+def _brings(tree: Tree, have: int, root: int) -> bool:
+    """Whether a "have" taken for an auxiliary brings something about: "have it washed", "have him go"."""
+    between = any(have < place < root for place in tree.children(root, *SUBJECTS))
+    return tree.nodes[root].tag == "VB" or (tree.nodes[root].tag == "VBN" and between)
+
+
+def is_order(tree: Tree, place: int) -> bool:
+    """Whether a verb is an order, and nobody is said to do it."""
+    node = tree.nodes[place]
+    return (
+        node.is_bare
+        and node.relation not in {"relcl", "acl", "advcl"}
+        and not tree.children(place, *SUBJECTS)
+    )
