@@ -8,7 +8,7 @@ from typing import Any, BinaryIO
 
 from fuzzytime.context import parse_fields
 from fuzzytime.errors import FuzzytimeError, InstructionError
-from fuzzytime.language import Language, Reading, RemarkKind, answer
+from fuzzytime.language import NAMED, Language, Reading, RemarkKind, answer
 from fuzzytime.spelling import nearest
 from fuzzytime.times import format_duration, parse_instant
 from fuzzytime_cli.faults import underlined
@@ -182,7 +182,8 @@ def readable(reply: Reply, width: int | None = None) -> list[str]:
             lines.append(f"  {told} {'not ' if operation.get('negated') else ''}{name}")
         for requirement in said["requirements"]:
             if requirement.get("instruction", 0) == position:
-                lines.append(f"  time  {requirement['text']!r}: {_bounds(requirement)}")
+                kind = "named" if requirement["reference"] == NAMED else "time "
+                lines.append(f"  {kind} {requirement['text']!r}: {_bounds(requirement)}")
     if said["duration_s"] is not None:
         lines.append(f"  takes {format_duration(said['duration_s'])}")
     for remark in said.get("remarks", ()):

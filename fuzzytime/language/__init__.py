@@ -10,7 +10,7 @@ from fuzzytime.language.about_wishes import (
     news_in,
     reported,
 )
-from fuzzytime.language.answer import answer
+from fuzzytime.language.answer import NAMED, answer
 from fuzzytime.language.finding import Times, check_length, find_times, shipped_lexicon
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.word_tables import read_lexicon
@@ -35,6 +35,7 @@ from fuzzytime.language.sentence.trees.named import is_several
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 
 __all__ = [
+    "NAMED",
     "About",
     "AboutKind",
     "Instruction",

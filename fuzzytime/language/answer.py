@@ -1,5 +1,6 @@
 """A reading as plain JSON values: what ``fuzzytime parse --jsonl`` prints for other programs."""
 
+from collections.abc import Iterator
 from typing import Any
 
 from fuzzytime.language.instruction import Instruction, Operation, Reading
@@ -8,6 +9,9 @@ from fuzzytime.language.meaning.recurrence_by_months import RecurrenceByMonths
 from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Comparison, Recurrence, TimeRequirement
 from fuzzytime.times import instant_after
+
+NAMED = "named"
+"""The ``reference`` of times that are of what is named, told or asked of others, and bind nothing."""
 
 NEXT = 3
 """How many coming occurrences of a repetition are listed."""
@@ -19,6 +23,9 @@ def answer(reading: Reading) -> dict[str, Any]:
     The keys of one instruction are always there. With several, ``operations`` lists each one's operation,
     and each requirement has the ``instruction`` that it belongs to. ``remarks`` and ``questions`` hold what
     needs saying.
+
+    Requirements whose ``reference`` is "named" say when something that is named is ("cancel my alarm for
+    six"), and not when to do anything: they stand behind those that bind.
 
     A repetition's ``earliest`` and ``latest`` are its next occurrence.
 
@@ -34,9 +41,9 @@ def answer(reading: Reading) -> dict[str, Any]:
         "now": reading.now.isoformat() if reading.now is not None else None,
         "operation": operations[0] if operations else None,
         "requirements": [
-            {**_requirement(requirement, reading), **({"instruction": index} if several else {})}
+            {**told, **({"instruction": index} if several else {})}
             for index, instruction in enumerate(instructions)
-            for requirement in instruction.requirements
+            for told in _requirements(instruction, reading)
         ],
         "duration_s": next((i.duration for i in instructions if i.duration is not None), None),
         "repeats": next((_repeats(i, reading) for i in instructions if i.repeats is not None), None),
@@ -78,6 +85,14 @@ def _operation(operation: Operation | None) -> dict[str, Any] | None:
         **({"stated": True} if operation.stated else {}),
         **({"addressee": operation.addressee} if operation.addressee is not None else {}),
     }
+
+
+def _requirements(instruction: Instruction, reading: Reading) -> Iterator[dict[str, Any]]:
+    """Give what is said about time: what binds, then when that is which is named, and binds nothing."""
+    for requirement in instruction.requirements:
+        yield _requirement(requirement, reading)
+    for requirement in instruction.named:
+        yield {**_requirement(requirement, reading), "reference": NAMED}
 
 
 def _requirement(requirement: TimeRequirement, reading: Reading) -> dict[str, Any]:

@@ -101,6 +101,9 @@ class Instruction:
         None for a fragment without a verb, such as "in ten minutes".
     requirements
         What was said about time, in the order of the words; anchors to other instructions are among them.
+    named
+        The times of what is named, told or asked of others ("cancel my alarm for six"): when that is, and not
+        when to do anything.
     duration
         "for eight minutes", in seconds; None where nothing was said.
     repeats
@@ -126,6 +129,7 @@ class Instruction:
     span: Span
     operation: Operation | None
     requirements: tuple[TimeRequirement, ...] = ()
+    named: tuple[TimeRequirement, ...] = ()
     duration: float | None = None
     repeats: Recurrence | None = None
     fuzzy_parameters: tuple["FuzzyParameter", ...] = ()

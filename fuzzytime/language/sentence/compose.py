@@ -244,6 +244,7 @@ class _Composer:
             span=segment.span,
             operation=operation,
             requirements=tuple(requirements),
+            named=ground_all(sketch.named, self.draft.text, self.moment).requirements,
             duration=duration,
             repeats=next((g.recurrence for g in times.found if g.recurrence is not None), None),
             fuzzy_parameters=sketch.parameters,

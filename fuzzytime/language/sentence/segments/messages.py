@@ -36,7 +36,7 @@ class Message:
 
     verb: int
     span: Span
-    times: tuple[Span, ...]
+    times: tuple[Phrase, ...]
     whom: Span | None = None
     onward: int | None = None
 
@@ -79,7 +79,7 @@ def messages_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Message, ...]:
         span = (source.words[start].start, source.words[end - 1].end)
         whole = end > start + 1 and not any(is_quoted(word.text) for word in source.words[start:end])
         if whole and not any(overlap(span, other.span) for other in found):
-            times = tuple(phrase.span for phrase in source.phrases if overlap(phrase.span, span))
+            times = tuple(phrase for phrase in source.phrases if overlap(phrase.span, span))
             begin, whom = source.words[verb].start, _whom(source, verb, start)
             found.append(Message(begin, span, times, whom, _onward(source, end)))
     return tuple(found)
@@ -105,9 +105,9 @@ def orders_beside(text: str, messages: Sequence[Message]) -> Iterator[int]:
 def remarks_of(text: str, messages: Sequence[Message]) -> Iterator[Remark]:
     """Give what to say of the times in what is told."""
     for message in messages:
-        for span in message.times:
-            said = f"{text[slice(*span)]!r} is of what is told, and not when to do it"
-            yield Remark(RemarkKind.POLICY, span, said)
+        for phrase in message.times:
+            said = f"{text[slice(*phrase.span)]!r} is of what is told, and not when to do it"
+            yield Remark(RemarkKind.POLICY, phrase.span, said)
 
 
 def _starts(source: _Source) -> Iterator[tuple[int, int]]:

@@ -21,6 +21,7 @@ from fuzzytime.language.sentence.sketches.telling import (
     of_something_else,
     of_which,
     telling_alone,
+    times_told,
     with_name,
     with_told,
 )
@@ -49,10 +50,10 @@ class Sketch:
     """One instruction: its part of the draft, its times and clauses, what is to be done.
 
     ``references`` gives, for each of its times, which moment of the execution the words say it is about;
-    ``remarks`` name the times that are none of what is to be done; ``headed`` are the clauses of a line
-    above, ``way`` is how long it takes to go there, and ``joints`` are the words that joined its times to
-    others of the same thing; ``denial`` is what is said of the orders before it that one "don't" denies
-    with it; ``doubted`` says that it is no instruction, and ``past`` that it tells what was.
+    ``named`` are the times that are none of what is to be done, which ``remarks`` name; ``headed`` are the
+    clauses of a line above, ``way`` is how long it takes to go there, and ``joints`` are the words that
+    joined its times to others of the same thing; ``denial`` is what is said of the orders before it that one
+    "don't" denies with it; ``doubted`` says that it is no instruction, and ``past`` that it tells what was.
     """
 
     part: Part
@@ -61,6 +62,7 @@ class Sketch:
     references: tuple[Reference | None, ...]
     operation: Operation | None = None
     parameters: tuple["FuzzyParameter", ...] = ()
+    named: tuple[Phrase, ...] = ()
     remarks: tuple[Remark, ...] = ()
     headed: tuple[Clause, ...] = ()
     way: Duration | None = None
@@ -128,6 +130,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     things = [phrase for phrase in things if phrase not in others]
     told = ((aim_of(part, kept, action), "what it is for"), (reason_of(part, kept, action), "why"))
     aims = [(span, what) for span, what in told if span is not None]
+    of_aims = [phrase for phrase in kept if any(overlap(phrase.span, aim) for aim, _ in aims)]
     for aim, what in aims:
         others, things = ([p for p in found if not overlap(p.span, aim)] for found in (others, things))
         kept = [phrase for phrase in kept if not overlap(phrase.span, aim)]
@@ -168,6 +171,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
             addressee=part.segment.addressee or operation.addressee,
         ),
         parameters=parameters_of(reader, action),
+        named=tuple(sorted((*others, *things, *of_aims, *times_told(draft, part)), key=lambda p: p.span)),
         remarks=(*excepted, *(of_something_else(draft.text, phrase) for phrase in (*others, *things))),
     )
 

@@ -22,6 +22,12 @@ def _told_in(draft: Draft, part: Part) -> Message | None:
     return next((one for one in draft.messages if first <= one.verb < end), None)
 
 
+def times_told(draft: Draft, part: Part) -> tuple[Phrase, ...]:
+    """Give the times in what somebody is told by a part of a draft."""
+    told = _told_in(draft, part)
+    return () if told is None else told.times
+
+
 def telling_alone(draft: Draft, part: Part) -> Operation | None:
     """Give an order that tells somebody something, where a tree has its verb for a thing: "text jo …"."""
     told, root = _told_in(draft, part), part.tree.root

@@ -91,8 +91,15 @@ def _is_asked_too(before: Sketch, sketch: Sketch, again: Operation, lexicon: Lex
 def _asked_too(sketch: Sketch, again: Operation, text: str) -> Sketch:
     """Give what another is asked to do without its times, which are none of asking."""
     remarks = tuple(of_something_else(text, phrase) for phrase in sketch.phrases)
-    named = of_which(text, again, sketch.phrases)
-    return replace(sketch, operation=named, phrases=(), references=(), remarks=(*sketch.remarks, *remarks))
+    asked = of_which(text, again, sketch.phrases)
+    return replace(
+        sketch,
+        operation=asked,
+        phrases=(),
+        references=(),
+        named=(*sketch.named, *sketch.phrases),
+        remarks=(*sketch.remarks, *remarks),
+    )
 
 
 def _from_then(phrase: Phrase, before: Sketch) -> Phrase:
