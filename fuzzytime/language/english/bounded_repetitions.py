@@ -149,7 +149,8 @@ def both(first: Repeat, second: Wall | Repeat, third: Repeat | None = None) -> R
         other = narrowed_repeat(third, second)
     if other is None or not all(_is_plain(repeat) for repeat in (first, other)):
         return None
-    first = timed_as(first, other)
+    # "On saturdays and sundays at ten", "at ten on saturdays and sundays"
+    first, other = timed_as(first, other), timed_as(other, first)
     return replace(first, every=None, walls=tuple(dict.fromkeys((*first.walls, *other.walls))))
 
 

@@ -2,11 +2,12 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.clocks import minutes_of
+from fuzzytime.language.english.clocks import EARLIEST_WITH_H, minutes_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.expressions import (
+    UNIT_SECONDS,
     Coming,
     Duration,
     Goal,
@@ -220,7 +221,15 @@ def not_for(first: Preposition | Duration, second: Duration | None = None) -> Sa
     if isinstance(first, Preposition) and first.name != "not before":
         return None
     duration = first if isinstance(first, Duration) else second
-    return None if duration is None else _length(duration, Constraint.AFTER, "not before")
+    if duration is None or (duration.hedges and len(duration.terms) > 1 and _is_late_clock(duration)):
+        return None
+    return _length(duration, Constraint.AFTER, "not before")
+
+
+def _is_late_clock(duration: Duration) -> bool:
+    """Whether hours and minutes are rather a clock time: "not before about 14h30"."""
+    hours = duration.seconds / UNIT_SECONDS[Unit.HOUR]
+    return EARLIEST_WITH_H <= hours < UNIT_SECONDS[Unit.DAY] / UNIT_SECONDS[Unit.HOUR]
 
 
 @grammar.rule("said", "for the? <stretch>", weight=0.45)

@@ -29,9 +29,10 @@ LONGEST_TYPED = 6
 """Hours that "in 1:30" may be from now, at most."""
 
 
+@grammar.rule("said", "in|at? <hh:mm> from now", weight=0.6)
 @grammar.rule("said", "in <hh:mm>", weight=0.3)
 def in_hours_and_minutes(numbers: Typed) -> Said | None:
-    """In 1:30: in an hour and a half."""
+    """In 1:30, 1:30 from now: in an hour and a half."""
     hours, minutes = numbers[0], numbers[1]
     if hours > LONGEST_TYPED or minutes >= 60 or not hours + minutes:
         return None

@@ -15,6 +15,12 @@ def week_stretch(first: int, last: int) -> tuple[int, ...]:
     return tuple((first + day) % 7 for day in range((last - first) % 7 + 1))
 
 
+@grammar.rule("repeat", "every|each day ,? <week stretch>", weight=1.3)
+def each_of_week(days: tuple[int, ...]) -> Repeat:
+    """Every day from monday to friday."""
+    return Repeat(walls=tuple(Wall(Fields(weekday=day)) for day in days))
+
+
 @grammar.rule("repeat", "<said> ,? <week stretch>", weight=1.3)
 def hours_of_week(said: Said, days: tuple[int, ...]) -> Repeat | None:
     """From 9 to 5, monday to friday."""

@@ -152,6 +152,7 @@ class BesideTimes:
     being_late: Words
     prefixes: Words
     greeting: Words
+    onward: Words
     kept_at: Words
     left_at: Words
     with_levels: Words

@@ -40,9 +40,11 @@ def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
     yearly = isinstance(days, Share) and isinstance(days.of, Season)
     if yearly and len(repeat.walls) == 1 and repeat.walls[0].days == Cycle(Unit.YEAR) and repeat.skip == 1:
         return days
-    if len(repeat.walls) != 1 or not isinstance(days, Fields) or days.fixed or wall.weak:
+    if len(repeat.walls) != 1 or not isinstance(days, Fields) or days.fixed:
         return None
     period = repeat.walls[0].days
+    if wall.weak and not (period == Cycle(Unit.MONTH) and days.is_day_of_month):
+        return None
     if repeat.skip != 1 and period != Cycle(Unit.WEEK):
         return None
     if period == Cycle(Unit.YEAR) and days.month is not None:
@@ -63,7 +65,7 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
     if days is not None:
         return replace(repeat, every=None, walls=(replace(wall, days=days),))
     if wall.days is not None and wall.clock is None and wall.part is None:
-        if repeat.until is not None or repeat.starting is not None:
+        if repeat.until is not None or repeat.starting is not None or _is_within_turn(repeat, wall.days):
             return None
         return replace(repeat, starting=wall, until=wall)
     if wall.days is not None or not repeat.walls:
@@ -78,6 +80,14 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
         clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
         walls.append(replace(old, clock=clock, part=wall.part or old.part))
     return replace(repeat, walls=tuple(walls))
+
+
+def _is_within_turn(repeat: Repeat, days: Calendar) -> bool:
+    """Whether days are too short to hold a repetition: "every monday" is none of a wednesday's."""
+    longer = (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR)
+    grains = [wall.days.grain for wall in repeat.walls if isinstance(wall.days, Cycle)]
+    weekly = any(isinstance(wall.days, Fields) and wall.days.weekly for wall in repeat.walls)
+    return days.grain is Unit.DAY and (weekly or any(grain in longer for grain in grains))
 
 
 def _is_inside(inner: Part, outer: Part) -> bool:

@@ -27,7 +27,7 @@ def days_on(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Ske
     for sketch in sketches:
         if found and ENDS & set(text_between(found[-1], sketch, text)):
             held = None
-        days = [phrase for phrase in sketch.phrases if _is_first_day(phrase.said)]
+        days = [one for one in sketch.phrases if _is_first_day(one.said) and _goes_on(one, text, lexicon)]
         own = days[0] if len(days) == 1 else None
         first = own or (held if not days else None)
         told = sketch if first is None else _from_day_on(sketch, first, text, lexicon)
@@ -81,6 +81,12 @@ def _is_first_day(said: Said) -> bool:
     return isinstance(time, TimeWord) or (
         isinstance(time, Wall) and time.days is not None and time.clock is None
     )
+
+
+def _goes_on(first: Phrase, text: str, lexicon: Lexicon) -> bool:
+    """Whether it is a day, or "from now on"; but "at 2:15 from now"."""
+    last = text[slice(*first.span)].lower().split()[-1]
+    return not isinstance(first.said.time, TimeWord) or last in lexicon.beside.onward
 
 
 def _is_in_front(first: Phrase, sketch: Sketch) -> bool:
