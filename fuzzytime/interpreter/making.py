@@ -126,7 +126,9 @@ class Maker:
         skill = self._skill(wish, operation.name if operation is not None else wish.text, function, duration)
         ends = until_then(instruction, self.lexicon)
         if ends is not None:
-            skill = replace(skill, until=ends + seconds_between(self.request.now, wish.given))
+            # How long it takes otherwise, by a table, says nothing then.
+            until = ends + seconds_between(self.request.now, wish.given)
+            skill = replace(skill, until=until, elapsed=skill.duration)
         return Interpreted(
             identifier=wish.identifier,
             wish=wish,

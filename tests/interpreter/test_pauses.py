@@ -47,7 +47,13 @@ def test_what_comes_then_waits_until_the_other_is_over(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["Play jazz until 10 am", "Keep the soup warm until 10 am", "Mow till 10 am"]
+    "text",
+    [
+        "Play jazz until 10 am",
+        "Keep the soup warm until 10 am",
+        "Mow till 10 am",
+        "Bake the cake until 10 am",
+    ],
 )
 def test_what_is_done_until_a_time_goes_on_until_then(text: str) -> None:
     made = told([text, "Call mum at 9 am"])
