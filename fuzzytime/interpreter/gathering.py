@@ -14,7 +14,7 @@ from fuzzytime.interpreter.meanwhile import beside_what_lasts, going_on_by_itsel
 from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
-from fuzzytime.interpreter.told_anew import meant, on_its_day, told_anew
+from fuzzytime.interpreter.told_anew import asks_beside_another, meant, on_its_day, told_anew
 from fuzzytime.language import (
     Instruction,
     Lexicon,
@@ -64,7 +64,7 @@ class Gathering:
         known = any(news.kind is not NewsKind.LATE for news in heard)
         for news in heard:
             place = meant(news, self.skills, wish, at, self.maker.lexicon)
-            if place is None:
+            if place is None or asks_beside_another(reading, news):
                 continue
             told[news.span] = place
             if news.kind is not NewsKind.LATE:

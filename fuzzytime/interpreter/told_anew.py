@@ -9,6 +9,7 @@ from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.request import SpokenWish, Started
 from fuzzytime.language import Lexicon, News, NewsKind, Reading, is_several
+from fuzzytime.language.instruction import overlap
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.satisfaction import NEVER, Rectangle
 from fuzzytime.times import instant_after, seconds_between
@@ -147,3 +148,12 @@ def _as_it_happened(one: Interpreted, begun: Started | None) -> Interpreted:
         return one
     moment = Rectangle(begun.start, begun.start)
     return replace(one, skill=replace(one.skill, satisfaction=moment, preferred=begun.start))
+
+
+def asks_beside_another(reading: Reading, news: News) -> bool:
+    """Whether words that tell a time ask for something before or after another: "wash it before then"."""
+    own = (one for one in reading.instructions if overlap(one.span, news.span))
+    return any(
+        one.operation is not None and one.operation.is_asked and any(part.anchor for part in one.requirements)
+        for one in own
+    )

@@ -191,3 +191,10 @@ def test_an_appointment_of_who_speaks_keeps_them_busy() -> None:
 def test_what_is_done_more_often_then_begins_where_the_first_series_ends() -> None:
     made = told(["Turn the pork every twenty minutes for 40 minutes, then every ten minutes until 8 am"])
     assert list(starts(made).values()) == ["07:20", "07:40", "07:50", "08:00"]
+
+
+def test_who_asks_for_something_before_another_tells_no_new_time() -> None:
+    made = told(["Ann washes the dishes tonight", "I need the car at 5 pm, so wash it before then"])
+    names = [one.skill.name for one in made.skills]
+    assert "wash the car" in names
+    assert [part.text for part in made.skills[0].requirements] == ["tonight"]
