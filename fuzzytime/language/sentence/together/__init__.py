@@ -8,5 +8,5 @@ Days and lengths
     ``headings``, ``days_apart``, ``mornings``, ``day_by_day``, ``days_on``, ``lengths``, ``waited``,
     ``consequences``.
 What is none
-    ``doubts``, ``denials``, ``naming``.
+    ``doubts`` (``what_was``), ``denials``, ``naming``.
 """
