@@ -71,7 +71,7 @@ def without_denial(
     if operation is None or not operation.negated or not denied or operation.lemma in lexicon.doing.unwanted:
         return operation, requirements, duration
     later = all(r.constraint is Constraint.AFTER for r in requirements if r.span in denied)
-    if later and _is_leave(operation, lexicon):
+    if later and _is_of_anyone(operation, lexicon):
         return operation, requirements, duration
     lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
     if duration is not None and not lasting:
@@ -80,13 +80,9 @@ def without_denial(
     return replace(operation, negated=False), turned, duration if lasting else None
 
 
-def _is_leave(operation: Operation, lexicon: Lexicon) -> bool:
-    """Whether leave is denied, or what is done with whoever comes: nobody asks for it before that.
-
-    "Don't let anyone in after ten", "don't call anybody after nine".
-    """
-    whom = (operation.object or "").lower()
-    return operation.lemma in lexicon.letting or whom in lexicon.closed.indefinite_pronouns
+def _is_of_anyone(operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether whoever comes is meant, and nobody asks for it before: "don't let anyone in after ten"."""
+    return (operation.object or "").lower() in lexicon.closed.indefinite_pronouns
 
 
 def _beside_times(requirements: Iterable[TimeRequirement], length: float) -> list[TimeRequirement]:

@@ -2,8 +2,8 @@
 
 Words and times
     ``lending``, ``verbs_again``, ``requested_too``, ``after_all``, ``pairs``, ``said_again``,
-    ``several_times``, ``both_sides``, ``first_offered``, ``again_between``, ``turns``, ``first_times``, ``at_once``,
-    ``for_all``, ``also_at_events``, ``choices_of_repetitions``; what is ``told_beside``.
+    ``several_times``, ``both_sides``, ``first_offered``, ``again_between``, ``turns``, ``first_times``,
+    ``at_once``, ``for_all``, ``also_at_events``, ``choices_of_repetitions``; what is ``told_beside``.
 Days and lengths
     ``headings``, ``days_apart``, ``mornings``, ``day_by_day``, ``days_on``, ``lengths``, ``waited``,
     ``consequences``.

@@ -1,4 +1,4 @@
-"""What another is asked to do too: "ask Ann to come at four and Bob at five"; its times are none of asking."""
+"""What another is asked to do too, and when: "ask Ann to come at four and Bob at five"."""
 
 from dataclasses import replace
 

@@ -29,6 +29,8 @@ def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
     led = node.lower in closed.past_be and root > 0
     named = tree.nodes[subjects[0]].lower not in closed.first_and_second_person if subjects else led
     did = bool(subjects) and node.tag == "VBD" and not helping and bool(tree.children(root, *DONE))
+    # "I fed the cat", with no time, is news of what was planned.
+    did = did and bool(sketch.phrases)
     return (_is_past(tree, root, lexicon) or moved or ended) and (named or did)
 
 
@@ -41,7 +43,7 @@ def is_over(sketch: Sketch, lexicon: Lexicon) -> bool:
     if tree.root is None or not _is_past(tree, tree.root, lexicon):
         return False
     subjects = tree.children(tree.root, *SUBJECTS)
-    if any(not tree.nodes[p].text[-1].isalnum() for p in subjects):
+    if any(tree.nodes[p].text.endswith("/") for p in subjects):
         # "Tea w/ rose @ 4"
         return False
     return all(
