@@ -783,3 +783,17 @@ def test_times_of_what_is_told_or_named_are_pointed_at(text: str, verb: str, obj
     assert operation is not None
     assert (operation.verb, operation.object, instruction.requirements) == (verb, object_, ())
     assert [text[slice(*remark.span)] for remark in reading.remarks] == [time]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("from now on wake me at six", ["'at six'"]),
+        ("starting tomorrow wake me at six", ["'at six'"]),
+        ("for a week feed the fish at eight", ["'at eight'"]),
+        ("for the next three days feed the cat at seven and eight", ["'at seven'", "'eight'"]),
+    ],
+)
+def test_a_note_on_the_half_of_the_day_names_the_clock_time_once(text: str, words: list[str]) -> None:
+    messages = [remark.message for remark in language().read(text, now=NOW).remarks]
+    assert [message.split(" is taken as")[0] for message in messages] == words

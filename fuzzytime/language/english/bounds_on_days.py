@@ -11,7 +11,7 @@ from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
-BEFORE, NO_LATER = "before", "no later than"
+BEFORE, NO_LATER, FROM = "before", "no later than", "from"
 
 
 @grammar.rule("said", "<said> at|on|of|,|in? the? <wall>", weight=0.1)
@@ -32,6 +32,10 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
     dated = isinstance(said.time, Wall) and said.time.days is not None
     if isinstance(first, Preposition) and first.name == "for" and dated:
         # "The rota for next week by thursday": what it is for, and a deadline.
+        return None
+    place = isinstance(said.time, Wall) and said.time.part is not None and said.time.part.place
+    if said.preposition == FROM and place:
+        # "Pick up sam wednesday from school": where, and not since when.
         return None
     if wall.weak and wall.part is not None:
         # "Eat lunch by one": a meal beside a bound is what is to be done.

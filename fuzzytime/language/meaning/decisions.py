@@ -77,6 +77,10 @@ class Deciding:
         there = zone_of(zone) if zone is not None else None if now is None else now.tzinfo
         return f"{found.start.replace(tzinfo=there).astimezone(UTC).astimezone(there):%H:%M}"
 
+    def of_hour(self, found: Instants) -> Remark:
+        """Say which hour was chosen for "at half past"."""
+        return self._noted(f" is taken as {found.start:%H:%M}: of which hour is not said")
+
     def of_weekday(self, time: Time, found: Instants) -> tuple[Remark, ...]:
         """Say which day was chosen, where a weekday does not fit the date beside it."""
         ends = ((time.first, found.start), (time.last, found.end)) if isinstance(time, Range) else ()

@@ -239,6 +239,7 @@ class Said:
     the day, or the part of one, in which a deadline lies and what is due is done: "tomorrow before five".
     ``alternative`` says that it may be kept instead of the time before it: "at seven or at eight".
     ``denied`` says that it is when something is not to be done: "not on friday", "any day but friday".
+    ``clocks`` are those of its own words, where others are told with it: "starting tomorrow … at six".
     """
 
     time: Time | Duration | Repeat
@@ -252,6 +253,23 @@ class Said:
     within: Wall | None = None
     alternative: bool = False
     denied: bool = False
+    clocks: tuple[Clock, ...] | None = None
+
+    def borrowing(self, told: "Said") -> "Said":
+        """Give what is told here and in other words, with the clock times that are said here."""
+        walls = self.time.walls if isinstance(self.time, Repeat) else (self.time,)
+        own = (wall.clock for wall in walls if isinstance(wall, Wall))
+        return replace(told, clocks=tuple(clock for clock in own if clock is not None))
+
+    @property
+    def own_walls(self) -> tuple[Wall, ...]:
+        """The times of a repetition that its own words say."""
+        walls = self.time.walls if isinstance(self.time, Repeat) else ()
+        if self.clocks is None:
+            return walls
+        # Which half of the day is meant may be told by what stands beside it.
+        said = {moment for clock in self.clocks for moment in clock.candidates()}
+        return tuple(w for w in walls if w.clock is not None and said.issuperset(w.clock.candidates()))
 
     @property
     def is_day(self) -> bool:

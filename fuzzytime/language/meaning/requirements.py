@@ -188,7 +188,8 @@ class _Grounder:
             recurrence=recurrence,
         )
         deciding = self._deciding
-        remarks = (*deciding.of_repetition(time.walls, recurrence), *deciding.of_bounds(time, recurrence))
+        chosen = deciding.of_repetition(self.said.own_walls, recurrence)
+        remarks = (*chosen, *deciding.of_bounds(time, recurrence))
         return Grounded(requirement=requirement, recurrence=recurrence, remarks=remarks)
 
     def _of_instants(self, time: Time) -> Grounded:
@@ -221,8 +222,7 @@ class _Grounder:
             *self._deciding.of_weekday(time, found),
         )
         if isinstance(time, HourMark) and time.open:
-            message = f"{self.text!r} is taken as {found.start:%H:%M}: of which hour is not said"
-            remarks = (*remarks, Remark(RemarkKind.POLICY, self.phrase.span, message))
+            remarks = (*remarks, self._deciding.of_hour(found))
         if self._has_begun(time, found, zone):
             message = (
                 f"{self.text!r} is taken as before {found.end:%H:%M}, as it began at {found.start:%H:%M}"

@@ -13,11 +13,11 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.doubts import (
     doubts_of,
     nothing_to_do,
-    tells_past,
     things_or_orders,
     unasked,
     unused_orders,
 )
+from fuzzytime.language.sentence.together.what_was import is_over, tells_what_was
 
 
 def asked_of(
@@ -30,13 +30,14 @@ def asked_of(
     found: list[Sketch] = []
     remarks: list[Remark] = []
     operations: list[Operation | None] = []
+    spoken_of: list[Operation | None] = []
     for sketch in sketches:
         operation = sketch.operation
         doubts = _doubts(sketch, draft, lexicon)
         remarks += doubts
         if doubts:
             clauses = unasked(sketch.clauses, draft.text, lexicon)
-            past = tells_past(sketch.part.tree, lexicon)
+            past = tells_what_was(sketch, lexicon) and is_over(sketch, lexicon)
             found.append(replace(sketch, operation=None, clauses=clauses, doubted=True, past=past))
         elif operation is None:
             nothing = list(nothing_to_do(draft.text, sketch.part, draft.scanned.words, sketch.heard))
@@ -48,10 +49,13 @@ def asked_of(
             anchors = Anchors(first + len(found), first, operations, mentions, lexicon)
             thing = thing_of_clause_in_front(sketch, operation, anchors)
             thing = thing or _behind_denials(sketch, operation, operations, mentions, first)
-            thing = thing or resolved_object(operation, operations, mentions, first)
+            thing = thing or resolved_object(operation, spoken_of, mentions, first)
             again = thing != operation.object
             found.append(replace(sketch, operation=replace(operation, object=thing, again=again)))
         operations.append(found[-1].operation)
+        # "I fed the cat at seven, feed her again"
+        was = operation if doubts and tells_what_was(sketch, lexicon) else None
+        spoken_of.append(found[-1].operation or was)
     return found, remarks
 
 

@@ -151,10 +151,14 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
         # "Actually, make it twenty"
         start = min(_behind_pauses(scanned, start + len(further)), len(scanned.words) - 1)
     start = _behind_who_says(scanned, start, lexicon)
+    lets_be = marker in lexicon.conversation["retracting"]
     cell = scanned.cells[start]
     for category in ("said", "wall", "duration", "clock", "quantity"):
         pieces = sorted(cell.get(category, {}).values(), key=lambda piece: -piece.end)
         for piece in pieces:
+            if lets_be and not _is_bare(scanned, piece.end):
+                # "Call Ann at five. Scratch that. At six call Bob"
+                continue
             said = _replaced(phrase.said, piece.value)
             if said is not None:
                 span = (scanned.words[piece.start].start, scanned.words[piece.end - 1].end)
@@ -169,6 +173,11 @@ def _behind_who_says(scanned: Scanned, place: int, lexicon: Lexicon) -> int:
     named = words[place].capital or words[place].text in lexicon.closed.personal_pronouns | lexicon.persons
     says = behind < len(words) and words[place + 1].text in lexicon.doing.saying
     return behind if named and says else place
+
+
+def _is_bare(scanned: Scanned, end: int) -> bool:
+    """Whether nothing more is said behind a time: "scratch that, tomorrow morning"."""
+    return end == len(scanned.words) or scanned.words[end].text in {*PAUSES, "!", "\n"}
 
 
 def _behind_pauses(scanned: Scanned, place: int) -> int:

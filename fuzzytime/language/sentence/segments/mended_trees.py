@@ -27,7 +27,7 @@ def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
     tree = _with_manner(_with_name_in_front(_with_numbered_things(tree, lexicon), lexicon))
     mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
-    mended = mended or _orders_verb(tree, lexicon)
+    mended = mended or _orders_verb(tree, lexicon) or _lets_know(tree, lexicon)
     return _with_list(_wants_done(mended or _does_compound(tree, lexicon) or tree))
 
 
@@ -75,6 +75,19 @@ def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
     called = tree.nodes[1].may_act and tree.nodes[1].lower == tree.nodes[1].lemma
     orders = called and tree.nodes[0].lower in lexicon.ordering
     return tree.with_nodes(_with_thing_done(tree, 1, 1)) if orders else None
+
+
+def _lets_know(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "let ben know" its verb, which a tree takes for one that helps another."""
+    root, nodes = tree.root, list(tree.nodes)
+    helps = bool(nodes) and nodes[0].lower in lexicon.letting and nodes[0].relation == "aux"
+    if root is None or not helps or nodes[0].head != root or nodes[root].lemma != "know":
+        return None
+    if not any(0 < place < root for place in tree.children(root, "nsubj")):
+        return None
+    nodes[0] = replace(nodes[0], head=0, relation="ROOT", tag="VB")
+    nodes[root] = replace(nodes[root], head=0, relation="ccomp")
+    return tree.with_nodes(nodes)
 
 
 def _with_numbered_things(tree: Tree, lexicon: Lexicon) -> Tree:

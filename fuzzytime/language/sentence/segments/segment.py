@@ -75,7 +75,7 @@ def segments_of(
     corrections = list(corrected_things(words, phrases, lexicon))
     instead = {thing.pause: thing.start for thing in corrections}
     following |= {thing.end for thing in corrections if thing.further}
-    following |= {end for let in retractions(words, lexicon) for end in (let.start, let.stop)}
+    following |= {end for let in retractions(words, lexicon, taken_back) for end in (let.start, let.stop)}
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))

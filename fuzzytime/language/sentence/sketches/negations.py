@@ -70,11 +70,19 @@ def without_denial(
     denied = _denied_times(requirements, connected, said)
     if operation is None or not operation.negated or not denied or operation.lemma in lexicon.doing.unwanted:
         return operation, requirements, duration
+    later = all(r.constraint is Constraint.AFTER for r in requirements if r.span in denied)
+    if later and _is_of_anyone(operation, lexicon):
+        return operation, requirements, duration
     lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
     if duration is not None and not lasting:
         requirements = _beside_times(requirements, duration)
     turned = [_turned(r, duration, begun) if r.span in denied else r for r in requirements]
     return replace(operation, negated=False), turned, duration if lasting else None
+
+
+def _is_of_anyone(operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether whoever comes is meant, and nobody asks for it before: "don't let anyone in after ten"."""
+    return (operation.object or "").lower() in lexicon.closed.indefinite_pronouns
 
 
 def _beside_times(requirements: Iterable[TimeRequirement], length: float) -> list[TimeRequirement]:

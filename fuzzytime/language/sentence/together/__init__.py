@@ -1,12 +1,12 @@
 """What the instructions of a text lend each other, in their ``sketches``.
 
 Words and times
-    ``lending``, ``verbs_again``, ``after_all``, ``pairs``, ``said_again``, ``several_times``,
-    ``both_sides``, ``first_offered``, ``again_between``, ``turns``, ``first_times``, ``at_once``,
-    ``for_all``, ``also_at_events``, ``choices_of_repetitions``; what is ``told_beside``.
+    ``lending``, ``verbs_again``, ``requested_too``, ``after_all``, ``pairs``, ``said_again``,
+    ``several_times``, ``both_sides``, ``first_offered``, ``again_between``, ``turns``, ``first_times``,
+    ``at_once``, ``for_all``, ``also_at_events``, ``choices_of_repetitions``; what is ``told_beside``.
 Days and lengths
     ``headings``, ``days_apart``, ``mornings``, ``day_by_day``, ``days_on``, ``lengths``, ``waited``,
     ``consequences``.
 What is none
-    ``doubts``, ``denials``, ``naming``.
+    ``doubts`` (``what_was``), ``denials``, ``naming``.
 """

@@ -20,9 +20,9 @@ def after_all(
 ) -> tuple[list[Sketch], list[Remark]]:
     """Give what is done with the things that are meant, and say which were taken back."""
     things = {thing.new[0]: thing for thing in corrected_things(draft.scanned.words, draft.phrases, lexicon)}
-    let_be = {
-        draft.scanned.words[words.start].start: words for words in retractions(draft.scanned.words, lexicon)
-    }
+    corrected = [remark.span for remark in draft.remarks if remark.kind is RemarkKind.CORRECTED]
+    said = draft.scanned.words
+    let_be = {said[words.start].start for words in retractions(said, lexicon, corrected)}
     found: list[Sketch] = []
     remarks: list[Remark] = []
     retracted = False

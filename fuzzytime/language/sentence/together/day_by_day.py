@@ -14,6 +14,7 @@ from fuzzytime.language.meaning.repeats_beside import bounded_repeat, narrowed_r
 from fuzzytime.language.meaning.throughout import THROUGHOUT, in_part, in_parts_of_each_day
 from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.said_again import apart
 from fuzzytime.requirement import Constraint, Reference, Unit
 
 
@@ -37,7 +38,10 @@ def day_by_day(sketch: Sketch, text: str, lexicon: Lexicon) -> Sketch:
     told = Said(bounded, Constraint.EVERY, series[0].said.preposition, series[0].said.hedges)
     both = (*series, lengths[0])
     return replace(
-        sketch, phrases=tuple(replace(one, said=told) if one in both else one for one in sketch.phrases)
+        sketch,
+        phrases=tuple(
+            replace(one, said=one.said.borrowing(told)) if one in both else one for one in sketch.phrases
+        ),
     )
 
 
@@ -71,7 +75,8 @@ def _repeated(series: Sequence[Phrase], part: Part | None) -> Repeat | None:
     """Give the repetition that is said, or that times of the day are on each day, in a part of it."""
     if len(series) == 1 and isinstance(series[0].said.time, Repeat):
         return series[0].said.time
-    said = [phrase.said for phrase in series]
+    # "At seven and seven"
+    said = [phrase.said for phrase in apart(series)]
     return in_parts_of_each_day([one if part is None else in_part(one, part) for one in said])
 
 

@@ -98,7 +98,10 @@ def _on_each_day(sketch: Sketch) -> Sketch:
     told = Said(daily, Constraint.EVERY, clocks[0].preposition)
     apart = (*clocks, *rests)
     return replace(
-        sketch, phrases=tuple(replace(p, said=told) if p.said in apart else p for p in sketch.phrases)
+        sketch,
+        phrases=tuple(
+            replace(p, said=p.said.borrowing(told)) if p.said in apart else p for p in sketch.phrases
+        ),
     )
 
 
@@ -255,8 +258,9 @@ def _on_own_day(sketch: Sketch, place: int, text: str) -> Sketch:
             repeated.append(other)
     if len(repeated) > 1:
         for other in repeated:
-            said = phrases[other].said
-            phrases[other] = replace(phrases[other], said=replace(said, time=day.time))
+            whole = replace(phrases[other].said, time=day.time)
+            said = sketch.phrases[other].said
+            phrases[other] = replace(phrases[other], said=said.borrowing(whole))
     return replace(sketch, phrases=tuple(phrases))
 
 

@@ -60,7 +60,10 @@ def _from_day_on(sketch: Sketch, first: Phrase, text: str, lexicon: Lexicon) -> 
     told = Said(began, Constraint.EVERY, series[0].said.preposition, hedges, lasting=series[0].said.lasting)
     both = (first, *series)
     return replace(
-        sketch, phrases=tuple(replace(one, said=told) if one in both else one for one in sketch.phrases)
+        sketch,
+        phrases=tuple(
+            replace(one, said=one.said.borrowing(told)) if one in both else one for one in sketch.phrases
+        ),
     )
 
 

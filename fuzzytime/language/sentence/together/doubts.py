@@ -9,6 +9,7 @@ from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, 
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.what_was import tells_what_was
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
@@ -45,7 +46,7 @@ def doubts_of(
         message = f"{text[slice(*span)]!r} is about when something else is: say the new time of that itself"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
         return
-    told = _tells(tree, lexicon)
+    told = _tells(sketch, lexicon)
     if told is not None:
         yield Remark(
             RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} tells {told}, and says nothing to do"
@@ -147,14 +148,9 @@ def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[
         yield Remark(RemarkKind.NOT_UNDERSTOOD, part.segment.span, message)
 
 
-def tells_past(tree: Tree, lexicon: Lexicon) -> bool:
-    """Whether a sentence tells what was: "her last turn was at six"."""
-    return _tells(tree, lexicon) == WHAT_WAS
-
-
-def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
+def _tells(sketch: Sketch, lexicon: Lexicon) -> str | None:
     """Give what a sentence tells where it asks for nothing: what was, or what nobody does."""
-    closed = lexicon.closed
+    closed, tree = lexicon.closed, sketch.part.tree
     root = tree.root
     if root is None:
         return None
@@ -164,15 +160,7 @@ def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
         return "what nobody does"
     if _is_denied(tree, root):
         return "what is not to be"
-    node = tree.nodes[root]
-    helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
-    past = (node.tag == "VBD" and node.lower != node.lemma and not helping) or bool(helping & closed.past_be)
-    # "The meeting has been moved"
-    past = past or (node.tag == "VBN" and "been" in helping and helping - {"been"} <= closed.have)
-    # "In no time the tent was up"
-    led = node.lower in closed.past_be and root > 0
-    named = tree.nodes[subjects[0]].lower not in closed.first_and_second_person if subjects else led
-    return WHAT_WAS if past and named and node.lemma not in lexicon.wanting - {"be"} else None
+    return WHAT_WAS if tells_what_was(sketch, lexicon) else None
 
 
 def _is_denied(tree: Tree, root: int) -> bool:

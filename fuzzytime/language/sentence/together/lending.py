@@ -17,7 +17,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
-from fuzzytime.language.sentence.sketches.telling import of_something_else, of_which
+from fuzzytime.language.sentence.together.requested_too import requested_too
 from fuzzytime.language.sentence.together.verbs_again import done_again_of
 from fuzzytime.requirement import Constraint, Reference, Unit
 
@@ -73,33 +73,14 @@ def repeated(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch
         if again is None:
             found.append(sketch)
             continue
-        if _is_asked_too(found[-1], sketch, again, lexicon):
-            found.append(_asked_too(sketch, again, text))
+        requested = requested_too(found[-1], sketch, again, text, lexicon)
+        if requested is not None:
+            found[-1:] = requested
             continue
         then = sketch.part.segment.connective == "then"
         phrases = tuple(_from_then(p, found[-1]) if then else p for p in sketch.phrases)
         found.append(replace(sketch, operation=again, phrases=phrases))
     return found
-
-
-def _is_asked_too(before: Sketch, sketch: Sketch, again: Operation, lexicon: Lexicon) -> bool:
-    """Whether a time is of what another is asked to do: "ask Ann to call at two and Tom to come at four"."""
-    asked = again.lemma in lexicon.doing.requesting and " to " in (again.object or "")
-    return asked and sketch.part.segment.verbless and not before.phrases
-
-
-def _asked_too(sketch: Sketch, again: Operation, text: str) -> Sketch:
-    """Give what another is asked to do without its times, which are none of asking."""
-    remarks = tuple(of_something_else(text, phrase) for phrase in sketch.phrases)
-    asked = of_which(text, again, sketch.phrases)
-    return replace(
-        sketch,
-        operation=asked,
-        phrases=(),
-        references=(),
-        named=(*sketch.named, *sketch.phrases),
-        remarks=(*sketch.remarks, *remarks),
-    )
 
 
 def _from_then(phrase: Phrase, before: Sketch) -> Phrase:

@@ -22,6 +22,9 @@ from fuzzytime.requirement import Constraint
 BESIDE_MEALS = "meals.beside_meals"
 """The rule of bounds that are a list: "before breakfast, lunch and dinner"."""
 
+ON_CONDITION = "if_it_is.at_on_condition"
+"""The rule of a clock time that a condition of the calendar stands behind."""
+
 LIST = 2
 """Weekdays side by side, without "and", that are hardly a list."""
 
@@ -128,7 +131,12 @@ def _bound_as(first: Phrase, phrase: Phrase) -> Phrase:
 
 
 def _ends_with_day(phrase: Phrase, words: Sequence[Word]) -> bool:
-    """Whether a day, or a part of it, stands behind a clock time: "at seven tomorrow"."""
+    """Whether a day, or a part of it, stands behind a clock time: "at seven tomorrow".
+
+    A condition holds for its own time alone: "at seven, or at eight if it's sunday".
+    """
+    if phrase.rule == ON_CONDITION:
+        return False
     time, last = phrase.said.time, words[phrase.end - 1].text
     dated = isinstance(time, Wall) and time.clock is not None and (time.days or time.part) is not None
     before = [word.text for word in words[phrase.first : phrase.end - 1]]

@@ -1,0 +1,89 @@
+"""What tells what was, and whose times are over: "her last turn was at six"."""
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.expressions import Coming, Offset, Said, Wall
+from fuzzytime.language.meaning.relations import Deictic, Relative
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.requirement import Constraint
+
+DONE = ("dobj", "acomp", "attr")
+"""What who speaks or is spoken to did, or was: "I fed the cat", "you were late"."""
+
+
+def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether a sentence tells what was: "her last turn was at six", "I fed the cat at seven"."""
+    tree, closed = sketch.part.tree, lexicon.closed
+    root = tree.root
+    if root is None or tree.nodes[root].lemma in lexicon.wanting - {"be"}:
+        return False
+    node = tree.nodes[root]
+    subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
+    helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
+    # "The meeting has been moved"
+    moved = node.tag == "VBN" and "been" in helping and helping - {"been"} <= closed.have
+    # "School finished early yesterday": a tree takes it for what must be done.
+    ended = node.tag == "VBN" and not helping and bool(subjects) and _is_over(sketch)
+    # "In no time the tent was up"
+    led = node.lower in closed.past_be and root > 0
+    named = tree.nodes[subjects[0]].lower not in closed.first_and_second_person if subjects else led
+    did = bool(subjects) and node.tag == "VBD" and not helping and bool(tree.children(root, *DONE))
+    # "I fed the cat", with no time, is news of what was planned.
+    did = did and bool(sketch.phrases)
+    return (_is_past(tree, root, lexicon) or moved or ended) and (named or did)
+
+
+def is_over(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether the times of what tells what was are over: no deadline, and none of what was said to come.
+
+    "They said the parcel would come at noon" tells of a noon ahead.
+    """
+    tree = sketch.part.tree
+    if tree.root is None or not _is_past(tree, tree.root, lexicon):
+        return False
+    subjects = tree.children(tree.root, *SUBJECTS)
+    if any(tree.nodes[p].text.endswith("/") for p in subjects):
+        # "Tea w/ rose @ 4"
+        return False
+    return all(
+        phrase.said.constraint is not Constraint.BEFORE and _hangs_on_past(sketch, phrase.span[0], tree.root)
+        for phrase in sketch.phrases
+    )
+
+
+def _is_past(tree: Tree, root: int, lexicon: Lexicon) -> bool:
+    """Whether a verb is in the past itself: "fed", "was fed"; but not "has been moved to four"."""
+    node = tree.nodes[root]
+    helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
+    alone = node.tag == "VBD" and node.lower != node.lemma and not helping
+    return alone or bool(helping & lexicon.closed.past_be)
+
+
+def _hangs_on_past(sketch: Sketch, start: int, root: int) -> bool:
+    """Whether the verb nearest above a time is the root, or is in the past as that is."""
+    tree, offset = sketch.part.tree, sketch.part.offset
+    place = next((p for p, node in enumerate(tree.nodes) if node.start + offset >= start), root)
+    for above in (place, *tree.above(place)):
+        if above == root:
+            return True
+        if tree.nodes[above].tag in {"VB", "VBZ", "VBP", "VBD"}:
+            return tree.nodes[above].tag == "VBD"
+    return True
+
+
+def _is_over(sketch: Sketch) -> bool:
+    """Whether a time is said that is over: "yesterday", "last week", "an hour ago"."""
+    return any(_lies_behind(phrase.said) for phrase in sketch.phrases)
+
+
+def _lies_behind(said: Said) -> bool:
+    """Whether a time is said as one before now."""
+    time = said.time
+    if isinstance(time, Wall):
+        days = time.days
+        return (isinstance(days, Relative) and days.days < 0) or (
+            isinstance(days, Deictic) and days.which.offset < 0
+        )
+    counted = isinstance(time, Offset) and time.anchor is None and time.direction < 0
+    return counted or (isinstance(time, Coming) and time.direction < 0)
