@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 
 from fuzzytime.satisfaction import ALWAYS, Interval, Triangle
-from fuzzytime.scheduling import EarliestStart, Limits, Nearness, solve
+from fuzzytime.scheduling import THRESHOLD, EarliestStart, Limits, Nearness, solve
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem.jobs import Job, Lag, Lane, Problem
+from fuzzytime.scheduling.problem.posing import problem_of
 from fuzzytime.scheduling.secondary.clusters import with_clusters_moved
+from fuzzytime.scheduling.secondary.lexicographic import rearranged
 from fuzzytime.scheduling.solver import draft_of
 from fuzzytime.skills import FuzzySkill, FuzzyTask, Precedence
 from scheduling.random_tasks import faults, random_bound_task
@@ -23,7 +25,8 @@ def job(position: int, duration: float, windows: list[Interval], wish: Triangle 
 
 def moved(problem: Problem, starts: list[float], seconds: float = 10.0) -> list[float]:
     draft = draft_of(problem, np.array(starts, float), np.ones(len(starts), np.int64))
-    return with_clusters_moved(problem, draft, Stopwatch(Limits(seconds))).starts.tolist()
+    found = with_clusters_moved(problem, draft, Stopwatch(Limits(seconds)))
+    return [float(start) for start in found.starts]
 
 
 ANYTIME, NOON = [Interval(0, 1000)], [Interval(500, 500)]
@@ -71,20 +74,34 @@ def test_nothing_moves_when_the_time_is_over() -> None:
 
 
 def test_in_a_plan_of_many_what_is_tied_is_early_too() -> None:
-    hours = [
-        FuzzySkill(f"at {hour}", Triangle(hour * 3600 - 60, hour * 3600, hour * 3600 + 60), 600.0)
-        for hour in range(1, 10)
+    def at(time: float) -> FuzzySkill:
+        return FuzzySkill(f"at {time}", Triangle(time - 60, time, time + 60), 600.0, preferred=time)
+
+    # With a fortnight to plan for a grid is too coarse for what follows after exactly half an hour.
+    times = [*(hour * 3600.0 for hour in range(1, 8)), 14 * 86400.0]
+    tied = [
+        FuzzySkill("drain", ALWAYS, 60.0),
+        FuzzySkill("brakes", ALWAYS, 30.0),
+        FuzzySkill("filter", ALWAYS, 300.0),
     ]
-    tied = [FuzzySkill(name, ALWAYS, 300.0) for name in ("drip", "brakes", "filter")]
-    bonds = (Precedence(9, 11, 300, 900), Precedence(9, 10, -300, 60))
-    schedule = solve(FuzzyTask((*hours, *tied), precedences=bonds))
-    assert not faults(schedule)
-    assert max(schedule.start_times[9:]) < 3600
+    drain = len(times)
+    bonds = (Precedence(drain, drain + 2, 1800.0, 1800.0), Precedence(drain, drain + 1, 0.0, 60.0))
+    task = FuzzyTask((*map(at, times), *tied), precedences=bonds)
+    problem = problem_of(task, THRESHOLD)
+    assert [job.position for job in problem.jobs] == list(range(len(task.skills)))
+    late = draft_of(
+        problem,
+        np.array([*times, 25800, 25860, 27600]),
+        np.ones(len(task.skills), np.int64),
+    )
+    found = rearranged(problem, task, late, (Nearness(),), Stopwatch(Limits()))
+    assert found.cost <= late.cost
+    assert found.starts[drain:].max() < 3600
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(30))
 def test_at_random_nothing_satisfies_less_and_no_lag_is_broken(seed: int) -> None:
-    task = random_bound_task(seed, 6)
+    task = random_bound_task(seed)
     plain = solve(task, objectives=())
     for objective in (EarliestStart(), Nearness()):
         early = solve(task, objectives=(objective,))
