@@ -1,5 +1,5 @@
 """The best among schedules that satisfy equally.
 
 The ``objectives``, some of them about quantities ``over_time``, are followed in turn: ``lexicographic``. What
-is wished for at ``distances`` from others follows these.
+is wished for at ``distances`` from others follows these. What is tied to each other moves in ``clusters``.
 """

@@ -17,6 +17,7 @@ from fuzzytime.scheduling.problem.grid import Ints
 from fuzzytime.scheduling.problem.jobs import Job, Problem
 from fuzzytime.scheduling.problem.windows import above, in_common
 from fuzzytime.scheduling.search.local_search import LocalSearch
+from fuzzytime.scheduling.secondary.clusters import with_clusters_moved
 from fuzzytime.scheduling.secondary.distances import at_distances, wished_distances
 from fuzzytime.scheduling.secondary.objectives import Arrangement, Objective
 from fuzzytime.scheduling.solver import Draft, draft_of
@@ -143,7 +144,7 @@ def _best(problem: Problem, starts: Floats, agents: Ints, watch: Stopwatch | Non
     best = min(best, again, key=lambda draft: draft.cost)
     if watch is None or watch.is_over() or best.cost <= problem.least_cost + EQUAL:
         return best
-    return LocalSearch().search(problem, watch, best)
+    return with_clusters_moved(problem, LocalSearch().search(problem, watch, best), watch)
 
 
 def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, agents: Ints) -> Floats:
