@@ -64,7 +64,7 @@ class NoTime(Standing):
         )
         if not (digits and timed and marked) or not isinstance(wall, Wall) or wall.days is not None:
             return False
-        if self.around.follower(piece) in {"scale", "ratio"}:
+        if self.around.follower(piece) in self.lexicon.no_times.scales:
             return True
         first, before = self.texts[piece.start], self.around.before(piece)
         place = piece.start - 1

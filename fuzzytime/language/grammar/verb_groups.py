@@ -73,6 +73,7 @@ class Doing:
     showing: Words
     remembering: Words
     needing: Words
+    wishing: Words
     hesitating: Words
     bringing: Words
     meeting: Words

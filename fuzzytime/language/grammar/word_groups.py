@@ -18,6 +18,7 @@ class ClosedClasses:
     first_person_possessives: Words
     sure_possessives: Words
     possessives: Words
+    owning_alone: Words
     noun_openers: Words
     sure_noun_openers: Words
     before_numbers: Words
@@ -241,6 +242,7 @@ class NoTimes:
     streets: Words
     set_to: Words
     holding: Words
+    scales: Words
     valuing: Words
     renewing: Words
     reckoning: Words

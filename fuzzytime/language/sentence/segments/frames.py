@@ -161,11 +161,10 @@ def acts_too(wish: Wish) -> list[Stretch] | None:
     if thing == wish.end:
         end = next(p for p in range(root, wish.start) if p in wish.timed)
         return [(thing, range(behind, end))]
-    opened = tree.nodes[thing].tag in DETERMINERS or tree.nodes[thing].lower in OWNERS
+    opened = (
+        tree.nodes[thing].tag in DETERMINERS or tree.nodes[thing].lower in tree.lexicon.closed.owning_alone
+    )
     return [(thing, range(behind, end_of(wish, root)))] if opened else None
-
-
-OWNERS = frozenset({"his", "hers", "theirs", "mine", "yours", "ours"})
 
 
 def is_sure_too(wish: Wish) -> list[Stretch] | None:

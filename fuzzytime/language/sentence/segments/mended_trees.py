@@ -13,9 +13,6 @@ NOUNS = frozenset({"NN", "NNS", "NNP"})
 
 NTH = 3
 """Words before the thing in "prune the second rose"."""
-WANTING = frozenset({"want", "like", "need"})
-"""Verbs of what is wished to be done with a thing."""
-
 BESIDE_DONE = frozenset({"prep", "agent", "npadvmod", "advmod", "punct", "cc", "conj", "prt"})
 """How what hangs on a participle that names nothing."""
 
@@ -159,7 +156,11 @@ def _wants_done(tree: Tree) -> Tree:
     "I want the book called Dune" names one.
     """
     root = tree.root
-    if root is None or tree.nodes[root].lemma not in WANTING or not tree.children(root, "nsubj"):
+    if (
+        root is None
+        or tree.nodes[root].lemma not in tree.lexicon.doing.wishing
+        or not tree.children(root, "nsubj")
+    ):
         return tree
     for done in tree.children(root, "ccomp"):
         if tree.nodes[done].tag == "VBD" and _is_of_thing(tree, done):

@@ -207,7 +207,7 @@ def _complement(tree: Tree, place: int, lemma: str) -> int | None:
             continue
         if node.is_verb and (node.tag in {"VB", "VBG"} or lemma == "let") and below > place:
             return below
-        if lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:
+        if lemma in tree.lexicon.doing.wishing and node.tag in {"VBN", "VBP"}:
             return below
         if lemma == "have" and node.tag == "VBN" and tree.children(below, "auxpass") and _has_to(tree, below):
             # "The dog has to be walked"
