@@ -91,9 +91,9 @@ class Borders:
 
     def _begins_order(self, piece: Piece) -> bool:
         """Whether its last word is an order behind a day: "tomorrow close the blinds"."""
-        orders = piece.end - piece.start > 1 and self.texts[piece.end - 1] in self.lexicon.undoing
-        things = self.closed.noun_openers | self.closed.object_pronouns
-        return orders and self.around.follower(piece) in things
+        if piece.end - piece.start == 1 or self.texts[piece.end - 1] not in self.lexicon.undoing:
+            return False
+        return self.around.follower(piece) in self.closed.noun_openers | self.closed.object_pronouns
 
     def _is_asked(self, piece: Piece) -> bool:
         """Whether it is what somebody finds out, or goes on: "check if it's friday", "and she's home"."""

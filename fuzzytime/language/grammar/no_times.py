@@ -1,13 +1,13 @@
 """What looks like a time and is none: street numbers, ratios, set values, metres, arithmetic, idioms."""
 
+from collections import defaultdict
+from functools import cached_property, lru_cache
+
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall
 from fuzzytime.requirement import Unit
-
-LONGEST_IDIOM = 5
-"""Words of an idiom, at most."""
 
 BEFORE = 3
 """Words between a verb and the value of what it sets, at most."""
@@ -16,6 +16,16 @@ FAR = 6
 """Words between a verb and how far something goes, at most, with those of its number."""
 
 ENDS = frozenset({".", ",", "!", "?", ";"})
+
+
+@lru_cache(maxsize=4)
+def _by_first_word(texts: frozenset[str]) -> dict[str, list[tuple[str, ...]]]:
+    """Give forms of some words by their first."""
+    found: defaultdict[str, list[tuple[str, ...]]] = defaultdict(list)
+    for text in texts:
+        form = tuple(text.split())
+        found[form[0]].append(form)
+    return dict(found)
 
 
 class NoTime(Standing):
@@ -38,12 +48,18 @@ class NoTime(Standing):
 
     def _is_of_idiom(self, piece: Piece) -> bool:
         """Whether it is in an idiom: "up to date", "call it a day"."""
-        forms = [tuple(text.split()) for text in self.lexicon.no_times.idioms]
-        for start in range(max(0, piece.start - LONGEST_IDIOM), piece.end):
-            found = longest_match(self.words, start, forms)
-            if found is not None and start + len(found) > piece.start:
-                return True
-        return False
+        return any(start < piece.end and piece.start < end for start, end in self._idioms)
+
+    @cached_property
+    def _idioms(self) -> list[tuple[int, int]]:
+        """Give where idioms stand in the text."""
+        forms = _by_first_word(self.lexicon.no_times.idioms)
+        found = (
+            (start, longest_match(self.words, start, forms[text]))
+            for start, text in enumerate(self.texts)
+            if text in forms
+        )
+        return [(start, start + len(form)) for start, form in found if form is not None]
 
     def _is_of_street(self, piece: Piece) -> bool:
         """Whether a street is called like it: "12 march road"; but "on 12 march road works begin"."""
@@ -57,12 +73,11 @@ class NoTime(Standing):
         """Whether something is set to it: "set the ratio to 1:30", "price it at 8.45", "upgrade to 10.30"."""
         said, kinds = piece.value, self.lexicon.no_times
         wall = said.time
+        if not isinstance(wall, Wall) or wall.clock is None or wall.clock.grain is not Unit.MINUTE:
+            return False
         digits = any(self.words[place].is_digits for place in range(piece.start, piece.end))
-        timed = isinstance(wall, Wall) and wall.clock is not None and wall.clock.grain is Unit.MINUTE
-        marked = bool(
-            {":", "."} & {text for place in range(piece.start, piece.end) for text in self.texts[place]}
-        )
-        if not (digits and timed and marked) or not isinstance(wall, Wall) or wall.days is not None:
+        marked = any(":" in text or "." in text for text in self.texts[piece.start : piece.end])
+        if not (digits and marked) or wall.days is not None:
             return False
         if self.around.follower(piece) in self.lexicon.no_times.scales:
             return True

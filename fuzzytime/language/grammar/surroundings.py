@@ -218,8 +218,9 @@ class Surroundings:
         before = self.texts[place - 1] if place else ""
         if before in {"and", ","} and place > 1 and any(p.category == "month" for p in self.pieces(place)):
             return self.names_person(place - 2)
-        relatives = self.lexicon.persons - self.closed.object_pronouns - self.closed.persons_addressed
-        if before not in self.lexicon.addressing | relatives:
+        pronoun = before in self.closed.object_pronouns or before in self.closed.persons_addressed
+        relative = before in self.lexicon.persons and not pronoun
+        if not relative and before not in self.lexicon.addressing:
             return False
         behind = self.words[place + 1 : place + 2]
         dated = bool(behind) and (

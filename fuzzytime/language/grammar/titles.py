@@ -1,5 +1,7 @@
 """Whether a reading is of a name: what is played or watched, a feast, one on a day that is not known."""
 
+from functools import cached_property
+
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.meaning.calendar import Fields
@@ -27,6 +29,8 @@ class Titles(Standing):
 
     def _is_played(self, piece: Piece) -> bool:
         """Whether it is of the title of what is played: "play yesterday"; but "what can we play tomorrow"."""
+        if not self._plays:
+            return False
         time = piece.value.time
         numbered = any(map(self.measures.is_number, range(piece.start, piece.end)))
         clocked = isinstance(time, Wall) and time.clock is not None and (numbered or time.days is not None)
@@ -40,8 +44,15 @@ class Titles(Standing):
             verb -= 1
         return verb >= 0 and self.texts[verb] in self.lexicon.playing and self.around.opens(verb)
 
+    @cached_property
+    def _plays(self) -> bool:
+        """Whether anything is played in the text."""
+        return not self.lexicon.playing.isdisjoint(self.texts)
+
     def _is_of_its_year(self, piece: Piece) -> bool:
         """Whether it is the year that what is played is from: "play a song from 1975"."""
+        if not self._plays:
+            return False
         days = piece.value.time.days if isinstance(piece.value.time, Wall) else None
         year = isinstance(days, Fields) and days == Fields(year=days.year) and piece.value.preposition != "in"
         played = (place for place in range(piece.start) if self.texts[place] in self.lexicon.playing)
