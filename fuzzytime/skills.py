@@ -102,7 +102,7 @@ class FuzzySkill:
 
     def done_at(self, start: float) -> float:
         """Give when the result is there of what starts at a time, or when it is over."""
-        return max(start + self.time_until_done, -math.inf if self.until is None else self.until)
+        return _over(start + self.time_until_done, self.until)
 
     @property
     def named(self) -> tuple[float, ...]:
@@ -134,8 +134,12 @@ class SpecificSkill:
     @property
     def done(self) -> float:
         """When the result is there, or when it is over."""
-        done = self.start + (self.duration if self.elapsed is None else self.elapsed)
-        return done if self.until is None else max(done, self.until)
+        return _over(self.start + (self.duration if self.elapsed is None else self.elapsed), self.until)
+
+
+def _over(done: float, until: float | None) -> float:
+    """Give when something is over that is done at a time, and goes on until another if one is told."""
+    return done if until is None else max(done, until)
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ from itertools import pairwise
 from fuzzytime.interpreter.circles import Before
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.procedures import procedures
-from fuzzytime.interpreter.steps import Row, Step, is_anchored, is_asked, repeats
+from fuzzytime.interpreter.steps import Row, Step, is_anchored, is_asked
 from fuzzytime.language import (
     Instruction,
     Lexicon,
@@ -125,7 +125,7 @@ class Rows:
             one, other = Step(before, skills[before]), Step(made[0], skills[made[0]])
             if not other.timed and all(map(_may_follow, other.interpreted.requirements)):
                 self.precedences.append(one.precedence(other))
-        if not any(map(repeats, (skills[place] for place in made))):
+        if not any(skills[place].repeats for place in made):
             self.latest[operation.object] = made[-1]
 
     def pause(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:

@@ -95,6 +95,11 @@ class Interpreted:
         return self.wish.text if isinstance(self.wish, SpokenWish) else None
 
     @property
+    def repeats(self) -> bool:
+        """Whether it is done again and again."""
+        return any(part.recurrence is not None for part in self.requirements)
+
+    @property
     def stated(self) -> bool:
         """Whether words tell that it happens, and ask nobody to do it."""
         return self.operation is not None and self.operation.stated

@@ -126,10 +126,9 @@ class Interpreter:
                     self._remark(reading_left, wish, admitted, problems)
                 gathered.spoken(wish, reading_left, told)
         gathered.finish()
-        happened, passing = in_passing(as_they_happened(gathered.skills, request.started), self.rulebook)
-        problems += passing
-        skills, called = by_agents(happened, request)
-        problems += called
+        skills, called = by_agents(as_they_happened(gathered.skills, request.started), request)
+        skills, passing = in_passing(skills, self.rulebook, request.agents)
+        problems += (*called, *passing)
         skills, precedences, unresolved = link(skills, gathered.links, self.rulebook, request.now)
         order = free_of_circles((*gathered.rows.kept(), *of_places(skills)), precedences)
         skills = behind_ends(skills, (*precedences, *order))

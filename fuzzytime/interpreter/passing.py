@@ -17,14 +17,14 @@ FAIR = 0.5
 
 
 def in_passing(
-    skills: Sequence[Interpreted], rulebook: Rulebook
+    skills: Sequence[Interpreted], rulebook: Rulebook, agents: int
 ) -> tuple[list[Interpreted], tuple[Problem, ...]]:
-    """Let what is repeated need no free hands where it must be done in passing, and say so once of each."""
+    """Let what is repeated need no free hands where none of its agents has any, and say so once of each."""
     often = Counter(one.wish.identifier for one in skills if _interval(one) is not None)
     found: list[Interpreted] = []
     problems: dict[str, Problem] = {}
     for one in skills:
-        longer = None if often[one.wish.identifier] < 2 else _longer(one, skills, rulebook)
+        longer = None if often[one.wish.identifier] < 2 else _longer(one, skills, rulebook, agents)
         if longer is None:
             found.append(one)
             continue
@@ -39,24 +39,21 @@ def in_passing(
     return found, tuple(problems.values())
 
 
-def _longer(one: Interpreted, skills: Sequence[Interpreted], rulebook: Rulebook) -> Interpreted | None:
-    """Give something that keeps the same hands for longer than the time between two occurrences."""
+def _longer(
+    one: Interpreted, skills: Sequence[Interpreted], rulebook: Rulebook, agents: int
+) -> Interpreted | None:
+    """Give what keeps hands for longer than the time between two occurrences, if it leaves none free."""
     interval, hands_on = _interval(one), one.skill.duration
     if interval is None or not hands_on or not rulebook.in_passing(hands_on, interval):
         return None
     around = one.skill.satisfaction.acceptable(FAIR)
     # One may be as early, and the next as late, as satisfies fairly.
     between = interval - hands_on + around.high - around.low
-    return next(
-        (
-            other
-            for other in skills
-            if _interval(other) is None
-            and other.skill.duration > between
-            and (other.skill.agent is None or one.skill.agent in {None, other.skill.agent})
-        ),
-        None,
-    )
+    longer = [other for other in skills if _interval(other) is None and other.skill.duration > between]
+    bound = [other for other in longer if other.skill.agent is not None]
+    own = [other for other in bound if other.skill.agent == one.skill.agent]
+    kept = len({other.skill.agent for other in bound}) + len(longer) - len(bound)
+    return (own or longer)[0] if own or kept >= agents else None
 
 
 def _interval(one: Interpreted) -> float | None:

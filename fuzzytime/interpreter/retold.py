@@ -45,7 +45,7 @@ def waiting_until(instruction: Instruction, lexicon: Lexicon) -> Instruction:
         return instruction
     requirements = tuple(
         replace(part, constraint=Constraint.AT, reference=Reference.FINISH, earliest=part.latest)
-        if part.preposition == UNTIL and part.anchor is None and part.latest is not None
+        if _is_until(part)
         else part
         for part in instruction.requirements
     )
@@ -65,10 +65,9 @@ def until_then(instruction: Instruction, lexicon: Lexicon) -> float | None:
     ends = [
         part.latest
         for part in instruction.requirements
-        if part.preposition == UNTIL
+        if _is_until(part)
         and part.constraint is Constraint.BEFORE
         and part.reference is not Reference.FINISH
-        and part.anchor is None
         and not part.alternative
     ]
     return ends[0] if len(ends) == 1 else None
@@ -111,6 +110,11 @@ def _until(instruction: Instruction) -> Instruction:
     whole = replace(ends[0], constraint=Constraint.AT, reference=Reference.START, t_spec=begin)
     whole = replace(whole, earliest=begin, latest=begin, unit=None, number=None)
     return replace(instruction, requirements=(whole,), duration=last - begin)
+
+
+def _is_until(part: TimeRequirement) -> bool:
+    """Whether it tells until what time, and not until what else is over."""
+    return part.preposition == UNTIL and part.anchor is None and part.latest is not None
 
 
 def occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequirement:

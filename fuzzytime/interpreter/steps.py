@@ -106,9 +106,4 @@ def _is_behind(part: TimeRequirement) -> bool:
 
 def is_asked(made: Interpreted) -> bool:
     """Whether something is asked for, once."""
-    return made.operation is not None and not made.stated and not repeats(made)
-
-
-def repeats(interpreted: Interpreted) -> bool:
-    """Whether it is done again and again."""
-    return any(part.recurrence is not None for part in interpreted.requirements)
+    return made.operation is not None and not made.stated and not made.repeats

@@ -17,11 +17,17 @@ def interpreter() -> Interpreter:
 
 
 def told(
-    lines: Sequence[str], *, now: datetime = SEVEN, in_order: bool = False, limits: Limits | None = None
+    lines: Sequence[str],
+    *,
+    now: datetime = SEVEN,
+    in_order: bool = False,
+    limits: Limits | None = None,
+    agents: int = 1,
 ) -> Plan:
     """Plan lines, each a wish."""
     wishes = tuple(SpokenWish(text=line, given=now) for line in lines)
-    return plan(Request(now=now, wishes=wishes, in_order=in_order), interpreter(), limits=limits or Limits())
+    request = Request(now=now, wishes=wishes, in_order=in_order, agents=agents)
+    return plan(request, interpreter(), limits=limits or Limits())
 
 
 def starts(made: Plan) -> dict[str, str]:

@@ -60,6 +60,13 @@ def test_every_skill_starts_and_ends_as_planned() -> None:
     assert len(story.all(Planned)) == 1
 
 
+def test_what_is_done_in_passing_starts_in_time_while_its_agent_is_at_work() -> None:
+    story = told(["Stir the mix for an hour", "Check the ewe every 20 minutes until eight"])
+    assert not story.all(Missed)
+    assert story.starts["s1"] == 0.0
+    assert {"s2": 1200.0, "s2.2": 2400.0}.items() <= story.starts.items()
+
+
 def test_an_agent_is_free_before_a_result_is_there() -> None:
     story = told([wish("Boil the eggs now", "eggs", hands_on=60.0, elapsed=600.0), "Set the table soon"])
     start = story.starts["eggs"]

@@ -10,7 +10,7 @@ from fuzzytime_cli.drawing.markup import element, picture, words
 from fuzzytime_cli.drawing.svg import path
 from fuzzytime_cli.drawing.ticks import ticks
 from fuzzytime_cli.formats.clock import date_of
-from fuzzytime_cli.formats.series import folded
+from fuzzytime_cli.formats.series import folded, shown
 from fuzzytime_cli.render import plain, width_of
 
 WIDTH, LEFT, RIGHT, LANE, TOP, BOTTOM = 820, 210, 76, 38, 26, 56
@@ -38,8 +38,7 @@ class _Picture:
         self.plan = plan
         self.skills = plan.schedule.skills
         self.folded = folded(plan)
-        hidden = {position for more in self.folded.values() for position in more}
-        self.shown = [position for position in plan.schedule.order if position not in hidden]
+        self.shown = shown(plan, self.folded)
         planned = [self.skills[place] for place in self.shown if not plan.schedule.rejected[place]]
         ends = [max(skill.done, skill.end) for skill in planned] or [600.0]
         windows = [plan.skills[place].skill.satisfaction.acceptable(0.02) for place in self.shown]

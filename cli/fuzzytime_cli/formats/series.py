@@ -22,11 +22,16 @@ def folded(plan: Plan) -> Mapping[int, tuple[int, ...]]:
     schedule = plan.schedule
     for position in schedule.order:
         one = plan.skills[position]
-        repeated = any(part.recurrence is not None for part in one.requirements)
-        if repeated and not schedule.rejected[position] and schedule.satisfactions[position] >= AS_ASKED:
+        if one.repeats and not schedule.rejected[position] and schedule.satisfactions[position] >= AS_ASKED:
             series[one.wish.identifier, one.skill.name].append(position)
     return {
         positions[SHOWN - 1]: tuple(positions[SHOWN:])
         for positions in series.values()
         if len(positions) >= SHOWN + LEAST
     }
+
+
+def shown(plan: Plan, rows: Mapping[int, tuple[int, ...]]) -> list[int]:
+    """Give what is shown by itself, by starts: all but what is `folded` into rows."""
+    hidden = {position for more in rows.values() for position in more}
+    return [position for position in plan.schedule.order if position not in hidden]

@@ -12,7 +12,7 @@ from fuzzytime_cli.drawing.ticks import axis
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.notes import note_lines
 from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, moved_words
-from fuzzytime_cli.formats.series import folded
+from fuzzytime_cli.formats.series import folded, shown
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.formats.whole import how_near, whole
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
@@ -65,8 +65,7 @@ class PlanView:
         self.plan, self.width, self.unicode = plan, width, unicode
         self.schedule = plan.schedule
         self.folded = folded(plan)
-        hidden = {position for more in self.folded.values() for position in more}
-        self.shown = [position for position in self.schedule.order if position not in hidden]
+        self.shown = shown(plan, self.folded)
         self.clock = self._clock()
         self.labels = [plain(interpreted.identifier) for interpreted in plan.skills]
         labels = [self.labels[position] for position in self.shown]

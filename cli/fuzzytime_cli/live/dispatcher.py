@@ -197,7 +197,8 @@ class Dispatcher:
 
     def _is_held_up(self, waiting: Waiting) -> bool:
         """Say whether what should be over before a skill starts still goes on, or has not begun."""
-        running = () if waiting.happens else self.ledger.in_phase(Phase.RUNNING)
+        hands_off = waiting.interpreted.skill.needs_nobody
+        running = () if hands_off else self.ledger.in_phase(Phase.RUNNING)
         if any(task.agent == waiting.agent for task in running):
             return True
         for name in waiting.interpreted.follows:

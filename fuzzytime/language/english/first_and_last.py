@@ -1,5 +1,6 @@
 """The first and the last thing of a day: "first thing tomorrow", "last thing on friday"."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
@@ -37,19 +38,13 @@ def last_thing(evening: Part) -> Wall:
 @grammar.rule("wall", "<first thing> <days>|<date>|<weak date>", "<days>|<date> ,? <first thing>", weight=0.6)
 def first_thing_on(first: Part | Calendar, second: Calendar | Part) -> Wall | None:
     """First thing tomorrow, tomorrow first thing."""
-    part, days = (first, second) if isinstance(first, Part) else (second, first)
-    if not isinstance(part, Part) or isinstance(days, Part) or days.grain is not Unit.DAY:
-        return None
-    return Wall(days, _first_of(part))
+    return _on_a_day(first, second, _first_of)
 
 
 @grammar.rule("wall", "<last thing> <days>|<date>|<weak date>", "<days>|<date> ,? <last thing>", weight=0.6)
 def last_thing_on(first: Part | Calendar, second: Calendar | Part) -> Wall | None:
     """Last thing on friday."""
-    part, days = (first, second) if isinstance(first, Part) else (second, first)
-    if not isinstance(part, Part) or isinstance(days, Part) or days.grain is not Unit.DAY:
-        return None
-    return Wall(days, _last_of(part))
+    return _on_a_day(first, second, _last_of)
 
 
 @grammar.rule("wall", "<first thing> in? the? <part>", "in? the? <part> <first thing>", weight=0.3)
@@ -69,6 +64,14 @@ def first_in_part(wall: Wall, _thing: Part) -> Wall | None:
 def last_in_part(wall: Wall, _thing: Part) -> Wall | None:
     """Friday night last thing."""
     return _share_of(wall, 0.5, 1)
+
+
+def _on_a_day(first: Part | Calendar, second: Calendar | Part, share: Callable[[Part], Part]) -> Wall | None:
+    """Give a share of a part of a day that is said before it or behind it; None for a week or a month."""
+    part, days = (first, second) if isinstance(first, Part) else (second, first)
+    if not isinstance(part, Part) or isinstance(days, Part) or days.grain is not Unit.DAY:
+        return None
+    return Wall(days, share(part))
 
 
 def _share_of(wall: Wall, low: float, high: float) -> Wall | None:

@@ -3,9 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import (
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.requirement import Unit
 
 
@@ -38,8 +36,8 @@ def lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
             day = Fields(day=bare.clock.hour) if bare.clock is not None else None
             if day is None or not 1 <= (day.day or 0) <= 31:
                 return None
-            lent = Wall(day, weak=other.weak)
-            first, last = (lent, last) if bare is first else (first, lent)
+            dated = Wall(day, weak=other.weak)
+            first, last = (dated, last) if bare is first else (first, dated)
     if first.clock is not None and last.clock is not None:
         days = first.days or last.days
         zone = first.zone or last.zone
