@@ -52,6 +52,26 @@ def test_a_time_lies_on_the_day_that_is_said_apart(text: str, wanted: str) -> No
     assert f"{instant_after(NOW, earliest):%d %H}" == wanted
 
 
+@pytest.mark.parametrize(
+    ("text", "left_out"),
+    [
+        ("feed the cat every day at nine except sundays", {6}),
+        ("feed the cat every day at nine apart from sunday", {6}),
+        ("feed the cat every day at nine (not on sundays)", {6}),
+        ("feed the cat every day at nine (except saturdays and sundays)", {5, 6}),
+        ("apart from sundays, feed the cat every day at nine", {6}),
+        ("feed the cat every day at nine, never on weekends", {5, 6}),
+    ],
+)
+def test_weekdays_are_left_out_in_every_week(text: str, left_out: set[int]) -> None:
+    (instruction,) = Language.shipped().read(text, now=NOW).instructions
+    assert instruction.repeats is not None
+    assert len(instruction.requirements) == 1, "nothing else is said of its time"
+    days = [instant_after(NOW, seconds) for seconds in instruction.repeats.occurrences(70 * 86400)]
+    assert {day.weekday() for day in days} == set(range(7)) - left_out
+    assert {day.hour for day in days} == {9}
+
+
 def test_a_day_ends_with_its_sentence() -> None:
     reading = Language.shipped().read("Tomorrow wash the car at 9. Feed the cat at 6.", now=NOW)
     assert reading.instructions[1].requirements[0].t_spec == 9 * 3600

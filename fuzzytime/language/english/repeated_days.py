@@ -9,6 +9,7 @@ from fuzzytime.language.meaning.expressions import Duration, Edge, Offset, Repea
 from fuzzytime.language.meaning.nested import Nth
 from fuzzytime.language.meaning.repeats_beside import bounded_repeat, narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
+from fuzzytime.language.meaning.weekdays_left_out import without_weekdays
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -257,20 +258,13 @@ def days_of_month(first: int, second: int | None = None) -> Repeat | None:
     "repeat",
     "<repeat> ,? except|but|excluding|bar|save for|not? on|at? <weekday list>|<weekdays>|<off>",
     "<repeat> ,? and? not on|at? <weekday list>|<weekdays>|<off>",
+    "<repeat> ,? apart|aside|other from|than on|at? <weekday list>|<weekdays>|<off>",
+    "<repeat> ( except|but|excluding|bar|not|no for|not? on|at? <weekday list>|<weekdays>|<off> )",
     weight=0.6,
 )
 def except_on(repeat: Repeat, days: tuple[int, ...] | int) -> Repeat | None:
-    """Every day except sundays, on weekdays but friday."""
-    left_out = days if isinstance(days, tuple) else (days,)
-    fields = [wall.days for wall in repeat.walls]
-    if fields == [Cycle(Unit.DAY)] and repeat.skip == 1:
-        walls = tuple(replace(repeat.walls[0], days=Fields(weekday=day)) for day in range(7))
-    else:
-        walls = repeat.walls
-    kept = tuple(
-        wall for wall in walls if isinstance(wall.days, Fields) and wall.days.weekday not in {None, *left_out}
-    )
-    return replace(repeat, every=None, walls=kept) if kept and len(kept) < len(walls) else None
+    """Every day except sundays, on weekdays but friday, every day apart from sunday."""
+    return without_weekdays(repeat, days if isinstance(days, tuple) else (days,))
 
 
 @grammar.rule("off", "weekends", "the? weekend")

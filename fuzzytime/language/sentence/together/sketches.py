@@ -18,6 +18,7 @@ from fuzzytime.language.sentence.together.both_sides import on_both_sides
 from fuzzytime.language.sentence.together.choices_of_repetitions import first_of_choices
 from fuzzytime.language.sentence.together.day_by_day import day_by_day, each_day_too
 from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days, under_first_line
+from fuzzytime.language.sentence.together.days_left_out import without_days_left_out
 from fuzzytime.language.sentence.together.days_on import days_on
 from fuzzytime.language.sentence.together.first_offered import first_offered
 from fuzzytime.language.sentence.together.first_times import from_first_time
@@ -41,10 +42,8 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     sketches = repeated(led(sketches, draft.text), draft.text, lexicon)
     told = shared(at_once(within(sketches, draft.text, lexicon), draft.text), draft.text, lexicon)
     words = draft.scanned.words
-    told = [
-        day_by_day(each_day_too(sketch, words, lexicon), draft.text, lexicon)
-        for sketch in under_first_line(told, draft.text)
-    ]
+    told = [without_days_left_out(sketch) for sketch in under_first_line(told, draft.text)]
+    told = [day_by_day(each_day_too(sketch, words, lexicon), draft.text, lexicon) for sketch in told]
     told = days_on(told, draft.text, lexicon)
     split = (
         counted_apart(one, words, lexicon)
