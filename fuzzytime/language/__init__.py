@@ -25,6 +25,7 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
+from fuzzytime.language.meaning.decisions import HALF_OF_DAY_ADVICE
 from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
@@ -35,6 +36,7 @@ from fuzzytime.language.sentence.trees.named import is_several
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 
 __all__ = [
+    "HALF_OF_DAY_ADVICE",
     "NAMED",
     "About",
     "AboutKind",

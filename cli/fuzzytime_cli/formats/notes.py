@@ -6,14 +6,12 @@ from itertools import groupby
 from rich.text import Text
 
 from fuzzytime.interpreter import Plan, Problem, ProblemKind
+from fuzzytime.language import HALF_OF_DAY_ADVICE
 from fuzzytime.times import format_duration
 from fuzzytime_cli.render import plain
 
 MOST_NOTES = 12
 """Notes that are told at most."""
-
-ADVICE = ": say am or pm"
-"""How notes end that tell which half of the day was taken: many, and mostly right."""
 
 MOST_TOGETHER = 8
 """Of notes that end in the same advice, so many are told."""
@@ -48,9 +46,10 @@ def _together(notes: Sequence[Problem]) -> list[str]:
     Others begin with the skill, or the line, that they are about.
     """
     found: dict[tuple[str, str], dict[str, None]] = {}
-    for problem in sorted(notes, key=lambda one: one.message.endswith(ADVICE)):
+    for problem in sorted(notes, key=lambda one: one.message.endswith(HALF_OF_DAY_ADVICE)):
         head, colon, advice = plain(problem.message).rpartition(": ")
-        place = "" if problem.line is None or problem.message.endswith(ADVICE) else f"line {problem.line}"
+        many = problem.message.endswith(HALF_OF_DAY_ADVICE)
+        place = "" if problem.line is None or many else f"line {problem.line}"
         kind = (plain(problem.identifier) or place, f"{colon}{advice}")
         found.setdefault(kind, {})[head] = None
     sentences = []

@@ -13,6 +13,9 @@ from fuzzytime.language.meaning.series import begins_by_policy
 from fuzzytime.language.policy import Midnight
 from fuzzytime.requirement import Recurrence
 
+HALF_OF_DAY_ADVICE = ": say am or pm"
+"""How a remark ends that tells which half of the day was taken: such are many, and mostly right."""
+
 
 @dataclass(frozen=True, slots=True)
 class Deciding:
@@ -115,7 +118,7 @@ class Deciding:
         return "where that day is over" if ends else "where that day begins"
 
     def _taken(self, chosen: str, others: str) -> Remark:
-        return self._noted(f" is taken as {chosen}, not {others}: say am or pm")
+        return self._noted(f" is taken as {chosen}, not {others}{HALF_OF_DAY_ADVICE}")
 
     def _noted(self, message: str) -> Remark:
         return Remark(RemarkKind.POLICY, self.span, f"{self.text!r}{message}")

@@ -209,17 +209,17 @@ def _is_second_statement(tree: Tree, place: int, root: int, timed: set[int], *, 
         and tree.nodes[place - 1].lower in closed.joints_of_orders
     )
     named = told or bool(tree.children(root, *ANY_SUBJECTS))
-    told = tree.nodes[root].tag == node.tag == "VBZ" and named
-    # "The show will last an hour and start at eight"
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
-    told = told or (named and bool(helping) and helping <= closed.future | {"should"} and node.tag == "VB")
+    # "The show will last an hour and start at eight"
+    expected = node.tag == "VB" and bool(helping) and helping <= closed.future | {"should"}
+    states = named and (expected or tree.nodes[root].tag == node.tag == "VBZ")
     if tree.nodes[root].tag == "VBZ" and named and node.tag == "NNS" and place > 1 and place + 1 in timed:
         # "The plumber fixes the tap and leaves at five"
         beside = tree.nodes[place - 1].lower in closed.joints_of_orders
-        told = node.lower in tree.lexicon.doing.timed
+        states = node.lower in tree.lexicon.doing.timed
     # "Feeds the cows" has who is fed for who does it.
     own = any(p < place for p in tree.children(place, *ANY_SUBJECTS))
-    return beside and told and not own and not tree.children(place, "aux")
+    return beside and states and not own and not tree.children(place, "aux")
 
 
 def _is_passive_order(tree: Tree, place: int) -> bool:
