@@ -100,6 +100,11 @@ class FuzzySkill:
         """Seconds from start until the result is there."""
         return self.duration if self.elapsed is None else self.elapsed
 
+    @property
+    def time_at_work(self) -> float:
+        """Seconds from start until whoever does it has done their part, beside other work or not."""
+        return self.time_until_done if self.in_passing else self.duration
+
     def done_at(self, start: float) -> float:
         """Give when the result is there of what starts at a time, or when it is over."""
         return _over(start + self.time_until_done, self.until)
@@ -125,11 +130,17 @@ class SpecificSkill:
     elapsed: float | None = None
     agent: int = 1
     until: float | None = None
+    in_passing: bool = False
 
     @property
     def end(self) -> float:
         """When the agent is free again."""
         return self.start + self.duration
+
+    @property
+    def worked_until(self) -> float:
+        """When whoever does it has done their part, beside other work or not."""
+        return self.end if self.elapsed is None or not self.in_passing else self.start + self.elapsed
 
     @property
     def done(self) -> float:

@@ -157,7 +157,14 @@ class Schedule:
         rows = zip(self.task.skills, self.start_times, self.agents, strict=True)
         return tuple(
             SpecificSkill(
-                skill.name, start, skill.duration, skill.parameters, skill.elapsed, agent, skill.until
+                skill.name,
+                start,
+                skill.duration,
+                skill.parameters,
+                skill.elapsed,
+                agent,
+                skill.until,
+                skill.in_passing,
             )
             for skill, start, agent in rows
         )

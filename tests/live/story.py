@@ -168,8 +168,7 @@ def check(story: Story) -> None:
     What is done in passing is done beside another.
     """
     busy: dict[int, str] = {}
-    plan = story.dispatcher.planning.plan
-    passing = () if plan is None else {one.identifier for one in plan.skills if one.skill.in_passing}
+    passing = {task.identifier for task in story.dispatcher.ledger.tasks.values() if task.in_passing}
     last = 0.0
     for event, document in zip(story.events, story.documents, strict=True):
         OF_TYPE[event.type].validate(document)

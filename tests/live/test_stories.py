@@ -67,6 +67,20 @@ def test_what_is_done_in_passing_starts_in_time_while_its_agent_is_at_work() -> 
     assert {"s2": 1200.0, "s2.2": 2400.0}.items() <= story.starts.items()
 
 
+def test_what_is_done_in_passing_is_late_only_when_its_time_is_over_and_keeps_nobody() -> None:
+    wishes = ["Stir the mix for an hour", "Check the ewe every 20 minutes for an hour", "Ring in an hour"]
+    story = told(
+        wishes, [{"at_s": 1200.0 + 240.0, "done": "s2"}, {"at_s": 3600.0, "done": "s1"}], by_word=True
+    )
+    (check,) = (one for one in story.all(Start) if one.id == "s2")
+    assert check.end_s == check.done_s > check.at
+    late = [one.at for one in story.all(Late) if one.id == "s2"]
+    assert late
+    assert min(late) >= check.end_s
+    # "s2.2" goes on, as nobody said that it is done.
+    assert story.starts["s3"] == pytest.approx(3600.0)
+
+
 def test_an_agent_is_free_before_a_result_is_there() -> None:
     story = told([wish("Boil the eggs now", "eggs", hands_on=60.0, elapsed=600.0), "Set the table soon"])
     start = story.starts["eggs"]

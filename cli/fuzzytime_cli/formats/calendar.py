@@ -26,7 +26,7 @@ def calendar_text(plan: Plan) -> str:
         words = f"{plan.request.now.isoformat()}|{interpreted.identifier}|{specific.name}"
         event.add("uid", f"{hashlib.sha256(words.encode('utf-8', 'replace')).hexdigest()[:32]}@fuzzytime")
         event.add("dtstamp", stamp)
-        until = specific.done if interpreted.skill.happens else specific.end
+        until = specific.done if interpreted.skill.happens else specific.worked_until
         start, end = _written(plan.instant(specific.start)), _written(plan.instant(until))
         event.add("dtstart", start)
         if end > start:  # What takes no time has no end in a calendar.

@@ -76,7 +76,7 @@ class _Picture:
         ]
         if planned:
             shapes.append(("good", "at work"))
-        if any(skill.done > skill.end for skill in planned):
+        if any(skill.done > skill.worked_until for skill in planned):
             shapes.append(("waits", "goes on by itself"))
         if self.busy:
             shapes.append(("busy", "time that is taken"))
@@ -121,7 +121,9 @@ class _Picture:
         satisfaction = self.plan.schedule.satisfactions[position]
         rejected = self.plan.schedule.rejected[position]
         kind = "good" if satisfaction >= 0.8 else "fair" if satisfaction >= 0.4 else "poor"
-        start, end, done = (self.across(time) for time in (specific.start, specific.end, specific.done))
+        start, end, done = (
+            self.across(time) for time in (specific.start, specific.worked_until, specific.done)
+        )
         said = element("title", words(interpreted.words or specific.name))
         figure = "rejected" if rejected else f"{satisfaction:.2f}"
         if position in self.folded:
@@ -144,7 +146,7 @@ class _Picture:
             return parts
         width = max(2.0, end - start)
         parts.append(element("rect", class_=kind, x=start, y=base - 9, width=width, height=9, rx=2))
-        if specific.done > specific.end:
+        if specific.done > specific.worked_until:
             parts.append(element("line", class_="waits", x1=end, y1=base - 4, x2=done, y2=base - 4))
         return parts
 

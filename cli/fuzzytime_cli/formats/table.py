@@ -212,7 +212,7 @@ class PlanView:
             cells = (
                 shades(function, window)
                 if rejected
-                else lane(function, specific.start, specific.end, specific.done, window)
+                else lane(function, specific.start, specific.worked_until, specific.done, window)
             )
             style = style_of(self.schedule.satisfactions[position], rejected=rejected)
             yield self._lane(self.labels[position], cells, style)
@@ -222,7 +222,7 @@ class PlanView:
         spans = [(busy.start, busy.end) for busy in shown]
         if spans:
             yield self._lane(fitted("busy", self.label_width), taken(spans, window), "dim")
-        waits = "─ goes on by itself  " if any(skill.done > skill.end for skill in skills) else ""
+        waits = "─ goes on by itself  " if any(skill.done > skill.worked_until for skill in skills) else ""
         legend = f"█ at work  {waits}░▒▓ how well a start there would satisfy"
         indent = self.label_width + 1
         yield from wrapped_text(Text(f"{' ' * indent}{legend}", style="dim"), self.width, indent)

@@ -199,7 +199,7 @@ class Dispatcher:
         """Say whether what should be over before a skill starts still goes on, or has not begun."""
         hands_off = waiting.interpreted.skill.needs_nobody
         running = () if hands_off else self.ledger.in_phase(Phase.RUNNING)
-        if any(task.agent == waiting.agent for task in running):
+        if any(task.agent == waiting.agent and not task.in_passing for task in running):
             return True
         for name in waiting.interpreted.follows:
             task = self.ledger.tasks.get(name)
@@ -225,7 +225,7 @@ class Dispatcher:
             name=waiting.name,
             instruction=waiting.interpreted.words,
             planned_s=waiting.start,
-            end_s=now + skill.duration,
+            end_s=now + skill.time_at_work,
             done_s=skill.done_at(now),
             agent=waiting.agent,
             satisfaction=self._satisfaction(waiting, now),
@@ -233,7 +233,8 @@ class Dispatcher:
             fuzzy_parameters=tuple(parameter.text for parameter in skill.fuzzy_parameters),
         )
         start = replace(start, command=self.progress.executor.command_for(start))
-        yield from self.progress.begin(start, skill.done_at(now) - now - skill.duration)
+        rest = skill.done_at(now) - start.end_s
+        yield from self.progress.begin(start, rest, in_passing=skill.in_passing)
 
     def _happen(self, waiting: Waiting, now: float) -> Event:
         """Tell what happens by itself; it does so at its time, though nobody looked then."""

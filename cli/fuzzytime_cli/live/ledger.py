@@ -37,6 +37,8 @@ class Task:
         Seconds from the end until the result is there; infinite where it will never be.
     satisfaction
         ψ at its start; None where it was never started.
+    in_passing
+        Whether it keeps its agent from nothing else.
     """
 
     identifier: str
@@ -48,6 +50,7 @@ class Task:
     agent: int = 1
     satisfaction: float | None = None
     phase: Phase = Phase.RUNNING
+    in_passing: bool = False
 
     @property
     def done(self) -> float:
@@ -86,7 +89,7 @@ class Task:
         return Started(
             identifier=self.identifier,
             start=self.start - now,
-            end=self.end - now,
+            end=(self.start if self.in_passing else self.end) - now,
             done=self.done - now,
             agent=self.agent,
         )

@@ -213,7 +213,7 @@ class Outlook:
                 interpreted,
                 position,
                 now + specific.start,
-                now + specific.end,
+                now + specific.worked_until,
                 specific.agent,
                 schedule.satisfactions[position],
                 self.planning.signals_of(interpreted),

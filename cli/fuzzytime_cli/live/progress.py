@@ -73,7 +73,7 @@ class Progress:
     limit: Callable[[float], float] = without_limit
     ledger: Ledger = field(default_factory=Ledger)
 
-    def begin(self, start: told.Start, rest: float) -> Iterator[Event]:
+    def begin(self, start: told.Start, rest: float, *, in_passing: bool = False) -> Iterator[Event]:
         """Start a skill; ``rest`` are the seconds from its end until its result is there."""
         self.ledger.keep(
             Task(
@@ -85,6 +85,7 @@ class Progress:
                 rest=rest,
                 agent=start.agent,
                 satisfaction=start.satisfaction,
+                in_passing=in_passing,
             )
         )
         yield start
