@@ -99,7 +99,7 @@ class Rulebook:
         context
             Readings up to now.
         verb
-            The operation's lemma, which rules may ask for.
+            The operation's lemma, with its particle ("turn on"), which rules may ask for.
         duration, elapsed
             Seconds that the agent is busy, and until the result is there (None: the same). A requirement
             about the finish is shifted by ``elapsed``; one about the whole execution is averaged over

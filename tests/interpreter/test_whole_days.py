@@ -34,6 +34,23 @@ def test_what_is_over_at_a_time_is_a_moment(line: str) -> None:
     assert _times(line) == {"s1": (15.25, 15.25)}
 
 
+@pytest.mark.parametrize(
+    ("line", "start"),
+    [
+        ("leave by two", 13.75),
+        ("wake me up by noon", 11.75),
+        ("the kids must be in bed by eight", 19.75),
+        ("be back within two hours", 9.75),
+        ("the guests arrive by six", 17.75),
+        ("wash the car by two", 8),
+        ("get up-to-date forms by two", 8),
+        ("leave by friday", 8),
+    ],
+)
+def test_nobody_leaves_or_is_woken_hours_before_it_is_time(line: str, start: float) -> None:
+    assert _times(line)["s1"][0] == start
+
+
 def test_when_something_is_and_by_when_it_must_be_done() -> None:
     assert _times("staff meeting at 3.30, should be done by half four")["s1"][0] == 15.5
 

@@ -61,6 +61,24 @@ def test_earlier_than_a_deadline_is_never_worse(preposition: str) -> None:
     assert function(3.5 * HOUR) == 0.0
 
 
+@pytest.mark.parametrize("verb", ["leave", "wake up", "be", "set off"])
+def test_much_earlier_than_a_deadline_is_worse_for_what_is_done_when_it_is_time(verb: str) -> None:
+    deadline = said(Constraint.BEFORE, preposition="by", t_spec=6 * HOUR, grain=Unit.HOUR)
+    function = RULEBOOK.resolve(deadline, verb=verb).satisfaction
+    assert function(5.8 * HOUR) == 1
+    assert 0.2 < function(0.0) < 0.5
+    assert function(6.5 * HOUR) == 0
+
+
+@pytest.mark.parametrize(
+    ("verb", "grain"), [("set", Unit.HOUR), ("cook", Unit.HOUR), ("get", Unit.HOUR), ("leave", Unit.DAY)]
+)
+def test_earlier_is_never_worse_for_work_and_by_a_day(verb: str, grain: Unit) -> None:
+    deadline = said(Constraint.BEFORE, preposition="by", t_spec=6 * HOUR, grain=grain)
+    function = RULEBOOK.resolve(deadline, verb=verb).satisfaction
+    assert (function(np.linspace(0, 6 * HOUR, 50)) == 1).all()
+
+
 def test_after_prefers_soon_after_and_falls_slowly() -> None:
     values = psi(said(Constraint.AFTER, preposition="after", t_spec=8 * HOUR))(
         np.array([7.5, 8.0, 8.75, 10.0, 11.0]) * HOUR

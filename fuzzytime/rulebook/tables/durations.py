@@ -7,6 +7,7 @@ from types import MappingProxyType
 
 from fuzzytime.english import PLACING, singular_forms
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.rulebook.tables.matching import verbs_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -80,7 +81,7 @@ class Durations:
         if verb is None:
             alone = row.known and hands_on == row.hands_on
         else:
-            alone = not self.begun.verbs.isdisjoint(_verbs(verb))
+            alone = not self.begun.verbs.isdisjoint(verbs_of(verb))
         return hands_on if alone and length >= self.begun.times * hands_on else None
 
     def of(self, lemma: str | None, thing: str | None) -> OperationDuration:
@@ -94,7 +95,7 @@ class Durations:
         FuzzytimeError
             If no table gives a default.
         """
-        for verb in _verbs(lemma):
+        for verb in verbs_of(lemma):
             for word in (*_words(thing), None):
                 row = self.rows.get((verb, word))
                 if row is not None:
@@ -102,12 +103,6 @@ class Durations:
         if self.default is None:
             raise FuzzytimeError("durations must have a default")
         return self.default
-
-
-def _verbs(lemma: str | None) -> tuple[str, ...]:
-    """Give a verb as it is looked up: a phrasal verb whole ("turn on"), then its first word."""
-    whole = (lemma or "").lower().replace("_", " ")
-    return tuple(dict.fromkeys((whole, whole.partition(" ")[0]))) if whole else ()
 
 
 def _words(thing: str | None) -> tuple[str, ...]:

@@ -45,6 +45,12 @@ class Match:
         return frozenset(key for key, _ in self.accepted)
 
 
+def verbs_of(lemma: str | None) -> tuple[str, ...]:
+    """Give a verb as it is looked up: a phrasal verb whole ("turn on"), then its first word."""
+    whole = (lemma or "").lower().replace("_", " ")
+    return tuple(dict.fromkeys((whole, whole.partition(" ")[0]))) if whole else ()
+
+
 def described(requirement: TimeRequirement, verb: str | None) -> Mapping[str, frozenset[str]]:
     """Give the texts of a requirement by the keys of ``on:``, all in lower case."""
     condition = requirement.condition
@@ -52,12 +58,13 @@ def described(requirement: TimeRequirement, verb: str | None) -> Mapping[str, fr
         "cue": (requirement.word, requirement.preposition, requirement.constraint.value),
         "word": (requirement.word, condition.word if condition else None),
         "subject": (condition.subject if condition else None,),
-        "verb": (verb,),
+        "verb": verbs_of(verb),
         "preposition": (requirement.preposition,),
         "hedge": (*requirement.fuzziness, " ".join(requirement.fuzziness) or None),
         "constraint": (requirement.constraint.value,),
         "reference": (requirement.reference.value,),
-        "grain": (requirement.grain,),
+        # "Within two hours" is meant as finely as it is counted.
+        "grain": (requirement.grain or requirement.unit,),
         "unit": (requirement.unit,),
         "number": (None if requirement.number is None else f"{requirement.number:g}",),
     }

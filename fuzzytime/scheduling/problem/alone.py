@@ -79,8 +79,11 @@ def best_beside(skill: FuzzySkill, busy: list[Busy], near: float) -> Best:
         key=lambda span: _distance(span, near),
         default=Interval(-time, -time),
     )
+    # Where ψ is as good but for rounding begins at no time that anybody named.
+    named = [time for time in times if starts.low <= time <= starts.high]
+    low, high = min(named, default=starts.low), max(named, default=starts.high)
     # The end is only how far was looked.
-    return Best(most, Interval(starts.low, math.inf) if starts.high == end else starts)
+    return Best(most, Interval(low, math.inf if starts.high == end else high))
 
 
 def _end(function: SatisfactionFunction, busy: list[Busy], near: float) -> float:
