@@ -17,7 +17,14 @@ ROOMS = [
     for house in HOUSES
     for path in ROOT.joinpath(*house.split(".")).glob("*/__init__.py")
 ]
-MAPS = ["interpreter", "language.grammar", "language.meaning", "language.sentence", *sorted(ROOMS)]
+MAPS = [
+    "interpreter",
+    "language.grammar",
+    "language.meaning",
+    "language.meaning.calendars",
+    "language.sentence",
+    *sorted(ROOMS),
+]
 
 
 @pytest.mark.parametrize("name", MAPS)

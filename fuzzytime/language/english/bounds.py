@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.english.clocks import number
 from fuzzytime.language.english.counted import coming_deadline
+from fuzzytime.language.english.feasts import feast_in
 from fuzzytime.language.english.prepositions import said_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
@@ -44,13 +45,16 @@ def deadline(preposition: Preposition, goal: Goal) -> Said | None:
         return None
     if isinstance(goal.time, Coming):
         return replace(coming_deadline(goal), preposition=preposition.name)
-    edge = Edge.START if preposition.name == "by" and _is_weekend(goal) else preposition.edge
+    edge = Edge.START if preposition.name == "by" and _is_celebrated(goal) else preposition.edge
     return said_of(_as_clock(goal), preposition.name, Constraint.BEFORE, edge)
 
 
-def _is_weekend(goal: Goal) -> bool:
-    """Whether it is a weekend, by which something is done in the week before: "by the weekend"."""
+def _is_celebrated(goal: Goal) -> bool:
+    """Whether it is days for which something is done before: "by the weekend", "by passover"."""
     days = goal.time.days if isinstance(goal.time, Wall) and goal.time.part is None else None
+    feast = feast_in(days)
+    if feast is not None:
+        return feast.is_several
     of = days.of if isinstance(days, Deictic) else days
     return isinstance(of, Weekend) and not of.working
 

@@ -4,7 +4,6 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Duration, UnitWord
-from fuzzytime.language.meaning.feasts import Yearly
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import Nth, WeekOf
 from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Which
@@ -210,29 +209,6 @@ def nth_after(number: int, series: Calendar, anchor: Calendar) -> Calendar:
     return Following(number, series, anchor)
 
 
-@grammar.rule("date", "<feast> of|in|,? <year>", weight=0.3)
-def feast_of_year(feast: Yearly, number: int) -> Calendar:
-    """Easter 2018."""
-    return Nth(1, feast, Fields(year=number))
-
-
-@grammar.rule("date", "<feast> weekend", "<feast> <year> weekend", "the? weekend of the? <feast>", weight=0.3)
-def feast_weekend(feast: Yearly, number: int | None = None) -> Calendar:
-    """Labor day weekend."""
-    anchor: Calendar = feast if number is None else Nth(1, feast, Fields(year=number))
-    return Following(1, Weekend(), _six_days_before(anchor))
-
-
-def _six_days_before(anchor: Calendar) -> Calendar:
-    return Away(-5, Unit.DAY, anchor)
-
-
-@grammar.rule("date", "the? weekend of <date>|<weak date>", weight=0.3)
-def weekend_of(days: Calendar) -> Calendar | None:
-    """The weekend of the 14th."""
-    return Following(1, Weekend(), _six_days_before(days)) if days.grain is Unit.DAY else None
-
-
 @grammar.rule("days", "the? day before <days>|<date>|<weak date>", "the eve of <date>|<feast>", weight=0.9)
 def day_before(days: Calendar) -> Calendar | None:
     """The day before friday, the day before the first of april."""
@@ -243,9 +219,3 @@ def day_before(days: Calendar) -> Calendar | None:
 def day_after(days: Calendar) -> Calendar | None:
     """The day after friday."""
     return Away(1, Unit.DAY, days) if days.grain is Unit.DAY else None
-
-
-@grammar.rule("days", "the? day|evening|morning|night before <feast>", weight=0.7)
-def eve(feast: Yearly) -> Calendar:
-    """The day before christmas."""
-    return Away(-1, Unit.DAY, feast)

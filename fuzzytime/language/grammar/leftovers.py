@@ -76,6 +76,8 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
         for piece in cell.get("feast", {}).values():
             # "On orthodox easter"
             other = start > 0 and around.texts[start - 1] in lexicon.other_calendars
+            first = scanned.words[piece.start].start
+            other = other and not any(begin <= first < end for begin, end in explained)
             if other and around.may_end(piece):
                 yield from range(start - 1, piece.end)
 

@@ -67,6 +67,8 @@ class Titles(Standing):
     def _is_of_other_calendar(self, piece: Piece) -> bool:
         """Whether it is a feast on a day that is not known here: "chinese new year"."""
         for place in range(piece.start, piece.end):
+            if self._is_known_feast(place):
+                continue
             other = place > 0 and self.texts[place - 1] in self.lexicon.other_calendars
             if other and any(one.category == "feast" for one in self.around.pieces(place)):
                 return True
@@ -79,6 +81,12 @@ class Titles(Standing):
                 # "On bank holiday monday"
                 return True
         return False
+
+    def _is_known_feast(self, place: int) -> bool:
+        """Whether it is a later word of a feast's name, whose calendar is known: "orthodox easter"."""
+        begins = range(max(0, place - FEAST_WORDS), place)
+        found = (one for begin in begins for one in self.around.pieces(begin))
+        return any(one.category == "feast" and one.end > place for one in found)
 
     def _is_of_feast(self, piece: Piece) -> bool:
         """Whether it begins within the name of a feast: "black friday deals"."""

@@ -13,7 +13,7 @@ from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
-from fuzzytime.language.meaning.feasts import Season
+from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.requirement import Unit
 
@@ -64,7 +64,8 @@ class Walls(Standing):
             return False
         # "The sun", "in the sun": a weekday never stands with "in".
         words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
-        alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
+        unsure = {None} if isinstance(wall.days, Feast) else {None, "in"}
+        alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in unsure
         return not alone or (weekly and self._is_listed(piece))
 
     def _begins_other(self, piece: Piece, said: Said, wall: Wall) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import replace
 from datetime import timedelta
 
 from fuzzytime.language.meaning.calendar import Days, Fields, Today
-from fuzzytime.language.meaning.instants import UngroundedError
+from fuzzytime.language.meaning.ungrounded import UngroundedError
 
 FAR = 3
 """Years within which a weekday with a date that does not match is looked for."""

@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from fuzzytime.language.meaning.instants import UngroundedError
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
+from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement
 
 FAR = 21 * DAY_SECONDS

@@ -1,99 +1,147 @@
-"""Periods that come once a year: holidays and seasons."""
+"""Periods that come every year: feasts and seasons."""
 
 from abc import abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import MAXYEAR, date, timedelta
-from enum import StrEnum
 
-from fuzzytime.language.meaning.calendar import SEARCHED_YEARS, Calendar, Days, Fields, Today
+from fuzzytime.language.meaning.calendar import SEARCHED_YEARS, Calendar, Days, Today
+from fuzzytime.language.meaning.calendars.observance import Observance
+from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Unit
 
 
 class Yearly(Calendar):
-    """A period that comes once a year."""
+    """A period that comes every year, of this calendar or of another."""
 
     __slots__ = ()
 
+    @property
+    def years(self) -> range:
+        """The years in which it is known."""
+        return range(1, MAXYEAR)
+
     @abstractmethod
-    def of_year(self, year: int) -> Days:
-        """Give the period that begins in a year."""
+    def of_year(self, year: int) -> tuple[Days, ...]:
+        """Give the periods that begin in a year, ascending.
+
+        One mostly; a year of the moon is shorter, and its feasts may come twice in a year, or not at all.
+        """
 
     def upcoming(self, today: Today, since: date) -> Iterator[Days]:  # noqa: ARG002
-        """Give the periods in ascending order."""
-        for year in range(max(1, since.year - 1), min(MAXYEAR, since.year + SEARCHED_YEARS)):
-            days = self.of_year(year)
-            if days.end > since:
-                yield days
+        """Give the periods in ascending order.
+
+        Raises
+        ------
+        UngroundedError
+            In a year in which it is not known.
+        """
+        self.check(since.year)
+        for year in range(since.year - 1, since.year + SEARCHED_YEARS):
+            for days in self.of_year(year) if year in self.years else ():
+                if days.end > since:
+                    yield days
 
     def past(self, today: Today, until: date) -> Iterator[Days]:  # noqa: ARG002
-        """Give the periods in descending order."""
-        for year in range(until.year, max(1, until.year - SEARCHED_YEARS), -1):
-            days = self.of_year(year)
-            if days.first < until:
-                yield days
+        """Give the periods in descending order.
+
+        Raises
+        ------
+        UngroundedError
+            In a year in which it is not known.
+        """
+        self.check(until.year)
+        for year in range(until.year, until.year - SEARCHED_YEARS, -1):
+            for days in reversed(self.of_year(year) if year in self.years else ()):
+                if days.first < until:
+                    yield days
+
+    def check(self, year: int) -> None:
+        """Refuse a year in which it is not known."""
+        if year not in self.years:
+            first, last = self.years[0], self.years[-1]
+            raise UngroundedError(f"its days are known for the years {first} to {last}, not for {year}")
 
 
-def easter(year: int) -> date:
-    """Give Easter Sunday of the Gregorian calendar.
+@dataclass(frozen=True, slots=True)
+class OfYear(Calendar):
+    """The one of a year, by where it begins; the first, where two begin in it: "ramadan 2027"."""
 
-    The arithmetic is the anonymous Gregorian computus, as printed in Nature, 20 April 1876.
+    feast: Yearly
+    year: int
 
-    >>> easter(2026)
-    datetime.date(2026, 4, 5)
-    """
-    golden = year % 19
-    century, rest = divmod(year, 100)
-    leap_centuries, common_centuries = divmod(century, 4)
-    correction = (century - (century + 8) // 25 + 1) // 3
-    epact = (19 * golden + century - leap_centuries - correction + 15) % 30
-    leaps, common = divmod(rest, 4)
-    sunday = (32 + 2 * common_centuries + 2 * leaps - epact - common) % 7
-    shift = (golden + 11 * epact + 22 * sunday) // 451
-    month, day = divmod(epact + sunday - 7 * shift + 114, 31)
-    return date(year, month, day + 1)
+    @property
+    def grain(self) -> Unit:
+        """That of the feast."""
+        return self.feast.grain
 
+    @property
+    def fixed(self) -> bool:
+        """Always."""
+        return True
 
-class Reckoning(StrEnum):
-    """How a feast finds its day."""
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:  # noqa: ARG002
+        """Give it.
 
-    DATE = "date"
-    NTH = "nth"
-    EASTER = "easter"
+        Raises
+        ------
+        UngroundedError
+            If it is not known in that year.
+        """
+        self.feast.check(self.year)
+        yield from self.feast.of_year(self.year)[:1]
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:  # noqa: ARG002
+        """Give it."""
+        return self.upcoming(today, today.day)
 
 
 @dataclass(frozen=True, slots=True)
 class Feast(Yearly):
-    """A holiday: a date, the nth weekday of a month, or days from Easter; moved by ``days``.
+    """A holiday: a day of some calendar, and those behind it where it ``lasts``, or is ``until`` another.
 
-    A date that is ``never_on`` a weekday is the day before where it would be: king's day on a sunday.
+    It is moved by the days that its weekday has in ``moves`` (king's day on a sunday is the day before), then
+    by ``days``. ``from_evening`` says that its days begin in the evening before.
     """
 
     name: str
-    reckoning: Reckoning
-    month: int = 1
-    day: int = 1
-    nth: int = 1
-    weekday: int = 0
+    kept: Observance
     days: int = 0
-    never_on: int | None = None
+    moves: tuple[tuple[int, int], ...] = ()
+    lasts: int = 1
+    until: "Feast | None" = None
+    from_evening: bool = False
+
+    @property
+    def is_several(self) -> bool:
+        """Whether it has several days."""
+        return self.lasts > 1 or self.until is not None
 
     @property
     def grain(self) -> Unit:
         """A day."""
         return Unit.DAY
 
-    def of_year(self, year: int) -> Days:
-        """Give its day in a year."""
-        if self.reckoning is Reckoning.EASTER:
-            day = easter(year)
-        elif self.reckoning is Reckoning.DATE:
-            day = date(year, self.month, self.day)
-            day -= timedelta(days=day.weekday() == self.never_on)
-        else:
-            matching = list(Fields(year, self.month, None, self.weekday).in_month(year, self.month, 1))
-            day = matching[self.nth - 1 if self.nth > 0 else self.nth].first
-        return Days.single(day + timedelta(days=self.days))
+    @property
+    def years(self) -> range:
+        """The years in which its days are known."""
+        return self.kept.years
+
+    def of_year(self, year: int) -> tuple[Days, ...]:
+        """Give its days in a year."""
+        found = []
+        for kept in self.kept.in_year(year):
+            first = kept + timedelta(days=self.days + dict(self.moves).get(kept.weekday(), 0))
+            found.append(Days(first, self._end(first)))
+        return tuple(found)
+
+    def _end(self, first: date) -> date:
+        """Give the day before which it ends: a feast that it lasts until is the next."""
+        if self.until is None:
+            return first + timedelta(days=self.lasts)
+        years = (first.year, first.year + 1)
+        ends = (days.first for year in years for days in self.until.of_year(year))
+        return next(end for end in ends if end > first)
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +157,7 @@ class Season(Yearly):
         """Days."""
         return Unit.DAY
 
-    def of_year(self, year: int) -> Days:
+    def of_year(self, year: int) -> tuple[Days, ...]:
         """Give the season that begins in a year."""
-        return Days(date(year, *self.begins), date(year + (self.ends <= self.begins), *self.ends))
+        end = date(year + (self.ends <= self.begins), *self.ends)
+        return (Days(date(year, *self.begins), end),)

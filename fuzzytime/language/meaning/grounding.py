@@ -23,7 +23,6 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.instants import (
     SUB_DAY,
     Instants,
-    UngroundedError,
     halved,
     midnight,
     next_minute,
@@ -35,6 +34,7 @@ from fuzzytime.language.meaning.range_instants import range_instants
 from fuzzytime.language.meaning.relations import Deictic, Following, Relative, Which
 from fuzzytime.language.meaning.standpoint import Standpoint
 from fuzzytime.language.meaning.times_of_day import Clock, Part
+from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.language.policy import SameWeekday
 from fuzzytime.requirement import Unit
 

@@ -3,7 +3,6 @@
 from dataclasses import dataclass, replace
 from datetime import date, datetime, time, timedelta
 
-from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.meaning.calendar import moved
 from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.feasts import Feast
@@ -16,10 +15,6 @@ CALENDAR_UNITS = frozenset({Unit.MONTH, Unit.QUARTER, Unit.YEAR})
 
 EVES = ("eve", "night")
 """How the names of feasts end whose midnight is where they are over."""
-
-
-class UngroundedError(FuzzytimeError):
-    """Words that name no time: a date that does not exist, a time of day when no clock is known."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,8 +5,9 @@ from datetime import UTC, datetime, timedelta, timezone, tzinfo
 
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.grounding import Grounding
-from fuzzytime.language.meaning.instants import CALENDAR_UNITS, SUB_DAY, UngroundedError, shifted
+from fuzzytime.language.meaning.instants import CALENDAR_UNITS, SUB_DAY, shifted
 from fuzzytime.language.meaning.times_of_day import Clock, Half
+from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.language.policy import Policy
 from fuzzytime.times import parse_clock, parse_zone, seconds_between
 

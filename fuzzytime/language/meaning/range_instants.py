@@ -5,9 +5,10 @@ from datetime import datetime, timedelta
 
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Range, Time, TimeWord, Wall
-from fuzzytime.language.meaning.instants import Instants, UngroundedError, halved, midnight
+from fuzzytime.language.meaning.instants import Instants, halved, midnight
 from fuzzytime.language.meaning.standpoint import Standpoint
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
+from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.language.policy import SameWeekday
 
 

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Self
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
 from fuzzytime.language.meaning.expressions import Wall
-from fuzzytime.language.meaning.instants import UngroundedError, halved, midnight, over_at_midnight
+from fuzzytime.language.meaning.instants import halved, midnight, over_at_midnight
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
+from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Unit
 
 if TYPE_CHECKING:

@@ -8,8 +8,9 @@ from itertools import islice, takewhile
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration
-from fuzzytime.language.meaning.instants import CALENDAR_UNITS, UngroundedError, shifted
+from fuzzytime.language.meaning.instants import CALENDAR_UNITS, shifted
 from fuzzytime.language.meaning.recurrence import JUST_BEFORE, MOST, PlainRecurrence, Window
+from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Unit
 
 if TYPE_CHECKING:

@@ -8,6 +8,7 @@ from enum import StrEnum
 from itertools import islice
 
 from fuzzytime.language.meaning.calendar import (
+    ONE_DAY,
     Calendar,
     Cycle,
     Days,
@@ -17,6 +18,7 @@ from fuzzytime.language.meaning.calendar import (
     moved,
 )
 from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.meaning.feasts import OfYear, Yearly
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import WeekOf, Within
 from fuzzytime.requirement import Unit
@@ -154,6 +156,10 @@ class CountedDay(Calendar):
     def counted(self, today: Today, day: date) -> date:
         """Give the day that is meant, counted from one of the anchor's."""
 
+    def base(self, anchor: Days) -> date:
+        """Give the day of the anchor's that is counted from: the first."""
+        return anchor.first
+
     @property
     def grain(self) -> Unit:
         """A day."""
@@ -167,12 +173,12 @@ class CountedDay(Calendar):
     def upcoming(self, today: Today, since: date) -> Iterator[Days]:
         """Give each day counted from the anchor's next ones."""
         for anchor in self.anchor.upcoming(today, since):
-            yield Days.single(self.counted(today, anchor.first))
+            yield Days.single(self.counted(today, self.base(anchor)))
 
     def past(self, today: Today, until: date) -> Iterator[Days]:
         """Give each day counted from the anchor's last ones."""
         for anchor in self.anchor.past(today, until):
-            yield Days.single(self.counted(today, anchor.first))
+            yield Days.single(self.counted(today, self.base(anchor)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,6 +188,11 @@ class Away(CountedDay):
     count: int
     unit: Unit
     anchor: Calendar
+
+    def base(self, anchor: Days) -> date:
+        """Give the first day of the anchor's, or the last behind a feast of several days or a season."""
+        behind = self.count > 0 and isinstance(self.anchor, (Yearly, OfYear))
+        return anchor.end - ONE_DAY if behind else anchor.first
 
     def counted(self, today: Today, day: date) -> date:  # noqa: ARG002 - working days need today
         """Give the day so many units away."""

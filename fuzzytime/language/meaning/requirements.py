@@ -23,11 +23,12 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.grains import grain_of, zone_in
-from fuzzytime.language.meaning.instants import Instants, UngroundedError
+from fuzzytime.language.meaning.instants import Instants
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.offered_days import on_each_day_offered
 from fuzzytime.language.meaning.relations import Away
 from fuzzytime.language.meaning.series import recurrence_of
+from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 
 UPPER = frozenset({"at most", "less than"})

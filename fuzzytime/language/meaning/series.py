@@ -17,12 +17,13 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
-from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.recurrence import JUST_BEFORE, CalendarRecurrence, EvenRecurrence
 from fuzzytime.language.meaning.recurrence_by_months import RecurrenceByMonths, is_by_months
 from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
+from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Unit
 
 WEEK = 7

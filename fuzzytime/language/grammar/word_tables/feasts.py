@@ -1,44 +1,30 @@
 """Reading ``calendar.yaml``: feasts and seasons."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any
 
 from fuzzytime.language.grammar.word_tables.tables import Tables
-from fuzzytime.language.meaning.feasts import Feast, Reckoning, Season
+from fuzzytime.language.meaning.calendars.easter import FromEaster
+from fuzzytime.language.meaning.calendars.hebrew import OnHebrewDate
+from fuzzytime.language.meaning.calendars.observance import Observance, OnDate, OnWeekday
+from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.yaml_nodes import Node
+
+MOST_DAYS = 366
+"""How far a feast is from another, and how long it lasts, at most."""
+
+FROM_EVENING = frozenset({"hebrew"})
+"""Calendars whose days begin in the evening before."""
+
+MOST_MONTHS, MOST_DAYS_OF_MONTH = 12, 30
+
+Read = Callable[[Node, str], Observance]
 
 
 def read_feasts(tables: Tables) -> None:
     """Add feasts and seasons."""
-    reader = tables.reader
-    weekdays = {f[0]: int(n.text) for n, node in tables.rows("weekdays") for f in tables.forms(node, "")}
-    months = {f[0]: int(n.text) for n, node in tables.rows("months") for f in tables.forms(node, "")}
-
-    def feast(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        key = f"holidays.{name}"
-        days = reader.whole(fields["days"], f"{key}.days", -366, 366) if "days" in fields else 0
-        if "date" in fields:
-            month, day = _month_day(tables, fields["date"], f"{key}.date")
-            kept = fields.get("not on")
-            free = None if kept is None else weekdays.get(reader.choice(kept, f"{key}.not on", weekdays))
-            return [("feast", Feast(name, Reckoning.DATE, month, day, days=days, never_on=free))]
-        if "easter" in fields:
-            days += reader.whole(fields["easter"], f"{key}.easter", -366, 366)
-            return [("feast", Feast(name, Reckoning.EASTER, days=days))]
-        if "nth" in fields:
-            items = reader.sequence(fields["nth"], f"{key}.nth", 3)
-            if not items:
-                return []
-            nth = reader.whole(items[0], f"{key}.nth[0]", -4, 4) or 1
-            weekday = weekdays.get(reader.choice(items[1], f"{key}.nth[1]", weekdays), 0)
-            month = months.get(reader.choice(items[2], f"{key}.nth[2]", months), 1)
-            return [("feast", Feast(name, Reckoning.NTH, month, nth=nth, weekday=weekday, days=days))]
-        reader.mistake(next(iter(fields.values())), key, "a holiday needs 'date', 'nth' or 'easter'")
-        return []
-
-    tables.table(
-        "holidays", {"date": False, "nth": False, "easter": False, "days": False, "not on": False}, feast
-    )
+    _Feasts(tables).read()
 
     def season(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
         begins = _month_day(tables, fields["from"], f"seasons.{name}.from")
@@ -47,15 +33,104 @@ def read_feasts(tables: Tables) -> None:
     tables.table("seasons", {"from": True, "to": True}, season)
 
 
-def _month_day(tables: Tables, node: Node, key: str) -> tuple[int, int]:
+class _Feasts:
+    """The holidays of a calendar, which may tell of those above them."""
+
+    def __init__(self, tables: Tables) -> None:
+        self.tables = tables
+        self.reader = tables.reader
+        self.weekdays = self._numbers("weekdays")
+        self.months = self._numbers("months")
+        self.found: dict[str, Feast] = {}
+        self.calendars: dict[str, Read] = {
+            "date": self._date,
+            "nth": self._nth,
+            "easter": partial(self._easter, orthodox=False),
+            "orthodox easter": partial(self._easter, orthodox=True),
+            "hebrew": self._hebrew,
+        }
+
+    def read(self) -> None:
+        """Add them."""
+        others = ("days", "moves", "lasts", "until")
+        self.tables.table("holidays", dict.fromkeys((*self.calendars, *others), False), self._feast)
+
+    def _numbers(self, section: str) -> dict[str, int]:
+        rows = self.tables.rows(section)
+        return {form[0]: int(name.text) for name, node in rows for form in self.tables.forms(node, "")}
+
+    def _feast(self, name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
+        key = f"holidays.{name}"
+        named = [calendar for calendar in self.calendars if calendar in fields]
+        if len(named) != 1:
+            if fields:
+                at, known = next(iter(fields.values())), ", ".join(map(repr, self.calendars))
+                self.reader.mistake(at, key, f"a holiday needs one of {known}, got {len(named)}")
+            return []
+        (calendar,) = named
+        feast = Feast(
+            name,
+            self.calendars[calendar](fields[calendar], f"{key}.{calendar}"),
+            self._whole(fields, key, "days", -MOST_DAYS, 0),
+            self._moves(fields, key),
+            self._whole(fields, key, "lasts", 1, 1),
+            self._until(fields, key),
+            calendar in FROM_EVENING,
+        )
+        self.found[name] = feast
+        return [("feast", feast)]
+
+    def _whole(self, fields: dict[str, Node], key: str, name: str, low: int, usual: int) -> int:
+        return self.reader.whole(fields[name], f"{key}.{name}", low, MOST_DAYS) if name in fields else usual
+
+    def _moves(self, fields: dict[str, Node], key: str) -> tuple[tuple[int, int], ...]:
+        if "moves" not in fields:
+            return ()
+        days = self.reader.mapping(fields["moves"], f"{key}.moves", self.weekdays)
+        return tuple(
+            (self.weekdays[weekday], self.reader.whole(node, f"{key}.moves.{weekday}", -6, 6))
+            for weekday, node in days.items()
+        )
+
+    def _until(self, fields: dict[str, Node], key: str) -> Feast | None:
+        if "until" not in fields:
+            return None
+        # A feast that stands above.
+        return self.found.get(self.reader.choice(fields["until"], f"{key}.until", self.found))
+
+    # -- calendars --------------------------------------------------------------------------------------
+
+    def _date(self, node: Node, key: str) -> Observance:
+        return OnDate(*_month_day(self.tables, node, key))
+
+    def _nth(self, node: Node, key: str) -> Observance:
+        items = self.reader.sequence(node, key, 3)
+        if not items:
+            return OnWeekday(1, 0, 1)
+        nth = self.reader.whole(items[0], f"{key}[0]", -4, 4) or 1
+        weekday = self.weekdays.get(self.reader.choice(items[1], f"{key}[1]", self.weekdays), 0)
+        return OnWeekday(
+            nth, weekday, self.months.get(self.reader.choice(items[2], f"{key}[2]", self.months), 1)
+        )
+
+    def _easter(self, node: Node, key: str, *, orthodox: bool) -> Observance:
+        return FromEaster(self.reader.whole(node, key, -MOST_DAYS, MOST_DAYS), orthodox)
+
+    def _hebrew(self, node: Node, key: str) -> Observance:
+        return OnHebrewDate(*self._lunar(node, key))
+
+    def _lunar(self, node: Node, key: str) -> tuple[int, int]:
+        """Read month and day of a calendar whose months follow the moon."""
+        return _month_day(self.tables, node, key, lunar=True)
+
+
+def _month_day(tables: Tables, node: Node, key: str, *, lunar: bool = False) -> tuple[int, int]:
     text = tables.reader.string(node, key)
     month, _, day = text.partition("-")
-    if (
-        month.isdecimal()
-        and day.isdecimal()
-        and 1 <= int(month) <= 12
-        and 1 <= int(day) <= 28 + 3 * (month != "02")
-    ):
-        return int(month), int(day)
-    tables.reader.mistake(node, key, f"a day of the year must look like 12-24, got {text!r}")
+    if month.isdecimal() and day.isdecimal() and 1 <= int(month) <= MOST_MONTHS:
+        longest = MOST_DAYS_OF_MONTH if lunar else 28 + 3 * (int(month) != 2)
+        if 1 <= int(day) <= longest:
+            return int(month), int(day)
+    shown = "month and day must look like 12-24" if lunar else "a day of the year must look like 12-24"
+    tables.reader.mistake(node, key, f"{shown}, got {text!r}")
     return 1, 1

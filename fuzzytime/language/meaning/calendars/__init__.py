@@ -1,0 +1,5 @@
+"""Calendars in which feasts have their days, each a module; none costs anything before it is asked for.
+
+What a feast asks of its calendar: ``observance``.
+By arithmetic: ``easter``, ``hebrew``.
+"""
