@@ -9,8 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today, Weekend, moved
+from fuzzytime.language.meaning.calendars.east_asian import OnEastAsianDate
 from fuzzytime.language.meaning.calendars.easter import FromEaster
 from fuzzytime.language.meaning.calendars.hebrew import OnHebrewDate
+from fuzzytime.language.meaning.calendars.islamic import OnIslamicDate
 from fuzzytime.language.meaning.calendars.observance import OnWeekday
 from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.nested import Nth, Share, WeekOf, Within
@@ -33,6 +35,8 @@ SERIES: list[Calendar] = [
     Feast("easter", FromEaster()),
     Feast("thanksgiving", OnWeekday(4, 3, 11)),
     Feast("last monday of may", OnWeekday(-1, 0, 5)),
+    Feast("ramadan", OnIslamicDate(9, 1), until=Feast("eid al-fitr", OnIslamicDate(10, 1))),
+    Feast("chinese new year", OnEastAsianDate(1, 1)),
     Feast("passover", OnHebrewDate(1, 15), lasts=8),
     Feast("lent", FromEaster(-46), until=Feast("easter", FromEaster())),
     Season("winter", (12, 21), (3, 20)),

@@ -1,16 +1,32 @@
 """Feasts fall on the days on which they were kept, and their calendars are calendars."""
 
+from collections.abc import Callable
 from datetime import date, timedelta
 from functools import cache
+from itertools import islice, pairwise
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.language.finding import shipped_lexicon
+from fuzzytime.language.meaning.calendar import Today
+from fuzzytime.language.meaning.calendars.astronomy import moon, new_moon, new_moon_near, sun
+from fuzzytime.language.meaning.calendars.east_asian import (
+    CHINA,
+    KOREA,
+    VIETNAM,
+    month_starts,
+    sun_reaches,
+)
 from fuzzytime.language.meaning.calendars.easter import easter, orthodox_easter
 from fuzzytime.language.meaning.calendars.hebrew import gregorian, is_leap, month_lengths, new_year
-from fuzzytime.language.meaning.feasts import Feast
+from fuzzytime.language.meaning.calendars.islamic import month_start
+from fuzzytime.language.meaning.feasts import Feast, OfYear
+from fuzzytime.language.meaning.ungrounded import UngroundedError
+from fuzzytime.language.policy import Policy
+
+TODAY = Today(date(2026, 3, 4), Policy())
 
 
 @cache
@@ -64,6 +80,30 @@ KEPT = [
     ("yom hashoah", "2021-04-08 2023-04-18 2024-05-06 2025-04-24 2026-04-14"),
     ("yom haatzmaut", "2021-04-15 2022-05-05 2023-04-26 2024-05-14 2025-05-01 2026-04-22"),
     ("fast of esther", "2024-03-21 2025-03-13 2026-03-02"),
+    ("ramadan", "2021-04-13 2022-04-02 2023-03-23 2024-03-11 2025-03-01 2026-02-18 2027-02-08"),
+    ("eid al-fitr", "2013-08-08 2014-07-28 2015-07-17 2016-07-06 2017-06-25 2018-06-15 2019-06-04"),
+    ("eid al-fitr", "2020-05-24 2021-05-13 2022-05-02 2023-04-21 2024-04-10 2025-03-30 2026-03-20"),
+    ("eid al-adha", "2017-09-01 2018-08-21 2019-08-11 2020-07-31 2021-07-20 2022-07-09 2023-06-28"),
+    ("eid al-adha", "2024-06-16 2025-06-06 2026-05-27"),
+    ("islamic new year", "2019-08-31 2020-08-20 2021-08-09 2022-07-30 2023-07-19 2024-07-07 2025-06-26"),
+    ("islamic new year", "2026-06-16"),
+    ("jumu'atul-wida", "2024-04-05 2025-03-28 2026-03-13"),
+    ("chinese new year", "1985-02-20 2007-02-18 2015-02-19 2016-02-08 2017-01-28 2018-02-16 2019-02-05"),
+    ("chinese new year", "2020-01-25 2021-02-12 2022-02-01 2023-01-22 2024-02-10 2025-01-29 2026-02-17"),
+    ("chinese new year", "2027-02-06 2028-01-26 2029-02-13 2030-02-03 2033-01-31 2034-02-19"),
+    ("vietnamese new year", "1985-01-21 2007-02-17 2026-02-17 2030-02-02"),
+    ("dragon boat festival", "2020-06-25 2022-06-03 2023-06-22 2024-06-10 2025-05-31 2026-06-19"),
+    ("qixi", "2020-08-25 2023-08-22 2024-08-10 2025-08-29 2026-08-19"),
+    ("mid-autumn festival", "2017-10-04 2020-10-01 2021-09-21 2022-09-10 2023-09-29 2024-09-17"),
+    ("mid-autumn festival", "2025-10-06 2026-09-25 2033-09-08"),
+    ("double ninth festival", "2023-10-23 2024-10-11 2025-10-29 2026-10-18"),
+    ("laba festival", "2024-01-18 2025-01-07 2026-01-26"),
+    ("qingming", "2019-04-05 2020-04-04 2023-04-05 2024-04-04 2025-04-04 2026-04-05"),
+    ("dongzhi", "2023-12-22 2024-12-21 2025-12-21 2026-12-22"),
+    ("vesak", "2023-06-02 2024-05-22 2025-05-12 2026-05-31"),
+    ("nowruz", "2020-03-20 2021-03-21 2023-03-21 2024-03-20 2025-03-21 2026-03-21"),
+    ("yalda night", "2023-12-21 2024-12-20 2025-12-21"),
+    ("advent", "2023-12-03 2024-12-01 2025-11-30 2026-11-29"),
 ]
 
 
@@ -88,6 +128,84 @@ def test_the_days_of_a_hebrew_year_are_all_of_its_days(year: int) -> None:
     firsts = [gregorian(year, month, 1) for month in months]
     assert firsts == sorted(set(firsts))
     assert gregorian(year, 6, 29) + timedelta(days=1) == gregorian(year + 1, 7, 1)
+
+
+@pytest.mark.parametrize(("place", "angle"), [(moon, 133.16727), (sun, 22.33957)])
+def test_the_sun_and_the_moon_stand_where_they_are_printed_to_stand(
+    place: Callable[[float], float], angle: float
+) -> None:
+    # Meeus, example 47.a; the sun's from the same formulas of a higher order.
+    assert place(date(1992, 4, 12).toordinal() - 59 / 86_400) == pytest.approx(angle, abs=0.002)
+
+
+def test_a_new_moon_and_a_solstice_are_when_they_are_printed_to_be() -> None:
+    # Meeus, examples 49.a and 27.a, there in even time.
+    minute = 1 / 1440
+    february = date(1977, 2, 18).toordinal() + (3 + 36.9 / 60) / 24
+    assert new_moon(new_moon_near(february)) == pytest.approx(february, abs=minute)
+    june = date(1962, 6, 21).toordinal() + (21 + 24.2 / 60) / 24
+    assert sun_reaches(90, 1962) == pytest.approx(june, abs=minute)
+
+
+YEARS = st.integers(1901, 2198)
+
+
+@given(st.integers(-1200, 2400))
+def test_an_islamic_month_has_29_or_30_days(number: int) -> None:
+    assert month_start(number + 1) - month_start(number) in {29, 30}
+
+
+@given(YEARS)
+def test_eid_follows_ramadan_wherever_it_falls_in_the_year(year: int) -> None:
+    for ramadan in feasts()["ramadan"].of_year(year):
+        assert (ramadan.end - ramadan.first).days in {29, 30}
+        ends = {days.first for near in (year, year + 1) for days in feasts()["eid al-fitr"].of_year(near)}
+        assert ramadan.end in ends
+
+
+def test_an_islamic_feast_may_come_twice_in_a_year() -> None:
+    assert [f"{days.first}" for days in feasts()["ramadan"].of_year(2030)] == ["2030-01-05", "2030-12-26"]
+    today = Today(date(2030, 1, 20), Policy())
+    coming = islice(feasts()["ramadan"].upcoming(today, today.day), 3)
+    assert [days.first.isoformat() for days in coming] == ["2030-01-05", "2030-12-26", "2031-12-15"]
+    past = islice(feasts()["ramadan"].past(today, date(2031, 1, 1)), 2)
+    assert [days.first.isoformat() for days in past] == ["2030-12-26", "2030-01-05"]
+
+
+def test_eid_is_either_of_two() -> None:
+    assert [f"{days.first}" for days in feasts()["eid"].of_year(2026)] == ["2026-03-20", "2026-05-27"]
+
+
+@given(YEARS, st.sampled_from([CHINA, KOREA, VIETNAM]))
+def test_a_lunisolar_year_has_twelve_months_and_a_thirteenth_where_it_leaps(year: int, hours: int) -> None:
+    starts = [*month_starts(year, hours).values(), month_starts(year + 1, hours)[11]]
+    lengths = [last - first for first, last in pairwise(starts)]
+    assert list(month_starts(year, hours)) == [11, 12, *range(1, 11)]
+    assert sum(lengths) in {353, 354, 355, 383, 384, 385}
+    # With a leap month behind it, a month is named over both.
+    assert sorted(length in {29, 30} for length in lengths)[1:] == [True] * 11
+    assert date(year, 1, 20) < date.fromordinal(month_starts(year, hours)[1]) < date(year, 2, 22)
+
+
+def test_the_leap_months_of_china_are_those_that_are_printed() -> None:
+    for year, month in [(2020, 4), (2023, 2), (2025, 6), (2028, 5), (2031, 3), (2034, 11)]:
+        starts = month_starts(year, CHINA)
+        following = [*starts.values(), month_starts(year + 1, CHINA)[11]]
+        lengths = dict(zip(starts, (last - first for first, last in pairwise(following)), strict=True))
+        assert lengths[month] > 30
+
+
+@given(YEARS)
+def test_a_feast_comes_every_year_or_where_the_moon_rules_alone_in_the_end(year: int) -> None:
+    for name, feast in feasts().items():
+        found = [*feast.of_year(year), *feast.of_year(year + 1)]
+        assert found, name
+        assert all(first.first < second.first for first, second in pairwise(found)), name
+
+
+def test_a_year_for_which_no_moon_is_computed_is_refused() -> None:
+    with pytest.raises(UngroundedError, match="known for the years 1900 to 2199, not for 2300"):
+        next(OfYear(feasts()["ramadan"], 2300).upcoming(TODAY, TODAY.day))
 
 
 def test_a_feast_of_several_days_ends_where_another_begins() -> None:

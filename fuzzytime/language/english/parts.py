@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.feasts import feast_in
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Rest, Wall
@@ -163,7 +164,7 @@ def tonight(share: tuple[float, float] | None, found: tuple[Relative, Part]) -> 
 @grammar.rule("wall", "<share> <days>|<date>", "<share> in? the day", weight=0.1)
 def later_today(share: tuple[float, float], days: Calendar | None = None) -> Wall | None:
     """Later today, early tomorrow, late on friday."""
-    if days is not None and (days.grain is not Unit.DAY or _is_season(days)):
+    if days is not None and (days.grain is not Unit.DAY or _is_several_days(days)):
         return None
     low, high = share
     whole = Part(WHOLE_DAY, 0, 24 * 3600, Half.DAY)
@@ -184,13 +185,17 @@ def share_of_day_part(share: tuple[float, float], days: Calendar, found: Part) -
 
 @grammar.rule("days", "<share> the? <days>|<date>", "<share> <month>", "<share> the? <season>", weight=0.3)
 def share_of_days(share: tuple[float, float], days: Calendar | int) -> Calendar | None:
-    """Early next week, mid november, late winter."""
+    """Early next week, mid november, late winter, halfway through lent."""
     whole = Fields(month=days) if isinstance(days, int) else days
-    return None if whole.grain is Unit.DAY and not _is_season(whole) else Share(*share, whole)
+    return None if whole.grain is Unit.DAY and not _is_several_days(whole) else Share(*share, whole)
 
 
-def _is_season(days: Calendar) -> bool:
-    return isinstance(days.of if isinstance(days, Deictic) else days, Season)
+def _is_several_days(days: Calendar) -> bool:
+    """Whether it is a season, or a feast of several days."""
+    feast = feast_in(days)
+    return isinstance(days.of if isinstance(days, Deictic) else days, Season) or (
+        feast is not None and feast.is_several
+    )
 
 
 @grammar.rule("days", "the week before <days>|<date>", weight=0.4)

@@ -145,6 +145,23 @@ class Feast(Yearly):
 
 
 @dataclass(frozen=True, slots=True)
+class OneOf(Observance):
+    """On the days of several feasts: an eid is either of two."""
+
+    feasts: tuple[Feast, ...]
+
+    @property
+    def years(self) -> range:
+        """Those in which all are known."""
+        known = [feast.years for feast in self.feasts]
+        return range(max(years.start for years in known), min(years.stop for years in known))
+
+    def in_year(self, year: int) -> tuple[date, ...]:
+        """Give the days of all."""
+        return tuple(sorted(days.first for feast in self.feasts for days in feast.of_year(year)))
+
+
+@dataclass(frozen=True, slots=True)
 class Season(Yearly):
     """A stretch of the year from a month and day to before another."""
 

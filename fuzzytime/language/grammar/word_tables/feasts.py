@@ -5,19 +5,28 @@ from functools import partial
 from typing import Any
 
 from fuzzytime.language.grammar.word_tables.tables import Tables
+from fuzzytime.language.meaning.calendars.east_asian import (
+    CHINA,
+    KOREA,
+    VIETNAM,
+    OnEastAsianDate,
+    OnSolarTerm,
+)
 from fuzzytime.language.meaning.calendars.easter import FromEaster
 from fuzzytime.language.meaning.calendars.hebrew import OnHebrewDate
+from fuzzytime.language.meaning.calendars.islamic import OnIslamicDate
 from fuzzytime.language.meaning.calendars.observance import Observance, OnDate, OnWeekday
-from fuzzytime.language.meaning.feasts import Feast, Season
+from fuzzytime.language.meaning.calendars.persian import OnPersianDate
+from fuzzytime.language.meaning.feasts import Feast, OneOf, Season
 from fuzzytime.yaml_nodes import Node
 
 MOST_DAYS = 366
 """How far a feast is from another, and how long it lasts, at most."""
 
-FROM_EVENING = frozenset({"hebrew"})
+FROM_EVENING = frozenset({"hebrew", "islamic"})
 """Calendars whose days begin in the evening before."""
 
-MOST_MONTHS, MOST_DAYS_OF_MONTH = 12, 30
+MOST_MONTHS, MOST_DAYS_OF_MONTH = 12, 31
 
 Read = Callable[[Node, str], Observance]
 
@@ -47,7 +56,14 @@ class _Feasts:
             "nth": self._nth,
             "easter": partial(self._easter, orthodox=False),
             "orthodox easter": partial(self._easter, orthodox=True),
-            "hebrew": self._hebrew,
+            "hebrew": partial(self._lunar, kind=OnHebrewDate),
+            "islamic": partial(self._lunar, kind=OnIslamicDate),
+            "chinese": partial(self._lunar, kind=partial(OnEastAsianDate, hours=CHINA)),
+            "korean": partial(self._lunar, kind=partial(OnEastAsianDate, hours=KOREA)),
+            "vietnamese": partial(self._lunar, kind=partial(OnEastAsianDate, hours=VIETNAM)),
+            "solar term": self._solar_term,
+            "persian": partial(self._lunar, kind=OnPersianDate),
+            "one of": self._one_of,
         }
 
     def read(self) -> None:
@@ -88,7 +104,7 @@ class _Feasts:
             return ()
         days = self.reader.mapping(fields["moves"], f"{key}.moves", self.weekdays)
         return tuple(
-            (self.weekdays[weekday], self.reader.whole(node, f"{key}.moves.{weekday}", -6, 6))
+            (self.weekdays[weekday], self.reader.whole(node, f"{key}.moves.{weekday}", -7, 7))
             for weekday, node in days.items()
         )
 
@@ -116,21 +132,26 @@ class _Feasts:
     def _easter(self, node: Node, key: str, *, orthodox: bool) -> Observance:
         return FromEaster(self.reader.whole(node, key, -MOST_DAYS, MOST_DAYS), orthodox)
 
-    def _hebrew(self, node: Node, key: str) -> Observance:
-        return OnHebrewDate(*self._lunar(node, key))
+    def _solar_term(self, node: Node, key: str) -> Observance:
+        return OnSolarTerm(self.reader.whole(node, key, 0, 359))
 
-    def _lunar(self, node: Node, key: str) -> tuple[int, int]:
-        """Read month and day of a calendar whose months follow the moon."""
-        return _month_day(self.tables, node, key, lunar=True)
+    def _lunar(self, node: Node, key: str, *, kind: Callable[[int, int], Observance]) -> Observance:
+        """Read month and day of a calendar with other months."""
+        return kind(*_month_day(self.tables, node, key, other=True))
+
+    def _one_of(self, node: Node, key: str) -> Observance:
+        """Read feasts that stand above, on the days of any of which it is."""
+        names = self.reader.choices(node, key, self.found)
+        return OneOf(tuple(self.found[name] for name in names if name in self.found))
 
 
-def _month_day(tables: Tables, node: Node, key: str, *, lunar: bool = False) -> tuple[int, int]:
+def _month_day(tables: Tables, node: Node, key: str, *, other: bool = False) -> tuple[int, int]:
     text = tables.reader.string(node, key)
     month, _, day = text.partition("-")
     if month.isdecimal() and day.isdecimal() and 1 <= int(month) <= MOST_MONTHS:
-        longest = MOST_DAYS_OF_MONTH if lunar else 28 + 3 * (int(month) != 2)
+        longest = MOST_DAYS_OF_MONTH if other else 28 + 3 * (int(month) != 2)
         if 1 <= int(day) <= longest:
             return int(month), int(day)
-    shown = "month and day must look like 12-24" if lunar else "a day of the year must look like 12-24"
+    shown = "month and day must look like 12-24" if other else "a day of the year must look like 12-24"
     tables.reader.mistake(node, key, f"{shown}, got {text!r}")
     return 1, 1

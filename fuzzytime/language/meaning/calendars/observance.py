@@ -49,19 +49,3 @@ class OnWeekday(Observance):
         weeks = calendar.Calendar().monthdatescalendar(year, self.month)
         days = [week[self.weekday] for week in weeks if week[self.weekday].month == self.month]
         return (days[self.nth - 1 if self.nth > 0 else self.nth],)
-
-
-@dataclass(frozen=True, slots=True)
-class OneOf(Observance):
-    """On the days of several: an eid is either of two feasts."""
-
-    feasts: tuple[Observance, ...]
-
-    @property
-    def years(self) -> range:
-        """Those of the first."""
-        return self.feasts[0].years
-
-    def in_year(self, year: int) -> tuple[date, ...]:
-        """Give the days of all."""
-        return tuple(sorted(day for feast in self.feasts for day in feast.in_year(year)))
