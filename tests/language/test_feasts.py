@@ -21,6 +21,7 @@ from fuzzytime.language.meaning.calendars.east_asian import (
 )
 from fuzzytime.language.meaning.calendars.easter import easter, orthodox_easter
 from fuzzytime.language.meaning.calendars.hebrew import gregorian, is_leap, month_lengths, new_year
+from fuzzytime.language.meaning.calendars.hindu import months_of
 from fuzzytime.language.meaning.calendars.islamic import month_start
 from fuzzytime.language.meaning.feasts import Feast, OfYear
 from fuzzytime.language.meaning.ungrounded import UngroundedError
@@ -103,6 +104,38 @@ KEPT = [
     ("vesak", "2023-06-02 2024-05-22 2025-05-12 2026-05-31"),
     ("nowruz", "2020-03-20 2021-03-21 2023-03-21 2024-03-20 2025-03-21 2026-03-21"),
     ("yalda night", "2023-12-21 2024-12-20 2025-12-21"),
+    ("diwali", "2013-11-03 2014-10-23 2015-11-11 2016-10-30 2017-10-19 2018-11-07 2019-10-27 2020-11-14"),
+    ("diwali", "2021-11-04 2022-10-24 2023-11-12 2024-10-31 2025-10-20 2026-11-08"),
+    ("dhanteras", "2019-10-25 2020-11-13 2021-11-02 2022-10-22 2023-11-10 2024-10-29 2025-10-18"),
+    ("naraka chaturdashi", "2021-11-04 2022-10-24 2023-11-12 2024-10-31 2025-10-20"),
+    ("govardhan puja", "2021-11-05 2022-10-26 2023-11-14 2024-11-02 2025-10-22"),
+    ("bhai dooj", "2019-10-29 2020-11-16 2021-11-06 2023-11-15 2024-11-03 2025-10-23"),
+    ("holi", "2015-03-06 2016-03-24 2017-03-13 2018-03-02 2019-03-21 2020-03-10 2021-03-29 2022-03-18"),
+    ("holi", "2023-03-08 2024-03-25 2025-03-14 2026-03-04"),
+    ("dussehra", "2015-10-22 2016-10-11 2017-09-30 2018-10-19 2020-10-25 2021-10-15 2022-10-05"),
+    ("dussehra", "2023-10-24 2024-10-12 2025-10-02"),
+    ("navaratri", "2018-10-10 2019-09-29 2020-10-17 2021-10-07 2022-09-26 2023-10-15 2024-10-03"),
+    ("navaratri", "2025-09-22"),
+    ("durga puja", "2023-10-20 2024-10-09 2025-09-28"),
+    ("raksha bandhan", "2017-08-07 2018-08-26 2019-08-15 2020-08-03 2021-08-22 2022-08-11 2023-08-30"),
+    ("raksha bandhan", "2024-08-19 2025-08-09"),
+    ("janmashtami", "2020-08-12 2021-08-30 2022-08-19 2023-09-07 2024-08-26 2025-08-16"),
+    ("ganesh chaturthi", "2017-08-25 2018-09-13 2019-09-02 2020-08-22 2021-09-10 2022-08-31 2023-09-19"),
+    ("ganesh chaturthi", "2024-09-07 2025-08-27"),
+    ("rama navami", "2018-03-25 2019-04-13 2020-04-02 2021-04-21 2022-04-10 2023-03-30 2024-04-17"),
+    ("ugadi", "2018-03-18 2019-04-06 2020-03-25 2021-04-13 2022-04-02 2023-03-22 2024-04-09 2025-03-30"),
+    ("basant panchami", "2021-02-16 2022-02-05 2023-01-26 2024-02-14 2025-02-02"),
+    ("maha shivaratri", "2018-02-13 2019-03-04 2020-02-21 2021-03-11 2022-03-01 2023-02-18 2024-03-08"),
+    ("maha shivaratri", "2025-02-26"),
+    ("karva chauth", "2020-11-04 2021-10-24 2022-10-13 2023-11-01 2024-10-20 2025-10-10"),
+    ("chhath puja", "2021-11-10 2022-10-30 2023-11-19 2024-11-07 2025-10-27"),
+    ("buddha purnima", "2021-05-26 2022-05-16 2023-05-05 2024-05-23 2025-05-12"),
+    ("mahavir jayanti", "2021-04-25 2022-04-14 2023-04-04 2024-04-21 2025-04-10"),
+    ("guru nanak jayanti", "2020-11-30 2021-11-19 2022-11-08 2023-11-27 2024-11-15 2025-11-05"),
+    ("makar sankranti", "2019-01-15 2020-01-15 2021-01-14 2022-01-14 2023-01-15 2024-01-15 2025-01-14"),
+    ("vaisakhi", "2022-04-14 2023-04-14 2024-04-13"),
+    ("puthandu", "2021-04-14 2022-04-14 2023-04-14 2024-04-14 2025-04-14"),
+    ("onam", "2018-08-25 2019-09-11 2020-08-31 2021-08-21 2022-09-08 2023-08-29 2024-09-15 2025-09-05"),
     ("advent", "2023-12-03 2024-12-01 2025-11-30 2026-11-29"),
 ]
 
@@ -193,6 +226,23 @@ def test_the_leap_months_of_china_are_those_that_are_printed() -> None:
         following = [*starts.values(), month_starts(year + 1, CHINA)[11]]
         lengths = dict(zip(starts, (last - first for first, last in pairwise(following)), strict=True))
         assert lengths[month] > 30
+
+
+@given(YEARS)
+def test_diwali_is_between_october_and_november_and_navaratri_is_before_it(year: int) -> None:
+    (diwali,) = feasts()["diwali"].of_year(year)
+    assert date(year, 10, 13) <= diwali.first <= date(year, 11, 19)
+    (navaratri,) = feasts()["navaratri"].of_year(year)
+    assert 7 <= (navaratri.end - navaratri.first).days <= 10
+    assert 18 <= (diwali.first - navaratri.end).days <= 21
+
+
+@given(st.integers(-1200, 2400))
+def test_a_month_of_the_moon_has_one_name_unless_the_sun_enters_no_sign_or_two(number: int) -> None:
+    months = [months_of(number + more) for more in range(13)]
+    assert [len(names) for names in months].count(1) >= 10
+    named = [name for names in months for name in names]
+    assert all(second == first % 12 + 1 for first, second in pairwise(named))
 
 
 @given(YEARS)

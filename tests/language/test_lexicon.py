@@ -202,6 +202,26 @@ def test_every_group_of_words_is_asked_for_by_a_rule_or_another_group() -> None:
             r"holidays\.epiphany\.date: a day of the year must look like 12-24",
         ),
         (
+            "  vaisakhi:          {hindu sun: 0, at: midnight",
+            "  vaisakhi:          {date: 04-14, at: midnight",
+            r"holidays\.vaisakhi\.at: 'at' is for Hindu feasts, got 'date'",
+        ),
+        (
+            "  yom kippur:        {hebrew: 07-10",
+            "  yom kippur:        {hebrew: 17-10",
+            r"holidays\.yom kippur\.hebrew: month and day must look like 12-24, got '17-10'",
+        ),
+        (
+            "  ramadan:           {islamic: 09-01, until: eid al-fitr",
+            "  ramadan:           {islamic: 09-01, until: diwali",
+            r"holidays\.ramadan\.until: must be one of the known words, got 'diwali'",
+        ),
+        (
+            "  holy week:         {easter: -7, lasts: 7}",
+            "  holy week:         {lasts: 7}",
+            r"holidays\.holy week: a holiday needs one of 'date', 'nth', .*, got none",
+        ),
+        (
             "  labor day:         {nth: [1, monday, september]}",
             "  labor day:         {nth: [1, monday]}",
             r"holidays\.labor day\.nth: must hold 3 items, got 2",

@@ -64,8 +64,11 @@ class Walls(Standing):
             return False
         # "The sun", "in the sun": a weekday never stands with "in".
         words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
-        unsure = {None} if isinstance(wall.days, Feast) else {None, "in"}
-        alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in unsure
+        if isinstance(wall.days, Feast) and words[0] in self.lexicon.ambiguous:
+            # "The drill he lent at noon", "after the advent of computers"; but "in lent"
+            ends = self.around.may_end(piece) and self.around.follower(piece) != "of"
+            return said.preposition is not None and ends
+        alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         return not alone or (weekly and self._is_listed(piece))
 
     def _begins_other(self, piece: Piece, said: Said, wall: Wall) -> bool:

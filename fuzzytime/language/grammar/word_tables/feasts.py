@@ -1,6 +1,7 @@
 """Reading ``calendar.yaml``: feasts and seasons."""
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -14,6 +15,7 @@ from fuzzytime.language.meaning.calendars.east_asian import (
 )
 from fuzzytime.language.meaning.calendars.easter import FromEaster
 from fuzzytime.language.meaning.calendars.hebrew import OnHebrewDate
+from fuzzytime.language.meaning.calendars.hindu import At, OnLunarDay, OnStar, OnSunsEntry
 from fuzzytime.language.meaning.calendars.islamic import OnIslamicDate
 from fuzzytime.language.meaning.calendars.observance import Observance, OnDate, OnWeekday
 from fuzzytime.language.meaning.calendars.persian import OnPersianDate
@@ -25,6 +27,9 @@ MOST_DAYS = 366
 
 FROM_EVENING = frozenset({"hebrew", "islamic"})
 """Calendars whose days begin in the evening before."""
+
+OF_LUNAR_DAYS = frozenset({"at", "later"})
+"""What is said of Hindu feasts only."""
 
 MOST_MONTHS, MOST_DAYS_OF_MONTH = 12, 31
 
@@ -63,12 +68,15 @@ class _Feasts:
             "vietnamese": partial(self._lunar, kind=partial(OnEastAsianDate, hours=VIETNAM)),
             "solar term": self._solar_term,
             "persian": partial(self._lunar, kind=OnPersianDate),
+            "hindu": self._lunar_day,
+            "hindu sun": self._suns_entry,
+            "hindu star": self._star,
             "one of": self._one_of,
         }
 
     def read(self) -> None:
         """Add them."""
-        others = ("days", "moves", "lasts", "until")
+        others = ("days", "moves", "lasts", "until", *OF_LUNAR_DAYS)
         self.tables.table("holidays", dict.fromkeys((*self.calendars, *others), False), self._feast)
 
     def _numbers(self, section: str) -> dict[str, int]:
@@ -81,12 +89,19 @@ class _Feasts:
         if len(named) != 1:
             if fields:
                 at, known = next(iter(fields.values())), ", ".join(map(repr, self.calendars))
-                self.reader.mistake(at, key, f"a holiday needs one of {known}, got {len(named)}")
+                self.reader.mistake(at, key, f"a holiday needs one of {known}, got {len(named) or 'none'}")
             return []
         (calendar,) = named
+        kept = self.calendars[calendar](fields[calendar], f"{key}.{calendar}")
+        if isinstance(kept, (OnLunarDay, OnSunsEntry)):
+            kept = self._at(kept, key, fields)
+        else:
+            for field in OF_LUNAR_DAYS & fields.keys():
+                message = f"{field!r} is for Hindu feasts, got {calendar!r}"
+                self.reader.mistake(fields[field], f"{key}.{field}", message)
         feast = Feast(
             name,
-            self.calendars[calendar](fields[calendar], f"{key}.{calendar}"),
+            kept,
             self._whole(fields, key, "days", -MOST_DAYS, 0),
             self._moves(fields, key),
             self._whole(fields, key, "lasts", 1, 1),
@@ -138,6 +153,28 @@ class _Feasts:
     def _lunar(self, node: Node, key: str, *, kind: Callable[[int, int], Observance]) -> Observance:
         """Read month and day of a calendar with other months."""
         return kind(*_month_day(self.tables, node, key, other=True))
+
+    def _lunar_day(self, node: Node, key: str) -> Observance:
+        return OnLunarDay(*_month_day(self.tables, node, key, other=True))
+
+    def _suns_entry(self, node: Node, key: str) -> Observance:
+        return OnSunsEntry(self.reader.whole(node, key, 0, 359))
+
+    def _star(self, node: Node, key: str) -> Observance:
+        items = self.reader.sequence(node, key, 2)
+        if not items:
+            return OnStar(0, 1)
+        sign = self.reader.whole(items[0], f"{key}[0]", 0, 11)
+        return OnStar(sign, self.reader.whole(items[1], f"{key}[1]", 1, 27))
+
+    def _at(self, kept: OnLunarDay | OnSunsEntry, key: str, fields: dict[str, Node]) -> Observance:
+        """Read at which time of the day it is to prevail, and which of two such days it is."""
+        said = self.reader.choices(fields["at"], f"{key}.at", list(At)) if "at" in fields else ()
+        times = tuple(At(time) for time in said if time)
+        if isinstance(kept, OnSunsEntry):
+            return replace(kept, at=times[0]) if times else kept
+        later = "later" in fields and self.reader.boolean(fields["later"], f"{key}.later")
+        return replace(kept, at=times or kept.at, later=later)
 
     def _one_of(self, node: Node, key: str) -> Observance:
         """Read feasts that stand above, on the days of any of which it is."""

@@ -2,6 +2,6 @@
 
 What a feast asks of its calendar: ``observance``.
 By arithmetic: ``easter``, ``hebrew``.
-By the sun and the moon: ``islamic``, ``east_asian``, ``persian``.
+By the sun and the moon: ``islamic``, ``east_asian``, ``persian``, ``hindu``.
 Where these stand: ``astronomy``, with the numbers of ``series``.
 """
