@@ -13,7 +13,7 @@ from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
-from fuzzytime.language.meaning.feasts import Feast, Season
+from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.requirement import Unit
 
@@ -64,12 +64,17 @@ class Walls(Standing):
             return False
         # "The sun", "in the sun": a weekday never stands with "in".
         words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
-        if isinstance(wall.days, Feast) and words[0] in self.lexicon.ambiguous:
-            # "The drill he lent at noon", "after the advent of computers"; but "in lent"
+        if self._may_be_no_feast(piece):
             ends = self.around.may_end(piece) and self.around.follower(piece) != "of"
             return said.preposition is not None and ends
         alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         return not alone or (weekly and self._is_listed(piece))
+
+    def _may_be_no_feast(self, piece: Piece) -> bool:
+        """Whether a word of it may be a feast or not: "the drill he lent at noon", "in lent"."""
+        doubtful = (place for place in range(piece.start, piece.end) if self.is_ambiguous(place))
+        found = ((place, one) for place in doubtful for one in self.around.pieces(place))
+        return any(one.category == "feast" and one.end == place + 1 for place, one in found)
 
     def _begins_other(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether its last word belongs to a noun, or its first is a thing that has a number."""
