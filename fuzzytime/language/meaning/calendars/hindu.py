@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from datetime import date
 from enum import StrEnum
 from functools import cache
+from itertools import islice
 from math import floor
 
 from fuzzytime.language.meaning.calendars.astronomy import (
@@ -184,11 +185,13 @@ class OnStar(Observance):
 
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give its day."""
-        first, end = (
-            floor(_sun_enters(30 * sign % 360, year) + UJJAIN.hours / 24)
-            for sign in (self.sign, self.sign + 1)
-        )
-        for day in range(end - 1, first - 1, -1):
-            if floor(_among_stars(moon, At.SUNRISE.of(day)) / STAR) + 1 == self.star:
-                return (date.fromordinal(day),)
-        return ()
+        enters = (_sun_enters(30 * sign % 360, year) for sign in (self.sign, self.sign + 1))
+        first, end = (floor(moment + UJJAIN.hours / 24) for moment in enters)
+        days = (day for day in range(end - 1, first - 1, -1) if _star(day) == self.star)
+        return tuple(map(date.fromordinal, islice(days, 1)))
+
+
+@cache
+def _star(day: int) -> int:
+    """Give the star, from 1, with which the moon is at the sunrise of a day."""
+    return floor(_among_stars(moon, At.SUNRISE.of(day)) / STAR) + 1
