@@ -64,7 +64,8 @@ class Judge:
         if self._counts_from_thing(piece, time):
             return False
         if self._is_whole(piece):
-            return not lacks_unit(said) and self._accepts_alone(said)
+            order = self.walls.may_be_order(piece, said)
+            return not lacks_unit(said) and not order and self._accepts_alone(said)
         if lacks_unit(said):
             return self.lent.accept(piece, said)
         number = isinstance(time, Wall) and (time.bare or _is_pair(time.clock))

@@ -95,4 +95,6 @@ class Titles(Standing):
             for begin in range(max(0, piece.start - FEAST_WORDS), piece.start)
             for one in self.around.pieces(begin)
         )
-        return any(one.category == "feast" and one.end > piece.start for one in found)
+        # "Clean monday" may be an order.
+        sure = (one for one in found if one.category == "feast" and not one.value.doubtful)
+        return any(one.end > piece.start for one in sure)

@@ -13,7 +13,7 @@ from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
-from fuzzytime.language.meaning.feasts import Season
+from fuzzytime.language.meaning.feasts import OfYear, Season
 from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.requirement import Unit
 
@@ -64,17 +64,26 @@ class Walls(Standing):
             return False
         # "The sun", "in the sun": a weekday never stands with "in".
         words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
-        if self._may_be_no_feast(piece):
+        if self._doubtful_feast(piece, said, wall) is not None:
             ends = self.around.may_end(piece) and self.around.follower(piece) != "of"
-            return said.preposition is not None and ends
+            return said.preposition not in {None, "to"} and ends
         alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         return not alone or (weekly and self._is_listed(piece))
 
-    def _may_be_no_feast(self, piece: Piece) -> bool:
-        """Whether a word of it may be a feast or not: "the drill he lent at noon", "in lent"."""
-        doubtful = (place for place in range(piece.start, piece.end) if self.is_ambiguous(place))
-        found = ((place, one) for place in doubtful for one in self.around.pieces(place))
-        return any(one.category == "feast" and one.end == place + 1 for place, one in found)
+    def _doubtful_feast(self, piece: Piece, said: Said, wall: Wall) -> Piece | None:
+        """Give what it begins with, a feast or not: "he lent it", "call Ramadan"; None with its year."""
+        if isinstance(wall.days, OfYear):
+            return None
+        before = {"the", *" ".join((said.preposition or "", *said.hedges)).split()}
+        places = range(piece.start, piece.end)
+        first = next((place for place in places if self.texts[place] not in before), piece.end)
+        feasts = (one for one in self.around.pieces(first) if one.category == "feast")
+        return next((one for one in feasts if one.value.doubtful), None)
+
+    def may_be_order(self, piece: Piece, said: Said) -> bool:
+        """Whether it may say what is to be done on a weekday: "clean monday"."""
+        feast = self._doubtful_feast(piece, said, said.time) if isinstance(said.time, Wall) else None
+        return feast is not None and said.preposition is None and self.around.is_weekday(feast.end - 1)
 
     def _begins_other(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether its last word belongs to a noun, or its first is a thing that has a number."""

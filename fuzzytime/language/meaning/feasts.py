@@ -101,7 +101,8 @@ class Feast(Yearly):
     """A holiday: a day of some calendar, and those behind it where it ``lasts``, or is ``until`` another.
 
     It is moved by the days that its weekday has in ``moves`` (king's day on a sunday is the day before), then
-    by ``days``. ``from_evening`` says that its days begin in the evening before.
+    by ``days``. ``from_evening`` says that its days begin in the evening before, ``doubtful`` that its name
+    may be something else: "lent".
     """
 
     name: str
@@ -111,6 +112,7 @@ class Feast(Yearly):
     lasts: int = 1
     until: "Feast | None" = None
     from_evening: bool = False
+    doubtful: bool = False
 
     @property
     def is_several(self) -> bool:

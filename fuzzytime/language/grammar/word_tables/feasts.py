@@ -76,7 +76,7 @@ class _Feasts:
 
     def read(self) -> None:
         """Add them."""
-        others = ("days", "moves", "lasts", "until", *OF_LUNAR_DAYS)
+        others = ("days", "moves", "lasts", "until", "doubtful", *OF_LUNAR_DAYS)
         self.tables.table("holidays", dict.fromkeys((*self.calendars, *others), False), self._feast)
 
     def _numbers(self, section: str) -> dict[str, int]:
@@ -107,6 +107,7 @@ class _Feasts:
             self._whole(fields, key, "lasts", 1, 1),
             self._until(fields, key),
             calendar in FROM_EVENING,
+            "doubtful" in fields and self.reader.boolean(fields["doubtful"], f"{key}.doubtful"),
         )
         self.found[name] = feast
         return [("feast", feast)]
