@@ -37,6 +37,7 @@ from fuzzytime.language.english import (
     repetitions,
     stacks,
     stretches_of_weekdays,
+    typed_intervals,
     workdays,
     zones,
 )
@@ -78,6 +79,7 @@ _ROOMS = (
     bounded_repetitions,
     stretches_of_weekdays,
     all_through,
+    typed_intervals,
     workdays,
 )
 

@@ -151,6 +151,12 @@ def at_or_later(goal: Goal) -> Said:
     return said_of(goal, "not before", Constraint.AFTER, Edge.START)
 
 
+@grammar.rule("said", "<duration> from now on|onwards|onward", weight=0.6)
+def from_then_on_counted(duration: Duration) -> Said:
+    """An hour from now on."""
+    return Said(replace(duration, hedges=()), Constraint.AFTER, "from now", duration.hedges)
+
+
 @grammar.rule("said", "from <goal> on|onwards|onward", weight=0.4)
 def from_then_on(goal: Goal) -> Said:
     """From monday on, from now on; but "from 3 pm onwards" is not before that."""

@@ -1,6 +1,7 @@
 """Dates: "february the 15th", "31st Oct 1974", "2/15", "march 2027"."""
 
 from dataclasses import replace
+from datetime import MAXYEAR
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
@@ -237,6 +238,38 @@ def month(number: int) -> Fields:
 def year_alone(number: int) -> Fields | None:
     """2014: sure with a preposition; but 1730 is half past five."""
     return Fields(year=number) if number > LAST_CLOCK_YEAR and not _is_late_hour(number) else None
+
+
+@grammar.rule("weak date", "<year> /|- <integer>", weight=-0.2)
+def spaced_year_and_month(number: int, month: Integer) -> Fields | None:
+    """2026 / 11."""
+    digits = 0 < len(month.digits) <= 2
+    return _valid(number, month.value, None) if digits and not _is_late_hour(number) else None
+
+
+@grammar.rule("weak date", "<integer> /|- <year>", weight=-0.2)
+def spaced_month_and_year(month: Integer, number: int) -> Fields | None:
+    """11 - 2026."""
+    return spaced_year_and_month(number, month)
+
+
+@grammar.rule("era", "ad|ce", "a . d .?", "c . e .?")
+def common_era() -> int:
+    """AD, C.E.: years from the first on."""
+    return 1
+
+
+@grammar.rule("era", "bc|bce", "b . c .?", "b . c . e .?")
+def before_common_era() -> int:
+    """BC: years before the first, which no calendar here has."""
+    return -1
+
+
+@grammar.rule("date", "<integer> <era>", "the? year <integer> <era>", weight=0.4)
+@grammar.rule("weak date", "ad <integer>", weight=0.4)
+def year_of_era(number: Integer, sign: int = 1) -> Fields | None:
+    """(in) 14 AD, (in) AD 14; of a year BC it is said that it is too long ago."""
+    return Fields(year=sign * number.value) if 0 < number.value < MAXYEAR else None
 
 
 @grammar.rule("date", "<share> of? <year>", weight=0.3)

@@ -158,10 +158,24 @@ def days_from_now(duration: Duration) -> Calendar | None:
     return days_away(duration, Relative(0), 1) if not duration.hedges else None
 
 
-@grammar.rule("days", "<integer> <weekdays>|<weekday> from now|today|hence", weight=0.5)
+@grammar.rule(
+    "days",
+    "<integer> <weekdays>|<weekday> from now|today",
+    "<integer> <weekdays>|<weekday> hence",
+    "in <integer> <weekdays>",
+    "in <integer> <weekdays> '|'s time",
+    weight=0.5,
+)
 def weekdays_from_now(number: Integer, weekday: int) -> Calendar | None:
-    """Three fridays from now."""
+    """Three fridays from now, in two sundays."""
     return Following(number.value, Fields(weekday=weekday), Relative(0)) if 0 < number.value < 100 else None
+
+
+@grammar.rule("days", "<integer> <weekdays>|<weekday> later|afterwards", weight=0.5)
+def weekdays_later(number: Integer, weekday: int) -> Calendar | None:
+    """(sow it today, and plant it) two mondays later: behind the day that was said."""
+    later = Relative(0, onward=True)
+    return Following(number.value, Fields(weekday=weekday), later) if 0 < number.value < 100 else None
 
 
 @grammar.rule("days", "<integer> <weekdays>|<weekday> ago", weight=0.5)
@@ -236,19 +250,6 @@ def days_after(duration: Duration, anchor: Calendar) -> Calendar | None:
 def days_before(duration: Duration, anchor: Calendar) -> Calendar | None:
     """Two weeks before christmas."""
     return days_away(duration, anchor, -1) if not duration.hedges else None
-
-
-@grammar.rule("days", "<days> in|after <duration>", weight=0.1)
-def feast_in(anchor: Calendar, duration: Duration) -> Calendar | None:
-    """Thanksgiving in two years."""
-    years = duration.terms[0][0]
-    if not isinstance(anchor, Feast) or duration.unit is not Unit.YEAR or years != int(years):
-        return None
-    return _feast_of_year(anchor, int(years))
-
-
-def _feast_of_year(anchor: Feast, years: int) -> Calendar:
-    return Following(years, anchor, anchor) if years > 1 else Following(1, anchor, anchor)
 
 
 # -- stretches of days ----------------------------------------------------------------------------------

@@ -1,14 +1,23 @@
 """Days by how far they are from another: "a week tomorrow", "a month ago today", "over the next week"."""
 
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Duration, Offset, Said, UnitWord, Wall
+from fuzzytime.language.meaning.feasts import Yearly
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.meaning.relations import Away, Relative, Stretch, Which, days_away
+from fuzzytime.language.meaning.nested import Nth
+from fuzzytime.language.meaning.relations import Away, Following, Relative, Stretch, Which, days_away
 from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
+
+BACK = frozenset({"ago", "earlier"})
+"""Prepositions of distances back from now."""
+
+LONGEST_AGE = 60
+"""Years that a feast is named by how far away it is, at most: as far as is searched."""
 
 
 @grammar.rule("wall", "on|in? the <part> before <days>|<date>|<day of month>", weight=1.3)
@@ -93,6 +102,19 @@ def weekday_fortnight(number: int) -> Calendar:
 def day_week(day: Relative) -> Calendar | None:
     """Tomorrow week, today week."""
     return Away(1, Unit.WEEK, day) if day.days >= 0 else None
+
+
+@grammar.rule("days", "<days> in|after <duration>", "<days> ,? <duration> <forward>|<back>", weight=0.6)
+def feast_of_year_away(
+    anchor: Calendar, duration: Duration, preposition: Preposition | None = None
+) -> Calendar | None:
+    """Thanksgiving in two years, christmas two years ago: in the year so far away."""
+    (amount, unit), *more = duration.terms
+    named = isinstance(anchor, Yearly) and not more and duration.until is None and not duration.hedges
+    if not named or unit is not Unit.YEAR or amount != int(amount) or not 0 < amount < LONGEST_AGE:
+        return None
+    years = -int(amount) if preposition is not None and preposition.name in BACK else int(amount)
+    return Nth(1, anchor, Following(years, Cycle(Unit.YEAR), Relative(0)))
 
 
 @grammar.rule("said", "over|in|during|throughout the next|coming <unit>", weight=0.5)

@@ -6,6 +6,7 @@ from fuzzytime.language.english.clocks import with_half
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.distances import LOWER, UPPER
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Edge,
@@ -20,12 +21,14 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.meaning.relations import days_away
-from fuzzytime.language.meaning.requirements import LOWER, UPPER
+from fuzzytime.language.meaning.relations import Away, days_away
 from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
+
+SHORT_OF = frozenset({"less than"})
+"""Hedges of distances that do not reach the day that they end on."""
 
 ISH = "ish"
 """The hedge behind a clock time: "sevenish"."""
@@ -107,9 +110,9 @@ def hedged(hedge: str, goal: Goal) -> Goal | None:
     return replace(goal, hedges=(hedge, *goal.hedges)) if len(goal.hedges) < 3 else None
 
 
-@grammar.rule("goal", "the? <edge> of <hedge> <days>|<date>", weight=0.3)
+@grammar.rule("goal", "the? <edge> of? <hedge> <days>|<date>|<weak date>", weight=0.3)
 def about_the_end(edge: Edge, hedge: str, days: Calendar) -> Goal:
-    """The end of about next week."""
+    """The end of about next week, end of around june."""
     return Goal(Ending(edge, days), (hedge,))
 
 
@@ -211,16 +214,33 @@ def near(duration: Duration, goal: Goal) -> Goal | None:
 
 @grammar.rule("goal", "<hedge> <duration> after|past|following <goal>", weight=0.5)
 def at_most_after(hedge: str, duration: Duration, goal: Goal) -> Goal | None:
-    """At most ten minutes after noon: from then to then."""
-    return soon_after(duration, goal) if hedge in UPPER and not _is_day(goal) else None
+    """At most ten minutes after noon, no more than two days after monday: from then to then."""
+    if hedge not in UPPER:
+        return None
+    if not _is_day(goal):
+        return soon_after(duration, goal)
+    last = None if hedge in SHORT_OF else _days_off(goal, duration, 1)
+    return None if last is None else replace(goal, time=Range(goal.time, Wall(last)))
 
 
 @grammar.rule("goal", "<hedge> <duration> before <goal>", "<hedge> <duration> prior to <goal>", weight=0.5)
 def at_most_before(hedge: str, duration: Duration, goal: Goal) -> Goal | None:
-    """No more than ten minutes before noon: from then to noon."""
-    if hedge not in UPPER or _is_day(goal) or not _counts_from(goal):
+    """No more than ten minutes before noon, less than three days before friday: from then to then."""
+    if hedge not in UPPER or not _counts_from(goal):
         return None
-    return replace(goal, time=Range(Offset(duration, -1, goal.time), goal.time))
+    if not _is_day(goal):
+        return replace(goal, time=Range(Offset(duration, -1, goal.time), goal.time))
+    first = _days_off(goal, duration, -1)
+    if first is None or not isinstance(goal.time, Wall) or goal.time.days is None:
+        return None
+    first = Away(1, Unit.DAY, first) if hedge in SHORT_OF else first
+    return replace(goal, time=Range(Wall(first), Ending(Edge.START, goal.time.days)))
+
+
+def _days_off(goal: Goal, duration: Duration, direction: int) -> Calendar | None:
+    """Give the day so far off another; None off longer periods, and for hours."""
+    day = goal.time.days if isinstance(goal.time, Wall) else None
+    return None if day is None or day.grain is not Unit.DAY else days_away(duration, day, direction)
 
 
 @grammar.rule("goal", "<duration> from|after|following <days>|<date>", weight=0.25)

@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.beside import in_hour_of, lasts_then, refined
-from fuzzytime.language.meaning.calendar import Calendar, Cycle
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Ending,
@@ -22,7 +22,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.nested import Nth
-from fuzzytime.language.meaning.range_ends import closes, comparable, is_meal, lent
+from fuzzytime.language.meaning.range_ends import closes, comparable, is_meal, is_one, lent
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
@@ -72,13 +72,20 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
 
 @grammar.rule(
     "said",
-    "between the? <goal> and|&|to|- the? <goal>",
+    "between the? <goal> and|&|to|-|through|thru|until|till the? <goal>",
     "from the? <goal> to|-|through|thru the? <goal>",
     weight=1.1,
 )
 def between(first: Goal, last: Goal) -> Said | None:
     """Between 5 and 6 pm, from monday to friday."""
     return _range(first, last, "between")
+
+
+@grammar.rule("said", "from|since the? <goal> to date", weight=1.3)
+@grammar.rule("said", "since the? <goal> to|-|through|until|till|up to? <word>", weight=1.3)
+def until_now(first: Goal, now: TimeWord | None = None) -> Said | None:
+    """From march to date, since monday until now."""
+    return _range(first, Goal(now or TimeWord("now", Constraint.AT)), "between")
 
 
 @grammar.rule("said", "for the? <date>|<weak date> to|until|till|through the? <date>|<weak date>", weight=1.1)
@@ -114,13 +121,24 @@ def until_past(first: Clock, minutes: float) -> Said | None:
 )
 def days_of_month(*said: int | Calendar) -> Said | None:
     """Between the 4th and the 22nd of this month, next month from the 4th to the 10th."""
-    numbers = [part for part in said if isinstance(part, int)]
-    months = [part for part in said if isinstance(part, Calendar)]
-    first, last = numbers
-    if months[0].grain is not Unit.MONTH or first >= last:
+    first, last = (part for part in said if isinstance(part, int))
+    month = next(part for part in said if isinstance(part, Calendar))
+    if month.grain is not Unit.MONTH or first >= last:
         return None
-    ends = (Wall(Nth(number, Cycle(Unit.DAY), months[0])) for number in numbers)
+    ends = (Wall(Nth(number, Cycle(Unit.DAY), month)) for number in (first, last))
     return Said(Range(*ends), Constraint.BETWEEN, "between")
+
+
+@grammar.rule(
+    "said",
+    "from? <month> <month day> to|-|until|till|through|thru <month day> ,? of? <year>",
+    "between <month> <month day> and|& <month day> ,? of? <year>",
+    "in? <month> ,? between <month day> and|- <month day> ,? of? <year>",
+    weight=1.9,
+)
+def days_of_month_of_year(month: int, first: int, last: int, number: int) -> Said | None:
+    """Feb 2-7 2018, february between the 2nd and the 7th of 2018."""
+    return days_of_month(first, last, Fields(number, month))
 
 
 @grammar.rule("minutes past", "<minutes of clock>|<bare minutes of clock> past")
@@ -161,9 +179,9 @@ def between_minutes(minutes: float, more: float, clock: Clock) -> Said | None:
     return _range(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
 
 
-@grammar.rule("said", "<goal> to|-|through|thru the? <goal>", weight=1.0)
+@grammar.rule("said", "<goal> to|through|thru the? <goal>", weight=1.0)
 def from_to(first: Goal, last: Goal) -> Said | None:
-    """5-6 pm, 9:30 - 11:00, monday to friday; but two numbers alone are none."""
+    """5 to 6 pm, monday to friday; but two numbers alone are none."""
     walls = [goal.time for goal in (first, last) if isinstance(goal.time, Wall)]
     if len(walls) == 2 and all(wall.bare for wall in walls):
         return None
@@ -175,6 +193,14 @@ def from_to(first: Goal, last: Goal) -> Said | None:
         # "Q1-2019" and "aug-01-2019" are one date each.
         return None
     return _range(first, last, "between")
+
+
+@grammar.rule("said", "<goal> - -? the? <goal>", weight=1.0)
+def with_dash(first: Goal, last: Goal) -> Said | None:
+    """9:30 - 11:00, mon-fri; but "friday - june 19", "6 january - 6:30" are one time each."""
+    if isinstance(first.time, Wall) and isinstance(last.time, Wall) and is_one(first.time, last.time):
+        return None
+    return from_to(first, last)
 
 
 @grammar.rule(

@@ -18,7 +18,12 @@ ROUND = 5
 
 
 @grammar.rule(
-    "wall", "<wall> <wall>", "<wall> at|on|in|of|for|@|,|- <wall>", "<wall> , at|on|in <wall>", weight=0.1
+    "wall",
+    "<wall> <wall>",
+    "<wall> at|on|in|of|for|@|,|- <wall>",
+    "<wall> , at|on|in <wall>",
+    "<wall> - - <wall>",
+    weight=0.1,
 )
 def stacked(first: Wall, second: Wall) -> Wall | None:
     """Tomorrow at six, friday march fifteenth nine am, morning of the 15th."""
@@ -53,6 +58,19 @@ def iso(days: Calendar, clock: Clock) -> Wall:
 def stacked_date(first: Wall, second: Calendar) -> Wall | None:
     """Tuesday the 19th."""
     return joined(first, Wall(second))
+
+
+@grammar.rule("wall", "<wall> ( <weak date>|<days> )", "<wall> ( <days> ) -", weight=0.15)
+def in_brackets(first: Wall, second: Calendar) -> Wall | None:
+    """Friday (3/13), may 22 (fri)."""
+    dated = first.days is not None and first.clock is None and second.grain is Unit.DAY
+    return joined(first, Wall(second)) if dated else None
+
+
+@grammar.rule("wall", "<weekday> / <date>|<weak date>", weight=0.15)
+def weekday_slash_date(weekday: int, date: Calendar) -> Wall | None:
+    """Fri/jun 19."""
+    return joined(Wall(Fields(weekday=weekday)), Wall(date)) if date.grain is Unit.DAY else None
 
 
 @grammar.rule("wall", "<weekday> <integer>", "<weekday> the <integer>", weight=0.0)

@@ -57,6 +57,11 @@ _SHAPES = tuple(
     )
 )
 SURE_DATE = re.compile(r"(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})(?!\d)")
+CLOSING_DATE = re.compile(r"(\d{4})-(\d{1,2})-(\d{1,2})(?!\d)")
+"""A typed date that ends an interval of two."""
+ISO_LENGTH = re.compile(
+    r"p(?:(\d+)y)?(?:(\d+)m)?(?:(\d+)w)?(?:(\d+)d)?(?:t(?:(\d+)h)?(?:(\d+)m)?(?:(\d+)s)?)?(?![^\W_])"
+)
 DATE_WORDS = 4
 """Words of a typed date behind its first."""
 
@@ -83,6 +88,7 @@ def numeral_pieces(words: Sequence[Word], start: int, lexicon: Lexicon) -> Itera
                 "decimal", start, start + 2, Typed((f"0.{int(digits):0{len(digits)}d}",)), 0.0, "shape"
             )
     else:
+        yield from _typed_length(words, start)
         yield from _spoken(words, start, lexicon)
 
 
@@ -91,11 +97,18 @@ def _sure_date(words: Sequence[Word], place: int) -> Piece | None:
     first = place
     while first and words[first].glued and place - first < DATE_WORDS:
         first -= 1
-    run, ends = _typed_together(words, first)
-    match = SURE_DATE.match(run)
-    if match is None or match.end() not in ends or ends[match.end()] <= place:
-        return None
-    return Piece("y-m-d", first, ends[match.end()], Typed(match.groups()), 0.0, "shape")
+    for start in range(first, place + 1):
+        run, ends = _typed_together(words, start)
+        match = (SURE_DATE if start == first else CLOSING_DATE).match(run)
+        behind = start == first or _parts_dates(words, start)
+        if behind and match is not None and match.end() in ends and ends[match.end()] > place:
+            return Piece("y-m-d", start, ends[match.end()], Typed(match.groups()), 0.0, "shape")
+    return None
+
+
+def _parts_dates(words: Sequence[Word], place: int) -> bool:
+    """Whether what stands before a place parts two dates: "2026-03-28/2026-03-30"."""
+    return words[place - 1].text == "/" or [word.text for word in words[place - 2 : place]] == ["-", "-"]
 
 
 def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piece]:
@@ -125,6 +138,17 @@ def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piec
                 parts = (parts[1], parts[0], *parts[2:])
             name = "last d.m." if category == "d.m." and not behind else category
             yield Piece(name, start, ends[match.end()], Typed(parts), 0.0, "shape")
+
+
+def _typed_length(words: Sequence[Word], start: int) -> Iterator[Piece]:
+    """Give a length as ISO 8601 has it: "PT2H30M"."""
+    if not words[start].text.startswith("p") or not words[start].capital:
+        return
+    run, ends = _typed_together(words, start)
+    match = ISO_LENGTH.match(run)
+    if match is not None and match.end() in ends and match.end() > len(words[start].text):
+        parts = tuple(part or "0" for part in match.groups())
+        yield Piece("iso length", start, ends[match.end()], Typed(parts), 0.0, "shape")
 
 
 def _spaced(words: Sequence[Word], start: int) -> Iterator[Piece]:

@@ -81,6 +81,14 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
     for place, word in enumerate(words):
         if word.text in lexicon.fillers or _is_clipped(words, place + 1, lexicon):
             continue
+        if _is_inside(words, place):
+            if word.text == "." and _is_month(words[place - 1].text, lexicon):
+                # "September.16th"
+                continue
+            if word.text == "~":
+                # "3~5 pm"
+                found.append(replace(word, text="-"))
+                continue
         if _is_clipped(words, place, lexicon):
             found.append(replace(word, start=words[place - 1].start, glued=words[place - 1].glued))
             continue
@@ -104,6 +112,18 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
         ):
             found.append(word)
     return tuple(found)
+
+
+def _is_inside(words: Sequence[Word], place: int) -> bool:
+    """Whether no space stands on either side of a word, and a number behind it."""
+    behind = words[place + 1 : place + 2]
+    return place > 0 and words[place].glued and bool(behind) and behind[0].glued and behind[0].is_digits
+
+
+def _is_month(text: str, lexicon: Lexicon) -> bool:
+    return any(
+        entry.category == "month" and entry.words == (text,) for entry in lexicon.entries.get(text, ())
+    )
 
 
 def _is_clipped(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:

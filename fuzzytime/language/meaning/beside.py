@@ -11,8 +11,8 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.feasts import Feast
-from fuzzytime.language.meaning.relations import Away, narrowed, same_day, weekday_at
-from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.language.meaning.relations import Away, Deictic, Relative, narrowed, same_day, weekday_at
+from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import Constraint, Unit
 
 HALF_PAST = 30
@@ -28,6 +28,16 @@ def _is_ordinal(wall: Wall) -> bool:
     return wall.weak and isinstance(days, Fields) and days == Fields(day=days.day) and wall.clock is None
 
 
+def _is_number(clock: Clock | None) -> bool:
+    """Whether it is a clock time that may be nothing but a number."""
+    return clock is not None and clock.grain is Unit.HOUR and clock.half is None
+
+
+def _is_month(wall: Wall) -> bool:
+    """Whether it is nothing but a month."""
+    return wall.weak and wall.days is not None and wall.days.grain is Unit.MONTH and wall.clock is None
+
+
 def _one_day(first: Calendar, second: Calendar) -> Calendar | None:
     """Give what two days mean together: a day said again is taken at its word, the date."""
     if isinstance(first, Away) and isinstance(second, Fields) and second.weekly:
@@ -37,8 +47,18 @@ def _one_day(first: Calendar, second: Calendar) -> Calendar | None:
             # "The day after easter monday"
             return None
     if same_day(first, second):
-        return second
-    return first if same_day(second, first) else narrowed(first, second)
+        return _told_by(second, first)
+    return _told_by(first, second) if same_day(second, first) else narrowed(first, second)
+
+
+def _told_by(date: Calendar, again: Calendar) -> Calendar:
+    """Give a date with what is said of it beside it: "this friday (jun 15)", "tomorrow, the 5th"."""
+    if not isinstance(date, Fields):
+        return date
+    if isinstance(again, Deictic):
+        return (date.joined(again.of) if isinstance(again.of, Fields) else None) or date
+    # "Early in the day wednesday" does not say that it is today.
+    return date if date.weekly and again == Relative(0) else replace(date, told=again)
 
 
 def in_hour_of(mark: HourMark, wall: Wall) -> Wall | None:
@@ -47,6 +67,15 @@ def in_hour_of(mark: HourMark, wall: Wall) -> Wall | None:
     if not mark.open or clock is None or clock.shift or not clock.minute < mark.minute <= HALF_PAST:
         return None
     return replace(wall, clock=replace(clock, minute=mark.minute, grain=Unit.MINUTE, bare=False))
+
+
+def _are_two(clock: Clock, part: Part) -> bool:
+    """Whether a clock time and a part of the day are two times."""
+    if clock.full_day and not part.is_near(clock.seconds):
+        # "At sunup, noon and sundown" are three.
+        return True
+    # "At eight noon and six"; but "12 noon"
+    return part.is_point and part.start not in clock.candidates()
 
 
 def joined(first: Wall, second: Wall) -> Wall | None:
@@ -59,6 +88,9 @@ def joined(first: Wall, second: Wall) -> Wall | None:
         return None
     # "The second on friday" is another thing's; "friday the second" is a day.
     if _is_ordinal(first) and isinstance(second.days, Fields) and second.days.weekly:
+        return None
+    if first.days is not None and _is_month(second) and _is_number(first.clock):
+        # "Tue 10 march" is on the tenth.
         return None
     # "The first twenty minutes" is no day at eight in the evening; but "14/3, 0830" is at half past eight.
     if any(
@@ -74,11 +106,7 @@ def joined(first: Wall, second: Wall) -> Wall | None:
     if (first.part and second.part) or (first.clock and second.clock):
         return None
     clock, part = first.clock or second.clock, first.part or second.part
-    if clock is not None and part is not None and clock.full_day and not part.is_near(clock.seconds):
-        # "At sunup, noon and sundown" are three.
-        return None
-    if clock is not None and part is not None and part.is_point and part.start not in clock.candidates():
-        # "At eight noon and six"; but "12 noon"
+    if clock is not None and part is not None and _are_two(clock, part):
         return None
     if days is not None and days.grain in LONG and (clock is not None or part is not None):
         # "Call April at five", "on a clear night in May"
@@ -120,7 +148,9 @@ def refined(said: Said, wall: Wall) -> Said | None:
             # "Next week between wednesday and friday"
             last = joined(last, wall) or last
             return replace(said, time=Range(first, last))
-        if first is None or said.time.first.days is not None:
+        apart = said.time.first.days is not None and (wall.days is None or wall.days.grain is Unit.DAY)
+        if first is None or apart or (said.time.first.days is not None and last.days is not None):
+            # "First monday 1 pm to 3 pm of next month" is one of its days; two days are their own.
             return None
         if wall.part is not None and last.part is None and last.clock is not None:
             last = replace(last, part=wall.part)

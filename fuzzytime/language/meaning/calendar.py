@@ -148,7 +148,8 @@ class Cycle(Calendar):
 class Fields(Calendar):
     """What of a date is said: any of year, month, day of the month and weekday (0 for Monday).
 
-    ``turnable`` says that month and day are numbers that may change places: "thu 05/03".
+    ``turnable`` says that month and day are numbers that may change places: "thu 05/03"; ``told`` is the day
+    as said once more: "tomorrow, the 5th".
     """
 
     year: int | None = None
@@ -156,6 +157,7 @@ class Fields(Calendar):
     day: int | None = None
     weekday: int | None = None
     turnable: bool = field(default=False, compare=False)
+    told: Calendar | None = field(default=None, compare=False)
 
     @property
     def grain(self) -> Unit:
@@ -185,6 +187,7 @@ class Fields(Calendar):
             self.day if self.day is not None else other.day,
             self.weekday if self.weekday is not None else other.weekday,
             self.turnable or other.turnable,
+            self.told or other.told,
         )
 
     @property

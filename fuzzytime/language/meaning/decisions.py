@@ -1,7 +1,7 @@
 """What the policy decided where words leave it open: said in a sentence, and as a question."""
 
 from dataclasses import dataclass
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, date, datetime, timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Fields
@@ -15,6 +15,8 @@ from fuzzytime.requirement import Recurrence
 
 HALF_OF_DAY_ADVICE = ": say am or pm"
 """How a remark ends that tells which half of the day was taken: such are many, and mostly right."""
+FAR = timedelta(days=62)
+"""How far ahead a weekday that is a day of some month is said to be."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +96,23 @@ class Deciding:
             )
             if not fits and not (isinstance(time, Range) and moment == found.end):
                 return (self._noted(f" is taken as {moment:%Y-%m-%d}, which is a {moment:%A}"),)
+            other = self._otherwise(days, moment) if isinstance(days, Fields) else None
+            if other is not None:
+                return (self._noted(f" is taken as {moment:%Y-%m-%d}, not {other:%Y-%m-%d}"),)
+            if isinstance(days, Fields) and self._is_far(days, moment):
+                return (self._noted(f" is taken as {moment:%Y-%m-%d}: none is nearer"),)
         return ()
+
+    def _otherwise(self, days: Fields, moment: datetime) -> date | None:
+        """Give the other day that is said beside a date: "tomorrow, the 7th"."""
+        today = self.moment.grounding().today
+        told = None if days.told is None else next(days.told.upcoming(today, today.day), None)
+        return None if told is None or told.first == moment.date() else told.first
+
+    def _is_far(self, days: Fields, moment: datetime) -> bool:
+        """Whether a weekday and a day of a month that is not said go together only months from now."""
+        open_ = days.weekday is not None and days.day is not None and days.month is days.year is None
+        return open_ and moment - self.moment.grounding().now > FAR
 
     def of_midnight(self, time: Time, found: Instants) -> tuple[Remark, ...]:
         """Say which midnight was chosen, where a day that is named has one at either end."""

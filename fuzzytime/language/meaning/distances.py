@@ -1,9 +1,15 @@
-"""How far from a time something is, where that is said behind it: "before noon, at least an hour before"."""
+"""How far from a time something is, in front of it and behind it: "before noon, at least an hour before"."""
 
 from dataclasses import replace
 
 from fuzzytime.language.meaning.expressions import EARLIER, LATER, Offset, Said, Wall
+from fuzzytime.language.meaning.relations import Away
 from fuzzytime.requirement import Constraint
+
+UPPER = frozenset({"at most", "less than"})
+LOWER = frozenset({"at least", "more than"})
+BEYOND = "more than"
+"""The hedge of distances that reach past the day that they end on: "more than two weeks before today"."""
 
 SIDES = {EARLIER: Constraint.BEFORE, LATER: Constraint.AFTER}
 """The prepositions of distances from what was just named, and the side of it that they are on."""
@@ -22,3 +28,20 @@ def far_off(named: Said, distance: Said) -> Said | None:
     hedges = (*named.hedges, *distance.hedges)
     far = replace(time, anchor=named.time)
     return replace(named, time=far, constraint=distance.constraint, preposition=None, hedges=hedges)
+
+
+def distance_bound(said: Said) -> Constraint | None:
+    """Give the bound that "at least an hour before noon" is; None for other times."""
+    hedges, direction, time = set(said.hedges), 0, said.time
+    if isinstance(time, Offset):
+        hedges, direction = hedges | set(time.duration.hedges), time.direction
+    elif isinstance(time, Wall) and isinstance(time.days, Away) and time.clock is None:
+        direction = time.days.count
+    if not direction or not LOWER & hedges:
+        return None
+    return Constraint.BEFORE if direction < 0 else Constraint.AFTER
+
+
+def is_farther(said: Said) -> bool:
+    """Whether it is past a whole day so far from another: "more than two weeks before today"."""
+    return isinstance(said.time, Wall) and BEYOND in said.hedges and distance_bound(said) is not None

@@ -2,8 +2,9 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.relations import Deictic
 from fuzzytime.requirement import Unit
 
 
@@ -15,6 +16,38 @@ def closes(wall: Wall) -> bool:
 def is_meal(wall: Wall) -> bool:
     """Whether it is a meal of a day that is not said, or may be none."""
     return wall.part is not None and (wall.weak or (wall.part.meal and wall.days is None))
+
+
+def is_one(first: Wall, last: Wall) -> bool:
+    """Whether a dash stands between parts of one time: "friday - june 19", "6 january - 6:30".
+
+    A number behind a date is a day: "march 10 - 17".
+    """
+    if first.days is None and last.days is not None and last.clock is None and last.part is None:
+        # As in "10:00 - march 5".
+        return first.clock is not None and last.days.grain is Unit.DAY and not _is_ordinal(first, last)
+    if first.days is None or first.clock is not None:
+        return False
+    if first.days.grain is not Unit.DAY:
+        # "Next week - friday 5 pm"
+        return first.days.grain is Unit.WEEK and isinstance(last.days, Fields) and last.days.weekly
+    if last.days is None:
+        return not _is_ordinal(last, first)
+    if first.part is not None or last.part is not None or last.clock is not None:
+        return False
+    return _says_again(first.days, last.days) or _says_again(last.days, first.days)
+
+
+def _is_ordinal(number: Wall, day: Wall) -> bool:
+    """Whether a number beside a date, or beside another number, is a day of the month."""
+    return number.bare and (day.bare or (isinstance(day.days, Fields) and day.days.day is not None))
+
+
+def _says_again(weekday: Calendar, day: Calendar) -> bool:
+    """Whether one is a weekday, and the other a date without one."""
+    named = weekday.of if isinstance(weekday, Deictic) else weekday
+    dated = isinstance(day, Fields) and day.day is not None and day.weekday is None
+    return isinstance(named, Fields) and named.weekly and dated
 
 
 def comparable(first: Wall, last: Wall) -> bool:

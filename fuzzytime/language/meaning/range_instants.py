@@ -2,14 +2,20 @@
 
 from dataclasses import replace
 from datetime import datetime, timedelta
+from itertools import islice
 
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import Range, Time, TimeWord, Wall
 from fuzzytime.language.meaning.instants import Instants, halved, midnight
 from fuzzytime.language.meaning.standpoint import Standpoint
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.language.policy import SameWeekday
+
+LATEST_TRIED = 3
+"""Past days tried for one whose time of day has passed, too."""
+
+LONGEST_MONTH = 31
 
 
 def range_instants(clock: Standpoint, said: Range) -> Instants:
@@ -36,8 +42,8 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
         # "Between lunch and dinner": from its end, where that has not passed.
         start = replace(start, start=start.end)
     end = clock.instants(last)
-    if isinstance(last, TimeWord) and _clocked(first) and start.start > end.start:
-        return _since(clock, start)
+    if isinstance(last, TimeWord) and isinstance(first, Wall) and start.start > end.start:
+        return _since(clock, first, start)
     clock_end = last.clock if isinstance(last, Wall) and last.days is None else None
     if clock_end is not None and clock_end.is_open and clock_end.half is None:
         # "From sunset until eleven": the next one, however late.
@@ -62,17 +68,30 @@ def _on_last_day(clock: Standpoint, first: Time, last: Time) -> Time:
     return there if clock.wall(there).end <= clock.wall(last).start else first
 
 
-def _since(clock: Standpoint, start: Instants) -> Instants:
-    """Ground a range up to now: it began at the last such clock time."""
-    choices = start.choices or (start.start,)
-    begun = max(choice - timedelta(days=1) for choice in choices)
-    return Instants(begun, clock.now, start.grain)
+def _since(clock: Standpoint, first: Wall, start: Instants) -> Instants:
+    """Ground a range up to now: it began at the last such time, or on the last such day.
+
+    Raises
+    ------
+    UngroundedError
+        If there is none.
+    """
+    if first.days is None:
+        choices = start.choices or (start.start,)
+        begun = max(choice - timedelta(days=1) for choice in choices)
+        return Instants(begun, clock.now, start.grain)
+    past = first.days.past(clock.today, clock.now.date() + timedelta(days=1))
+    for days in islice(past, LATEST_TRIED):
+        there = replace(clock, now=midnight(days.first), lasting=0.0).wall(first)
+        if there.start <= clock.now:
+            return Instants(there.start, clock.now, start.grain)
+    raise UngroundedError("a range must not end before it starts")
 
 
 def _day_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
     """Ground a range of days, which lend each other the month or the year that only one names."""
     first_days, last_days = first.days, last.days
-    lent = False
+    lent = borrowed = False
     if isinstance(first_days, Fields) and isinstance(last_days, Fields):
         lent = first_days.year is None and last_days.year is not None
         if first_days != Fields(year=first_days.year):
@@ -81,7 +100,7 @@ def _day_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
         if last_days.month is None and last_days.weekday is None:
             last_days = replace(last_days, month=first_days.month, year=last_days.year or first_days.year)
         elif last_days.year is None and first_days.year is not None and last_days.month is not None:
-            last_days = replace(last_days, year=first_days.year)
+            last_days, borrowed = replace(last_days, year=first_days.year), True
     first, last = replace(first, days=first_days), replace(last, days=last_days)
     start = clock.wall(first)
     if last_days is not None and last_days.fixed:
@@ -90,12 +109,24 @@ def _day_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
             # "November to february 2017" begins the year before.
             year = (first_days.year or 1) - 1
             start = clock.wall(replace(first, days=replace(first_days, year=year)))
+        if end.end < start.start and borrowed and isinstance(last_days, Fields):
+            # "December 20 2026 to january 5" ends the year after.
+            end = clock.wall(replace(last, days=replace(last_days, year=(last_days.year or 1) + 1)))
     else:
         start = _begun(clock, first, last, start)
         end = _after(clock, start.start).wall(last)
-    if end.end < start.start:
+    backwards = end.start < start.start if end.is_point else end.end <= start.start
+    if backwards or _turned(first_days, last_days):
         raise UngroundedError("a range must not end before it starts")
     return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
+
+
+def _turned(first: Calendar | None, last: Calendar | None) -> bool:
+    """Whether both are days of one month of no year, the later first: "march 20 to march 10"."""
+    if not isinstance(first, Fields) or not isinstance(last, Fields):
+        return False
+    named = first.month is not None and first.month == last.month and first.year is last.year is None
+    return named and (first.day or 0) > (last.day or LONGEST_MONTH)
 
 
 def _before(first: Fields, last: Fields) -> Fields:
@@ -120,7 +151,8 @@ def _begun(clock: Standpoint, first: Wall, last: Wall, start: Instants) -> Insta
     days = first.days
     if not isinstance(days, Fields) or days.weekly or days.fixed or first.clock is not None:
         return start
-    before = next(days.past(clock.today, clock.now.date()), None)
+    dated = replace(days, weekday=None) if days.month is not None and days.day is not None else days
+    before = next(dated.past(clock.today, clock.now.date()), None)
     if before is None:
         return start
     end = replace(clock, now=midnight(before.first), lasting=0.0).wall(last)
@@ -154,7 +186,11 @@ def _clock_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
         start = clock.wall(replace(first, clock=start_clock, part=None))
     grounded = replace(start, choices=start.choices if not known_end else ())
     if last.days is not None:
-        end = clock.wall(replace(last, clock=end_clock, part=None))
+        there = replace(last, clock=end_clock, part=None)
+        end = clock.wall(there)
+        if end.start <= start.start:
+            # "From friday at five to thursday at three": the thursday behind that friday.
+            end = _after(clock, start.start).wall(there)
         return replace(grounded, end=end.start)
     ends = (midnight(start.start.date()) + timedelta(seconds=s) for s in end_clock.candidates())
     later = [e if e > start.start else e + timedelta(days=1) for e in ends]
@@ -164,10 +200,6 @@ def _clock_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
 def _last_of(said: Time, found: Instants) -> datetime:
     """Where a range ends that ends in an interval: at its end, for days; at its start, for parts of a day."""
     return found.start if isinstance(said, Wall) and said.part is not None else found.end
-
-
-def _clocked(said: Time) -> bool:
-    return isinstance(said, Wall) and said.clock is not None
 
 
 def _settled(clock: Clock, seconds: int) -> Clock:

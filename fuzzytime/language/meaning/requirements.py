@@ -6,6 +6,7 @@ from datetime import timedelta
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.decisions import Deciding
 from fuzzytime.language.meaning.denied_times import beside
+from fuzzytime.language.meaning.distances import LOWER, UPPER, distance_bound, is_farther
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -26,13 +27,10 @@ from fuzzytime.language.meaning.grains import grain_of, zone_in
 from fuzzytime.language.meaning.instants import Instants
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.offered_days import on_each_day_offered
-from fuzzytime.language.meaning.relations import Away
 from fuzzytime.language.meaning.series import recurrence_of
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 
-UPPER = frozenset({"at most", "less than"})
-LOWER = frozenset({"at least", "more than"})
 _NOT_SAID = {
     Constraint.EVERY: "how often is not said: say an interval, as in 'every ten minutes'",
     Constraint.FOR: "how long is not said: say a length or an end, as in 'for ten minutes'",
@@ -112,6 +110,8 @@ class _Grounder:
         grain: Unit | None = None,
         recurrence: Recurrence | None = None,
     ) -> TimeRequirement:
+        if earliest is not None and latest is not None and latest < earliest:
+            raise UngroundedError("a time must not end before it starts")
         t_spec = {Constraint.AT: earliest, Constraint.AFTER: earliest, Constraint.BEFORE: latest}.get(
             constraint
         )
@@ -153,10 +153,12 @@ class _Grounder:
     ) -> TimeRequirement:
         """Give a time by its distance from now; "at most" makes it a deadline, "at least" a release."""
         said = self.said.hedges if hedges is None else hedges
+        # "More than two weeks ago" is before that.
+        nearer, farther = (Constraint.BEFORE, Constraint.AFTER)[::direction]
         if constraint is Constraint.AT and UPPER & set(said):
-            constraint = Constraint.BEFORE
+            constraint = nearer
         elif constraint is Constraint.AT and LOWER & set(said):
-            constraint = Constraint.AFTER
+            constraint = farther
         near = self.moment.later(time, direction)
         far = near if time.until is None else self.moment.later(time.until, direction)
         if constraint is Constraint.BEFORE:
@@ -201,7 +203,7 @@ class _Grounder:
         here = replace(self.moment.grounding(zone), lasting=lasting, ends=ends, opens=opens)
         found = here.instants(time)
         start, end = self._bounds(time, found, zone)
-        constraint = self.said.constraint or self._distance_bound(time)
+        constraint = self.said.constraint or distance_bound(self.said)
         if constraint is None:
             constraint = Constraint.AT if start == end else Constraint.BETWEEN
         if constraint is Constraint.BETWEEN and start == end:
@@ -231,17 +233,6 @@ class _Grounder:
             remarks = (*remarks, Remark(RemarkKind.POLICY, self.phrase.span, message))
         return Grounded(requirement=requirement, remarks=remarks, questions=questions)
 
-    def _distance_bound(self, time: Time) -> Constraint | None:
-        """Give the bound that "at least an hour before noon" is; None for other times."""
-        hedges, direction = set(self.said.hedges), 0
-        if isinstance(time, Offset):
-            hedges, direction = hedges | set(time.duration.hedges), time.direction
-        elif isinstance(time, Wall) and isinstance(time.days, Away) and time.clock is None:
-            direction = time.days.count
-        if not direction or not LOWER & hedges:
-            return None
-        return Constraint.BEFORE if direction < 0 else Constraint.AFTER
-
     def _bounds(self, time: Time, found: Instants, zone: str | None) -> tuple[float, float]:
         """Give the seconds of the edges that count: of an interval that a bound names, the one it means."""
         start, end = found.start, found.end
@@ -254,6 +245,8 @@ class _Grounder:
                 end -= timedelta(seconds=1)
         elif self.said.constraint is Constraint.AFTER and start != end and self.said.edge is Edge.END:
             start = end
+        elif is_farther(self.said):
+            start, end = end, start
         due = isinstance(time, Ending) and self.said.constraint is Constraint.BEFORE
         if due and isinstance(time, Ending) and time.edge is Edge.START:
             # "By the start of next week"
