@@ -61,6 +61,8 @@ def test_typed_days_are_those_from_the_first_to_the_last(first: datetime, days: 
         "from the end of april to the start of april",
         "in 44 BC",
         "two mondays later",
+        "every monday until yesterday",
+        "mon - wed 10-12, thu 2-4",
     ],
 )
 def test_what_names_no_time_is_pointed_at(text: str) -> None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.expressions import Duration, Quantity, Wall
-from fuzzytime.language.meaning.times_of_day import NOON, Clock, Half, Part
+from fuzzytime.language.meaning.times_of_day import DAY_HOURS, NOON, Clock, Half, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -82,7 +82,8 @@ def typed(numbers: Typed) -> Clock | None:
     hour, minute = numbers[0], numbers[1]
     if hour > 24 or minute >= 60:
         return None
-    return Clock(hour % 24, minute, 0, Unit.MINUTE, full_day=hour > 12 or numbers.parts[0].startswith("0"))
+    full_day = hour > NOON_HOUR or numbers.parts[0].startswith("0")
+    return Clock(hour % 24, minute, 0, Unit.MINUTE, full_day=full_day, ends_day=hour == DAY_HOURS)
 
 
 @grammar.rule("clock", "<hh:mm:ss>", weight=0.1)
@@ -91,9 +92,8 @@ def typed_to_the_second(numbers: Typed) -> Clock | None:
     hour, minute, second = numbers[0], numbers[1], numbers[2]
     if hour > 24 or minute >= 60 or second >= 60:
         return None
-    return Clock(
-        hour % 24, minute, second, Unit.SECOND, full_day=hour > 12 or numbers.parts[0].startswith("0")
-    )
+    whole = typed(Typed(numbers.parts[:2]))
+    return None if whole is None else replace(whole, second=second, grain=Unit.SECOND)
 
 
 @grammar.rule("clock", "<15h30>")

@@ -89,6 +89,7 @@ def cycle(unit: UnitWord) -> Calendar | None:
 
 
 @grammar.rule("series", "<weekday>")
+@grammar.rule("weekday series", "<weekday>")
 def weekday_series(number: int) -> Calendar:
     """Monday, in "next monday"."""
     return Fields(weekday=number)
@@ -186,7 +187,7 @@ def weekdays_ago(number: Integer, weekday: int) -> Calendar | None:
 
 @grammar.rule(
     "days",
-    "<weekday> <duration> from now|today",
+    "<weekday> ,? <duration> from now|today",
     "<duration> from now|today on <weekday>",
     "the? <weekday> in <duration>",
     weight=0.2,

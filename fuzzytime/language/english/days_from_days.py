@@ -2,12 +2,13 @@
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Duration, Offset, Said, UnitWord, Wall
 from fuzzytime.language.meaning.feasts import Yearly
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import Nth
-from fuzzytime.language.meaning.relations import Away, Following, Relative, Stretch, Which, days_away
+from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Stretch, Which, days_away
 from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.requirement import Unit
 
@@ -15,6 +16,9 @@ grammar = Grammar()
 
 BACK = frozenset({"ago", "earlier"})
 """Prepositions of distances back from now."""
+
+MOST = 100
+"""Weekdays and weekends that are counted, at most."""
 
 LONGEST_AGE = 60
 """Years that a feast is named by how far away it is, at most: as far as is searched."""
@@ -54,8 +58,9 @@ def same_day(which: Which, series: Calendar) -> Calendar | None:
 
 @grammar.rule("days", "<duration> on <weekday>", weight=0.6)
 def weeks_on(duration: Duration, weekday: int) -> Calendar | None:
-    """A fortnight on friday: two weeks after the next."""
-    return days_away(duration, Fields(weekday=weekday), 1) if duration.unit is Unit.WEEK else None
+    """A fortnight on friday, a month on monday: so long after the next."""
+    weeks = duration.unit in {Unit.WEEK, Unit.MONTH} and not duration.hedges
+    return days_away(duration, Fields(weekday=weekday), 1) if weeks else None
 
 
 @grammar.rule("days", "<duration> <day>", weight=0.6)
@@ -102,6 +107,69 @@ def weekday_fortnight(number: int) -> Calendar:
 def day_week(day: Relative) -> Calendar | None:
     """Tomorrow week, today week."""
     return Away(1, Unit.WEEK, day) if day.days >= 0 else None
+
+
+@grammar.rule("days", "<integer> weekends|weekend from now|today", "<integer> weekends hence", weight=0.5)
+@grammar.rule("days", "in <integer> weekends", "in <integer> weekends '|'s time", weight=0.5)
+def weekends_from_now(number: Integer) -> Calendar | None:
+    """Two weekends from now."""
+    return Following(number.value, Weekend(), Relative(0)) if 0 < number.value < MOST else None
+
+
+@grammar.rule("days", "<integer> weekends|weekend ago", weight=0.5)
+def weekends_ago(number: Integer) -> Calendar | None:
+    """Two weekends ago."""
+    return Following(-number.value, Weekend(), Relative(0)) if 0 < number.value < MOST else None
+
+
+@grammar.rule("days", "the? <ordinal> <weekday> from now|today", "the? <ordinal> <weekday> hence", weight=0.6)
+def nth_weekday_from_now(number: int, weekday: int) -> Calendar | None:
+    """The third friday from now."""
+    return Following(number, Fields(weekday=weekday), Relative(0)) if 0 < number < MOST else None
+
+
+@grammar.rule("days", "<integer> <weekdays> before <days>|<date>|<day of month>", weight=1.0)
+def weekdays_before(number: Integer, weekday: int, anchor: Calendar) -> Calendar | None:
+    """Two fridays before easter."""
+    day = anchor.grain is Unit.DAY and 0 < number.value < MOST
+    return Following(-number.value, Fields(weekday=weekday), anchor) if day else None
+
+
+@grammar.rule("days", "<integer> <weekdays> after <days>|<date>|<day of month>", weight=1.0)
+def weekdays_after(number: Integer, weekday: int, anchor: Calendar) -> Calendar | None:
+    """Two fridays after easter."""
+    day = anchor.grain is Unit.DAY and 0 < number.value < MOST
+    return Following(number.value, Fields(weekday=weekday), anchor) if day else None
+
+
+@grammar.rule("days", "the? <series> after this|that one", weight=0.6)
+def after_this_one(series: Calendar) -> Calendar | None:
+    """The friday after this one."""
+    if isinstance(series, Weekend) or (isinstance(series, Fields) and series.weekly):
+        return Following(2, series, Relative(0))
+    return Deictic(Which.NEXT, series) if isinstance(series, Cycle) else None
+
+
+@grammar.rule(
+    "days",
+    "not this <series> ,? but the? next one?",
+    "not this <series> ,? but the? following one?",
+    weight=1.5,
+)
+def not_this_but_next(series: Calendar) -> Calendar:
+    """Not this friday but next."""
+    return Deictic(Which.NEXT, series)
+
+
+@grammar.rule(
+    "said", "this <series> ,? or the? next one?", "this <series> ,? or the following one?", weight=1.0
+)
+def this_one_or_next(series: Calendar) -> Said | None:
+    """This weekend or next, this friday or the next: one of the two."""
+    if isinstance(series, Cycle):
+        return None
+    first, last = (Wall(Deictic(which, series)) for which in (Which.THIS, Which.NEXT))
+    return Said(first, listed=(Said(last, alternative=True),))
 
 
 @grammar.rule("days", "<days> in|after <duration>", "<days> ,? <duration> <forward>|<back>", weight=0.6)

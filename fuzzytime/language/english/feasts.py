@@ -1,7 +1,7 @@
 """Feasts, and the days of them and beside them: "easter 2027", "the third night of hanukkah"."""
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Weekend
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Repeat, Wall
 from fuzzytime.language.meaning.feasts import Feast, OfYear, Yearly
 from fuzzytime.language.meaning.nested import Nth, WeekOf
@@ -38,6 +38,18 @@ def feast_weekend(feast: Yearly, number: int | None = None) -> Calendar:
 def weekend_of(days: Calendar) -> Calendar | None:
     """The weekend of the 14th."""
     return _weekend_about(days) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("date", "the? weekend of <month> <month day> -|/|and|&|to <month day>", weight=1.5)
+def weekend_of_two(month: int, first: int, last: int) -> Calendar | None:
+    """The weekend of march 14-15."""
+    return weekend_of(Fields(month=month, day=first)) if last == first + 1 else None
+
+
+@grammar.rule("date", "the? weekend of <month day> -|/|and|&|to <month day> of? <month>", weight=1.5)
+def weekend_of_two_before_month(first: int, last: int, month: int) -> Calendar | None:
+    """The weekend of the 14th and 15th of march."""
+    return weekend_of_two(month, first, last)
 
 
 def _weekend_about(days: Calendar) -> Calendar:

@@ -243,21 +243,28 @@ def _days_off(goal: Goal, duration: Duration, direction: int) -> Calendar | None
     return None if day is None or day.grain is not Unit.DAY else days_away(duration, day, direction)
 
 
-@grammar.rule("goal", "<duration> from|after|following <days>|<date>", weight=0.25)
+@grammar.rule("goal", "<duration> from|after|following <days>|<date>|<day of month>", weight=0.25)
 def hedged_days_after(duration: Duration, days: Calendar) -> Goal | None:
     """Ten days or so from tomorrow: a day, too."""
     return _hedged_days(duration, days, 1)
 
 
-@grammar.rule("goal", "<duration> before <days>|<date>", "<duration> prior to <days>|<date>", weight=0.25)
+@grammar.rule("goal", "<duration> before <days>|<date>|<day of month>", weight=0.25)
+@grammar.rule("goal", "<duration> prior to <days>|<date>|<day of month>", weight=0.25)
 def hedged_days_before(duration: Duration, days: Calendar) -> Goal | None:
-    """A week or so before easter."""
+    """A week or so before easter, five days or more before the 14th."""
     return _hedged_days(duration, days, -1)
 
 
 def _hedged_days(duration: Duration, anchor: Calendar, direction: int) -> Goal | None:
     days = days_away(duration, anchor, direction) if duration.hedges else None
-    return None if days is None or (LOWER | UPPER) & {*duration.hedges} else Goal(Wall(days), duration.hedges)
+    if days is None:
+        return None
+    nearest = next((hedge for hedge in duration.hedges if hedge in UPPER), None)
+    if nearest is None:
+        return Goal(Wall(days), duration.hedges)
+    side = at_most_before if direction < 0 else at_most_after
+    return side(nearest, replace(duration, hedges=()), Goal(Wall(anchor), duration.hedges))
 
 
 @grammar.rule("goal", "<goal> ,? give or take <duration>", weight=0.6)

@@ -190,6 +190,16 @@ def share_of_days(share: tuple[float, float], days: Calendar | int) -> Calendar 
     return None if whole.grain is Unit.DAY and not _is_several_days(whole) else Share(*share, whole)
 
 
+@grammar.rule(
+    "days", "<share> to|- <share> <days>|<date>", "<share> to|- <share> <month>|<season>", weight=1.3
+)
+def shares_of_days(
+    first: tuple[float, float], last: tuple[float, float], days: Calendar | int
+) -> Calendar | None:
+    """Mid to late july."""
+    return share_of_days((first[0], last[1]), days) if first[0] < last[0] else None
+
+
 def _is_several_days(days: Calendar) -> bool:
     """Whether it is a season, or a feast of several days."""
     feast = feast_in(days)

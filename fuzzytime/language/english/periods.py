@@ -181,7 +181,8 @@ def half_of_year(outer: int, number: Integer) -> Calendar | None:
     return half_year(number, Fields(year=outer))
 
 
-@grammar.rule("date", "the <series> after|following <feast>|<date>", weight=0.4)
+@grammar.rule("date", "the? <weekday series> after|following <feast>|<date>|<day of month>", weight=0.4)
+@grammar.rule("date", "the <series> after|following <feast>|<date>|<day of month>", weight=0.4)
 def next_after(series: Calendar, anchor: Calendar) -> Calendar | None:
     """The tuesday after easter, the weekend after the 5th of april."""
     return (
@@ -196,7 +197,8 @@ def after_that_day(series: Calendar) -> Calendar | None:
     return None if day else Following(1, series, Relative(0, onward=True))
 
 
-@grammar.rule("date", "the last? <series> before <feast>|<date>", weight=0.4)
+@grammar.rule("date", "the? <weekday series> before <feast>|<date>|<day of month>", weight=0.4)
+@grammar.rule("date", "the last? <series> before <feast>|<date>|<day of month>", weight=0.4)
 def last_before(series: Calendar, anchor: Calendar) -> Calendar | None:
     """The saturday before christmas, the last sunday before easter."""
     weekly = isinstance(series, Weekend) or (isinstance(series, Fields) and series.weekly)
@@ -207,6 +209,13 @@ def last_before(series: Calendar, anchor: Calendar) -> Calendar | None:
 def nth_after(number: int, series: Calendar, anchor: Calendar) -> Calendar:
     """Third tuesday after christmas 2014."""
     return Following(number, series, anchor)
+
+
+@grammar.rule("date", "the? <ordinal> <series> before <feast>|<date>|<day of month>", weight=0.5)
+def nth_before(number: int, series: Calendar, anchor: Calendar) -> Calendar | None:
+    """The second friday before christmas."""
+    weekly = isinstance(series, Weekend) or (isinstance(series, Fields) and series.weekly)
+    return Following(-number, series, anchor) if weekly and anchor.grain is Unit.DAY and number > 0 else None
 
 
 @grammar.rule("days", "the? day before <days>|<date>|<weak date>", "the eve of <date>|<feast>", weight=0.9)

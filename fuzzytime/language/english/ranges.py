@@ -114,6 +114,7 @@ def until_past(first: Clock, minutes: float) -> Said | None:
     "between <month day> and|-|& <month day> of|in? <days>|<weak date>|<date>",
     "from? <month day> to|-|until|till|through|thru <month day> of|in? <days>|<weak date>|<date>",
     "from? <weak date>|<date> <month day> to|-|until|till|through|thru <month day>",
+    "from? <month day> .? -|to|until <month day> . <weak date>",
     "between <weak date>|<date> <month day> and|& <month day>",
     "in? <days>|<weak date> ,? between <month day> and|- <month day>",
     "in? <days>|<weak date> ,? from <month day> to|-|until|till|through <month day>",

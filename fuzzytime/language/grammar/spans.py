@@ -18,6 +18,9 @@ from fuzzytime.language.grammar.quotes import quotes_in
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Phrase
 
+LONGEST_ELLIPSIS = 4
+"""Two points and the numbers on either side."""
+
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
 
@@ -89,6 +92,10 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
                 # "3~5 pm"
                 found.append(replace(word, text="-"))
                 continue
+        if _is_ellipsis(words, place):
+            # "2026-03-14..2026-03-16"
+            found.append(replace(word, text="-"))
+            continue
         if _is_clipped(words, place, lexicon):
             found.append(replace(word, start=words[place - 1].start, glued=words[place - 1].glued))
             continue
@@ -118,6 +125,14 @@ def _is_inside(words: Sequence[Word], place: int) -> bool:
     """Whether no space stands on either side of a word, and a number behind it."""
     behind = words[place + 1 : place + 2]
     return place > 0 and words[place].glued and bool(behind) and behind[0].glued and behind[0].is_digits
+
+
+def _is_ellipsis(words: Sequence[Word], place: int) -> bool:
+    """Whether it is one of two points with numbers on either side, and no space between."""
+    first = place - (words[place - 1].text == ".") if place else place
+    around = words[first - 1 : first + 3] if first > 0 else ()
+    points = [word.text for word in around[1:3]] == [".", "."]
+    return points and len(around) == LONGEST_ELLIPSIS and around[0].is_digits and _is_inside(words, first + 1)
 
 
 def _is_month(text: str, lexicon: Lexicon) -> bool:

@@ -15,6 +15,7 @@ from fuzzytime.requirement import Recurrence
 
 HALF_OF_DAY_ADVICE = ": say am or pm"
 """How a remark ends that tells which half of the day was taken: such are many, and mostly right."""
+
 FAR = timedelta(days=62)
 """How far ahead a weekday that is a day of some month is said to be."""
 

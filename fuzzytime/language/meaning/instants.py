@@ -44,6 +44,8 @@ def midnight(day: date) -> datetime:
 
 def over_at_midnight(wall: Wall, policy: Policy) -> timedelta:
     """Give how long after where its day begins the midnight of a day is: that day, or nothing."""
+    if wall.clock is not None and wall.clock.ends_day:
+        return timedelta(days=1)
     ends = wall.clock is not None and wall.clock.may_end_day
     return timedelta(days=ends and (is_eve(wall) or policy.midnight is Midnight.END))
 

@@ -151,6 +151,8 @@ def _begun(clock: Standpoint, first: Wall, last: Wall, start: Instants) -> Insta
     days = first.days
     if not isinstance(days, Fields) or days.weekly or days.fixed or first.clock is not None:
         return start
+    if start.start <= clock.now:
+        return start
     dated = replace(days, weekday=None) if days.month is not None and days.day is not None else days
     before = next(dated.past(clock.today, clock.now.date()), None)
     if before is None:

@@ -23,6 +23,9 @@ from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import WeekOf, Within
 from fuzzytime.requirement import Unit
 
+YEAR, MONTH = 365, 30
+"""Days."""
+
 
 class Which(StrEnum):
     """Which one of a series is meant."""
@@ -197,6 +200,26 @@ class Away(CountedDay):
     def counted(self, today: Today, day: date) -> date:  # noqa: ARG002 - working days need today
         """Give the day so many units away."""
         return moved(day, self.unit, self.count)
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give each day counted from the anchor's next ones, or from one just gone: "9 days from the 1st"."""
+        begun = moved(since, self.unit, -self.count)
+        if not 0 < (since - begun).days <= self._half_turn:
+            yield from CountedDay.upcoming(self, today, since)
+            return
+        for anchor in self.anchor.upcoming(today, begun):
+            day = self.counted(today, anchor.first)
+            if day >= since:
+                yield Days.single(day)
+
+    @property
+    def _half_turn(self) -> int:
+        """Half of the days after which a date comes again; 0 for weekdays, of which the next counts."""
+        if isinstance(self.anchor, Yearly):
+            return YEAR // 2
+        if not isinstance(self.anchor, Fields) or self.anchor.day is None or self.anchor.fixed:
+            return 0
+        return YEAR // 2 if self.anchor.month is not None else MONTH // 2
 
 
 def days_away(duration: Duration, anchor: Calendar, direction: int) -> Calendar | None:

@@ -27,7 +27,7 @@ from fuzzytime.language.meaning.grains import grain_of, zone_in
 from fuzzytime.language.meaning.instants import Instants
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.offered_days import on_each_day_offered
-from fuzzytime.language.meaning.series import recurrence_of
+from fuzzytime.language.meaning.series import recurrence_that_comes
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 
@@ -180,7 +180,7 @@ class _Grounder:
         return Grounded(requirement=self._requirement(constraint, earliest, latest, word=time.word))
 
     def _of_repeat(self, time: Repeat) -> Grounded:
-        recurrence = recurrence_of(time, self.moment)
+        recurrence = recurrence_that_comes(time, self.moment)
         grains = [grain_of(wall) for wall in time.walls]
         requirement = self._requirement(
             Constraint.EVERY,

@@ -89,6 +89,20 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> Series:
     return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last, length=length)
 
 
+def recurrence_that_comes(repeat: Repeat, moment: Moment) -> Series:
+    """Ground a repetition whose bounds are its own.
+
+    Raises
+    ------
+    UngroundedError
+        If it is over before it comes: "every monday until friday", said on a tuesday.
+    """
+    found = recurrence_of(repeat, moment)
+    if not isinstance(found, CalendarRecurrence) or found.endless or repeat.lent or found.coming(1):
+        return found
+    raise UngroundedError("a repetition must come at least once")
+
+
 def _by_months(
     every: Duration, starting: Time | None, last: float | None, moment: Moment
 ) -> RecurrenceByMonths:
@@ -134,7 +148,7 @@ def begins_by_policy(repeat: Repeat) -> bool:
     return counted and _begins_on_day(repeat.starting)
 
 
-def _begins_on_day(first: Time | None) -> bool:
+def _begins_on_day(first: Time | None) -> TypeGuard[Wall]:
     """Whether nothing but a day, or more, says when the first is: at none of its hours in the night."""
     return isinstance(first, Wall) and first.days is not None and first.clock is None and first.part is None
 
@@ -149,6 +163,10 @@ def _bounds(repeat: Repeat, moment: Moment) -> tuple[float | None, float | None]
     first, last = repeat.starting, repeat.until
     if _is_timed(first) and _is_timed(last) and (first.days is None) is not (last.days is None):
         # "Every ten minutes from three to four tomorrow"
+        found = moment.grounding().instants(Range(first, last))
+        return moment.seconds(found.start), moment.seconds(found.end)
+    if _begins_on_day(first) and _begins_on_day(last):
+        # "Every evening from monday to wednesday": the wednesday behind that monday.
         found = moment.grounding().instants(Range(first, last))
         return moment.seconds(found.start), moment.seconds(found.end)
     return _bound(first, moment, last=False), _bound(last, moment, last=True)

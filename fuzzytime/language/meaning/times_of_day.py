@@ -41,7 +41,7 @@ class Clock:
     ``bare`` says that it is a number alone ("six"); ``pair`` that it is two ("ten thirty"); ``midnight`` that
     it is named by that word, which people say of the end of a day, too. ``apart`` says that it is told by
     how far it is from another ("ten minutes before noon"), ``minutes`` that its number may as well be minutes
-    past or to another hour ("twenty").
+    past or to another hour ("twenty"), ``ends_day`` that it is where its day is over, or behind it ("24:00").
     """
 
     hour: int
@@ -56,6 +56,7 @@ class Clock:
     midnight: bool = False
     apart: bool = False
     minutes: bool = False
+    ends_day: bool = False
 
     @property
     def may_end_day(self) -> bool:
