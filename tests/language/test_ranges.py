@@ -62,7 +62,7 @@ def test_typed_days_are_those_from_the_first_to_the_last(first: datetime, days: 
         "in 44 BC",
         "two mondays later",
         "every monday until yesterday",
-        "mon - wed 10-12, thu 2-4",
+        "twice a year in march",
     ],
 )
 def test_what_names_no_time_is_pointed_at(text: str) -> None:
@@ -107,3 +107,10 @@ def test_a_date_is_that_of_its_weekday_where_it_has_just_passed() -> None:
     for text in ("this friday-jun-15", "this friday (jun-15)"):
         found = find_times(text, later).requirements[0]
         assert found.earliest == (datetime(2018, 6, 15) - later).total_seconds()  # noqa: DTZ001
+
+
+def test_the_first_of_two_hours_is_in_the_half_of_the_day_of_the_last() -> None:
+    found = find_times("every 10 minutes from 10 to 11 pm", WEDNESDAY)
+    assert found.found[0].recurrence is not None
+    assert found.found[0].recurrence.occurrences(86400)[0] == 13 * 3600
+    assert found.remarks == ()

@@ -109,6 +109,13 @@ def day_week(day: Relative) -> Calendar | None:
     return Away(1, Unit.WEEK, day) if day.days >= 0 else None
 
 
+@grammar.rule("days", "<deictic> <date>", weight=0.5)
+def which_date(which: Which, date: Calendar) -> Calendar | None:
+    """Next july 5, last march 3rd."""
+    dated = isinstance(date, Fields) and date.month is not None and date.year is date.weekday is None
+    return Deictic(which, date) if dated and date.grain is Unit.DAY and which is not Which.THIS else None
+
+
 @grammar.rule("days", "<integer> weekends|weekend from now|today", "<integer> weekends hence", weight=0.5)
 @grammar.rule("days", "in <integer> weekends", "in <integer> weekends '|'s time", weight=0.5)
 def weekends_from_now(number: Integer) -> Calendar | None:

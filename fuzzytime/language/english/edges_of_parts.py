@@ -2,11 +2,12 @@
 
 from dataclasses import dataclass, replace
 
+from fuzzytime.language.english.goals import before_goal
 from fuzzytime.language.english.prepositions import said_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar, Cycle
-from fuzzytime.language.meaning.expressions import Edge, Ending, Goal, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Repeat, Said, Wall
 from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.requirement import Constraint, Unit
@@ -99,6 +100,12 @@ def period_end(series: Calendar) -> Goal | None:
     """(by) month end; but "the year end report", and a week end is free."""
     longer = isinstance(series, Cycle) and series.unit not in {Unit.DAY, Unit.WEEK}
     return Goal(Ending(Edge.END, Deictic(Which.THIS, series))) if longer else None
+
+
+@grammar.rule("goal", "<duration> before <period end>", "<duration> prior to <period end>", weight=0.2)
+def before_period_end(duration: Duration, goal: Goal) -> Goal | None:
+    """A week before month end."""
+    return before_goal(duration, goal)
 
 
 @grammar.rule("said", "<preposition_before> <period end>", weight=0.4)

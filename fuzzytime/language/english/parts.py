@@ -236,11 +236,18 @@ def end_of_its_own(series: Calendar) -> Ending | None:
     return Ending(Edge.END, Deictic(Which.THIS, series)) if isinstance(series, Cycle) else None
 
 
-@grammar.rule("end", "<end> <days>", "<end> on|of <days>", weight=0.5)
-def ending_of_day(end: Ending, days: Calendar) -> Ending | None:
-    """The end of the day tomorrow, eod friday."""
+@grammar.rule("end", "<end> ,? <wall>", "<end> on|of the? <wall>", weight=0.6)
+def ending_of_day(end: Ending, wall: Wall) -> Ending | None:
+    """The end of the day tomorrow, eod friday, eod 3/13."""
     today = end.days in {Deictic(Which.THIS, Cycle(Unit.DAY)), Relative(0)}
-    return replace(end, days=days) if today and days.grain is Unit.DAY else None
+    day = wall.days if wall.part is None and wall.clock is None else None
+    return replace(end, days=day) if today and day is not None and day.grain is Unit.DAY else None
+
+
+@grammar.rule("end", "<wall> ,? <end>", weight=0.6)
+def ending_behind_day(wall: Wall, end: Ending) -> Ending | None:
+    """Friday eod."""
+    return ending_of_day(end, wall)
 
 
 @grammar.rule(

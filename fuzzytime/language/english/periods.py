@@ -3,7 +3,7 @@
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import Duration, UnitWord
+from fuzzytime.language.meaning.expressions import Duration, Said, UnitWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import Nth, WeekOf
 from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Which
@@ -39,6 +39,22 @@ def nth(number: int, series: Calendar, outer: Calendar) -> Calendar | None:
 def nth_of_month(number: int, weekday: int) -> Calendar | None:
     """The third tuesday: of this month, or of the next."""
     return Nth(number, Fields(weekday=weekday), Cycle(Unit.MONTH)) if 1 <= number <= MOST_WEEKDAYS else None
+
+
+@grammar.rule("said", "on? the? <ordinal> and|&|or the? <ordinal> <series> of|in <whole>", weight=1.0)
+def two_of_them(first: int, second: int, series: Calendar, outer: Calendar) -> Said | None:
+    """On the first and third monday of may."""
+    found = [nth(number, series, outer) for number in (first, second)]
+    if None in found or first >= second:
+        return None
+    walls = [Wall(days) for days in found]
+    return Said(walls[0], None, "on", listed=(Said(walls[1], None, "on"),))
+
+
+@grammar.rule("said", "on? the <ordinal> and|&|or the? <ordinal> <weekday>", weight=0.8)
+def two_of_month(first: int, second: int, weekday: int) -> Said | None:
+    """On the second and fourth tuesday."""
+    return two_of_them(first, second, Fields(weekday=weekday), Cycle(Unit.MONTH))
 
 
 @grammar.rule("date", "the? last <series> of|in <whole>", "the? last <series> <weak date>", weight=0.45)
@@ -153,6 +169,13 @@ def quarter(number: int, outer: Calendar | None) -> Calendar | None:
 def short_quarter(number: Integer, outer: Calendar | None) -> Calendar | None:
     """Q3 2018."""
     return _quarter(number.value, outer)
+
+
+@grammar.rule("days", "<deictic> q <integer>", weight=0.3)
+def which_quarter(which: Which, number: Integer) -> Calendar | None:
+    """Next Q1."""
+    found = _quarter(number.value, None)
+    return None if found is None else Deictic(which, found)
 
 
 @grammar.rule("date", "<year> -? q <integer>", weight=0.3)

@@ -71,6 +71,9 @@ def more_weekdays(repeat: Repeat, number: int) -> Repeat | None:
     """Every monday and thursday, on mondays and fridays."""
     if not repeat.walls or any(not isinstance(wall.days, Fields) or wall.clock for wall in repeat.walls):
         return None
+    if any(wall.part is not None and not wall.part.name for wall in repeat.walls):
+        # "Mon-wed 10-12, thu 2-4"
+        return None
     return replace(repeat, walls=(*repeat.walls, Wall(Fields(weekday=number))))
 
 
@@ -232,10 +235,12 @@ def day_of_every(first: int | UnitWord, second: UnitWord | int) -> Repeat | None
     return Repeat(walls=(Wall(Fields(day=number)),))
 
 
-@grammar.rule("repeat", "the? <ordinal> ,|and|& <repeat>", "the? <ordinal> , and <repeat>", weight=0.3)
+@grammar.rule("repeat", "on? the? <ordinal> ,|and|& <repeat>", "the? <ordinal> , and <repeat>", weight=0.3)
 def more_days_of_every(number: int, repeat: Repeat) -> Repeat | None:
-    """The first and the fifteenth of every month."""
+    """The first and the fifteenth of every month, the first and third tuesday of every month."""
     days = [wall.days for wall in repeat.walls]
+    if days and isinstance(days[0], Nth) and 0 < number < days[0].number:
+        return replace(repeat, walls=(Wall(replace(days[0], number=number)), *repeat.walls))
     monthly = all(isinstance(day, Fields) and day == Fields(day=day.day) for day in days)
     plain = repeat.skip == 1 and all(wall.clock is None and wall.part is None for wall in repeat.walls)
     if not days or not monthly or not plain or not 1 <= number <= LONGEST_MONTH:

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Range, Repeat, Said, Wall
-from fuzzytime.language.meaning.repeats_beside import narrowed_repeat, within_hours
+from fuzzytime.language.meaning.repeats_beside import bounded_repeat, narrowed_repeat, within_hours
 from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.requirement import Constraint, Unit
 
@@ -49,10 +49,44 @@ def week_of_hours(days: tuple[int, ...], said: Said) -> Repeat | None:
 def numbers_of_week(*said: tuple[int, ...] | Integer) -> Repeat | None:
     """Mon-fri 9-5: hours, and no date."""
     days = next(part for part in said if not isinstance(part, Integer))
-    first, last = (number(part) for part in said if isinstance(part, Integer))
-    hours = (clock for clock in (first, last) if clock is not None and clock.grain is Unit.HOUR)
-    ends = [Wall(clock=replace(clock, bare=False)) for clock in hours]
-    return within_hours(_each(days), *ends) if len(ends) == len((first, last)) else None
+    ends = _hours(*(part for part in said if isinstance(part, Integer)))
+    return None if ends is None else within_hours(_each(days), *ends)
+
+
+@grammar.rule("hours of weekday", "<weekday> <integer> -|to|until|till <integer>")
+def numbers_of_weekday(weekday: int, first: Integer, last: Integer) -> Repeat | None:
+    """(mon-thu 9-5,) fri 9-3."""
+    return numbers_of_week((weekday,), first, last)
+
+
+@grammar.rule("hours of weekday", "<week stretch> <integer> -|to|until|till <integer>")
+def numbers_of_stretch(days: tuple[int, ...], first: Integer, last: Integer) -> Repeat | None:
+    """(mon-fri 9-5,) sat-sun 10-2."""
+    return numbers_of_week(days, first, last)
+
+
+@grammar.rule("repeat", "<repeat> ,|and|& <hours of weekday>", weight=3.5)
+def more_hours(repeat: Repeat, more: Repeat) -> Repeat | None:
+    """Mon-thu 9-5, fri 9-3: each on its days."""
+    hours = repeat.walls and all(wall.part is not None and not wall.part.name for wall in repeat.walls)
+    return replace(repeat, walls=(*repeat.walls, *more.walls)) if hours and repeat.skip == 1 else None
+
+
+@grammar.rule("repeat", "<repeat> ,? <integer> -|to|until|till <integer>", weight=2.5)
+def numbers_of_day(repeat: Repeat, first: Integer, last: Integer) -> Repeat | None:
+    """Every 30 minutes 9-5: hours, and no date."""
+    ends = _hours(first, last)
+    if any(wall.part is not None or wall.clock is not None for wall in repeat.walls):
+        return None
+    return None if ends is None else bounded_repeat(repeat, Said(Range(*ends), Constraint.BETWEEN, "between"))
+
+
+def _hours(*said: Integer) -> tuple[Wall, Wall] | None:
+    """Give two numbers as the hours from which and to which something goes on."""
+    first, last = (number(one) for one in said)
+    if first is None or last is None or Unit.MINUTE in {first.grain, last.grain}:
+        return None
+    return Wall(clock=replace(first, bare=False)), Wall(clock=replace(last, bare=False))
 
 
 @grammar.rule("repeat", "on? <week stretch> <parts>", "in? the? <parts> ,? <week stretch>", weight=1.5)

@@ -1,12 +1,28 @@
-"""Intervals and lengths as ISO 8601 has them: "2026-03-28T17:00/19:30", "2026-03-28T17:00/PT2H", "PT45M"."""
+"""Intervals as they are typed: "2026-03-28T17:00/PT2H" as ISO 8601 has it, "5-7/3/2026", "around 3-4"."""
 
+from dataclasses import replace
+
+from fuzzytime.language.english.clocks import number, typed_to_the_second
+from fuzzytime.language.english.dates import century, month_first
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.grammar.numerals import Typed
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.grammar.numerals import Integer, Typed
+from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Said, Wall
+from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
+
+LONGEST_MONTH, MONTHS = 31, 12
+
+FRACTION = 3
+"""Digits of the thousandths of a second."""
+
+FEW_HOURS = 3
+"""Hours between two that something is around, at most."""
+
+NEAR_YEARS = range(26, 40)
+"""Years in two digits that are more than any hour."""
 
 UNITS = (Unit.YEAR, Unit.MONTH, Unit.WEEK, Unit.DAY, Unit.HOUR, Unit.MINUTE, Unit.SECOND)
 """Units of a typed length, in their order."""
@@ -43,6 +59,70 @@ def ended(numbers: Typed, last: Wall) -> Said | None:
     if length is None or not _is_dated(last):
         return None
     return Said(Range(Offset(length, -1, last), last), Constraint.BETWEEN, "between")
+
+
+@grammar.rule("clock", "<hh:mm:ss> . <integer>", weight=0.4)
+def with_fraction(numbers: Typed, fraction: Integer) -> Clock | None:
+    """17:00:00.000: the fraction of the second is left out."""
+    return typed_to_the_second(numbers) if len(fraction.digits) == FRACTION else None
+
+
+@grammar.rule("wall", "<date> t <integer> z?", weight=0.5)
+def basic(days: Calendar, digits: Integer) -> Wall | None:
+    """20260328T170000: hour, minute and second without marks."""
+    if len(digits.digits) != len("hhmmss"):
+        return None
+    parts = tuple(digits.digits[place : place + 2] for place in range(0, len(digits.digits), 2))
+    clock = typed_to_the_second(Typed(parts))
+    return None if clock is None else Wall(days, clock=replace(clock, full_day=True))
+
+
+@grammar.rule("said", "<integer> .? - <n-n-n>", weight=2.0)
+def days_of_typed_month(first: Integer, last: Typed) -> Said | None:
+    """5-7/3/2026: whichever of the first two is a day behind the other."""
+    year = century(last[2], last.parts[2])
+    for month, day in ((last[0], last[1]), (last[1], last[0])):
+        if 1 <= first.value < day <= LONGEST_MONTH and 1 <= month <= MONTHS:
+            ends = (Wall(Fields(year, month, one)) for one in (first.value, day))
+            return Said(Range(*ends), Constraint.BETWEEN, "between")
+    return None
+
+
+@grammar.rule(
+    "said",
+    "from? <weekday> <month day> -|to|until|till|through <weekday> <month day> of? <month>",
+    weight=2.0,
+)
+def weekdays_of_month(weekday: int, first: int, again: int, last: int, month: int) -> Said | None:
+    """Thu 5 - sat 7 march."""
+    if first >= last:
+        return None
+    ends = (Wall(Fields(month=month, day=day, weekday=on)) for day, on in ((first, weekday), (last, again)))
+    return Said(Range(*ends), Constraint.BETWEEN, "between")
+
+
+@grammar.rule(
+    "said", "from? <weekday> <month> <month day> -|to|until|till|through <weekday> <month day>", weight=2.0
+)
+def weekdays_of_month_before(weekday: int, month: int, first: int, again: int, last: int) -> Said | None:
+    """Thu march 5 - sat 7."""
+    return weekdays_of_month(weekday, first, again, last, month)
+
+
+@grammar.rule("said", "around|about|roughly <integer> - <integer>", weight=1.0)
+def around_hours(first: Integer, last: Integer) -> Said | None:
+    """(call) around 3-4: hours, and no date."""
+    clocks = [number(one) for one in (first, last)]
+    if None in clocks or not 1 <= last.value - first.value <= FEW_HOURS:
+        return None
+    return Said(Range(*(Wall(clock=clock) for clock in clocks)), Constraint.BETWEEN, "between", ("about",))
+
+
+@grammar.rule("date", "<month day> <month> <integer>", weight=0.9)
+def with_bare_year(day: int, month: int, number: Integer) -> Fields | None:
+    """5 july 26: the number is a year, as an hour stands behind "at"."""
+    near = number.digits and number.value in NEAR_YEARS
+    return replace(month_first(month, day), year=century(number.value, number.digits)) if near else None
 
 
 def _is_dated(wall: Wall) -> bool:

@@ -23,6 +23,9 @@ UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "start
 PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR))
 """Periods that "the week" and "the year" are, behind a preposition."""
 
+SHORT_YEAR = 2
+"""Digits of a year without its century."""
+
 THING = "thing"
 """The last word of a time that may be any thing: "first thing"."""
 
@@ -222,7 +225,10 @@ class Walls(Standing):
 
     def _counts_several(self, piece: Piece, wall: Wall) -> bool:
         """Whether its last number counts what is behind it: "paint it tomorrow, two coats"."""
-        if wall.days is None or wall.clock is None or not self.measures.is_number(piece.end - 1):
+        year = isinstance(wall.days, Fields) and wall.days.year is not None and wall.clock is None
+        # "Book 6 march 30 seats"
+        last = wall.clock is not None or (year and len(self.texts[piece.end - 1]) <= SHORT_YEAR)
+        if wall.days is None or not last or not self.measures.is_number(piece.end - 1):
             return False
         follower, led = self.around.follower(piece), self.texts[piece.end - 2]
         several = follower.endswith("s") and follower not in self.lexicon.function_words

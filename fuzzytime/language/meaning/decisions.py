@@ -9,7 +9,7 @@ from fuzzytime.language.meaning.expressions import Offset, Range, Repeat, Time, 
 from fuzzytime.language.meaning.instants import Instants, is_eve
 from fuzzytime.language.meaning.moment import Moment, zone_of
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
-from fuzzytime.language.meaning.series import begins_by_policy
+from fuzzytime.language.meaning.series import begins_by_policy, bounds_said
 from fuzzytime.language.policy import Midnight
 from fuzzytime.requirement import Recurrence
 
@@ -49,7 +49,7 @@ class Deciding:
         if begins_by_policy(repeat) and isinstance(recurrence, EvenRecurrence) and recurrence.first:
             first = self.moment.grounding().now + timedelta(seconds=recurrence.first)
             remarks.append(self._noted(f" begins at {first:%H:%M}: when on that day is not said"))
-        for bound in () if repeat.lent else (repeat.starting, repeat.until):
+        for bound in () if repeat.lent else bounds_said(repeat):
             said = bound.anchor if isinstance(bound, Offset) else bound
             if isinstance(said, Wall) and said.clock is not None and not remarks:
                 remarks += self.of_instants(self.moment.grounding(said.zone).instants(said), said.zone)[0]

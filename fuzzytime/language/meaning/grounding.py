@@ -250,8 +250,9 @@ class Grounding(Standpoint):
                 return Instants(start, shifted(self.now, duration.until, said.direction), Unit.SECOND)
             return Instants(start, start, duration.unit if duration.unit in SUB_DAY else Unit.SECOND)
         anchor = self._instants(said.anchor)
-        over = isinstance(said.anchor, Ending) and said.anchor.edge is Edge.END
-        after = said.direction > 0 and not self._is_day(said.anchor)
+        edge = said.anchor.edge if isinstance(said.anchor, Ending) else None
+        over = edge is Edge.END
+        after = said.direction > 0 and not self._is_day(said.anchor) and edge is not Edge.START
         base = anchor.end if over or after else anchor.start
         start = shifted(base, duration, said.direction)
         if duration.until is not None:

@@ -177,15 +177,7 @@ def _clock_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
         # "Sunday from midnight to four": where that day begins.
         start_clock = replace(start_clock, midnight=False)
     known_end = not end_clock.is_open
-    if start_clock.is_open and known_end:
-        begins = min(
-            start_clock.candidates(),
-            key=lambda s: (end_clock.candidates()[0] - s) % DAY_SECONDS or DAY_SECONDS,
-        )
-        settled = _settled(start_clock, begins)
-        start = clock.wall(replace(first, clock=settled, part=None))
-    else:
-        start = clock.wall(replace(first, clock=start_clock, part=None))
+    start = clock.wall(replace(first, clock=half_before(start_clock, end_clock), part=None))
     grounded = replace(start, choices=start.choices if not known_end else ())
     if last.days is not None:
         there = replace(last, clock=end_clock, part=None)
@@ -197,6 +189,14 @@ def _clock_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
     ends = (midnight(start.start.date()) + timedelta(seconds=s) for s in end_clock.candidates())
     later = [e if e > start.start else e + timedelta(days=1) for e in ends]
     return replace(grounded, end=min(later), zone=first.zone)
+
+
+def half_before(start: Clock, end: Clock) -> Clock:
+    """Give a clock time in the half of the day that makes it shortest to another, whose half is known."""
+    if not start.is_open or end.is_open:
+        return start
+    over = end.candidates()[0]
+    return _settled(start, min(start.candidates(), key=lambda s: (over - s) % DAY_SECONDS or DAY_SECONDS))
 
 
 def _last_of(said: Time, found: Instants) -> datetime:

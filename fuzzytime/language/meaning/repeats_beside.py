@@ -142,8 +142,16 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         first = first_time(said)
         return None if first is None else replace(repeat, starting=first)
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
+        if any(wall.part is not None and not wall.part.name for wall in repeat.walls) and _is_clocked(time):
+            # "Mon-thu 9-5, fri 9-3": the second are hours of another day.
+            return None
         return replace(repeat, starting=time.first, until=time.last)
     return None
+
+
+def _is_clocked(time: Range) -> bool:
+    """Whether it is from one clock time to another."""
+    return all(isinstance(end, Wall) and end.clock is not None for end in (time.first, time.last))
 
 
 def _apart(repeat: Repeat) -> float:

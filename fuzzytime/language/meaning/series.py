@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.range_instants import half_before
 from fuzzytime.language.meaning.recurrence import JUST_BEFORE, CalendarRecurrence, EvenRecurrence
 from fuzzytime.language.meaning.recurrence_by_months import RecurrenceByMonths, is_by_months
 from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
@@ -98,9 +99,19 @@ def recurrence_that_comes(repeat: Repeat, moment: Moment) -> Series:
         If it is over before it comes: "every monday until friday", said on a tuesday.
     """
     found = recurrence_of(repeat, moment)
-    if not isinstance(found, CalendarRecurrence) or found.endless or repeat.lent or found.coming(1):
+    if found.endless or repeat.lent or _comes(found):
         return found
     raise UngroundedError("a repetition must come at least once")
+
+
+def _comes(series: Series) -> bool:
+    """Whether a repetition with an end comes before it."""
+    if isinstance(series, CalendarRecurrence):
+        return bool(series.coming(1))
+    if isinstance(series, EvenRecurrence):
+        soon = max(series.first, 0.0) + 2 * series.step
+        return bool(series.occurrences(min(series.last, soon)))
+    return True
 
 
 def _by_months(
@@ -160,7 +171,7 @@ def _is_even(repeat: Repeat) -> bool:
 
 def _bounds(repeat: Repeat, moment: Moment) -> tuple[float | None, float | None]:
     """Give where a repetition begins and is over: of two times of day, one may say the day of both."""
-    first, last = repeat.starting, repeat.until
+    first, last = bounds_said(repeat)
     if _is_timed(first) and _is_timed(last) and (first.days is None) is not (last.days is None):
         # "Every ten minutes from three to four tomorrow"
         found = moment.grounding().instants(Range(first, last))
@@ -170,6 +181,19 @@ def _bounds(repeat: Repeat, moment: Moment) -> tuple[float | None, float | None]
         found = moment.grounding().instants(Range(first, last))
         return moment.seconds(found.start), moment.seconds(found.end)
     return _bound(first, moment, last=False), _bound(last, moment, last=True)
+
+
+def bounds_said(repeat: Repeat) -> tuple[Time | None, Time | None]:
+    """Give where a repetition begins and is over, the first in the half of the day that the last tells."""
+    first, last = repeat.starting, repeat.until
+    if (
+        isinstance(first, Wall)
+        and first.clock is not None
+        and isinstance(last, Wall)
+        and last.clock is not None
+    ):
+        return replace(first, clock=half_before(first.clock, last.clock)), last
+    return first, last
 
 
 def _is_timed(time: Time | None) -> TypeGuard[Wall]:
