@@ -208,7 +208,7 @@ class Away(CountedDay):
             yield from CountedDay.upcoming(self, today, since)
             return
         for anchor in self.anchor.upcoming(today, begun):
-            day = self.counted(today, anchor.first)
+            day = self.counted(today, self.base(anchor))
             if day >= since:
                 yield Days.single(day)
 
