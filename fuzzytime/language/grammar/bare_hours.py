@@ -2,13 +2,22 @@
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
-from fuzzytime.language.grammar.timetables import in_timetable
+from fuzzytime.language.grammar.timetables import counts_nothing, in_timetable, leads_entry, timed_words
 from fuzzytime.language.grammar.words import joins
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.requirement import Unit
 
 DEGREES_DIGITS = 3
 """Digits of an oven's temperature, and of few clock times."""
+
+YEARS = frozenset(map(str, range(1900, 2100)))
+"""Numbers of four digits in front of a thing that are hardly an hour: "2026 budget"."""
+
+QUARTERS = frozenset({15, 30, 45})
+"""Minutes that hardly a price has."""
+
+LINE_STARTS = frozenset({";", "\n", "-", "*", "]", "•"})
+"""Marks that an entry stands behind."""
 
 
 class BareHours(Standing):
@@ -17,7 +26,7 @@ class BareHours(Standing):
     def accept_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
         listed = said.preposition in {"at", "for"} and bool(self.run_on.behind(wall.clock, piece.end))
-        if listed:
+        if listed or self._leads_entry(piece, said) or self._opens_line(piece, said):
             return True
         ends = self.around.may_end(piece) or self._leads_to_distance(piece)
         if not ends or self.around.is_unit(piece.end):
@@ -76,7 +85,7 @@ class BareHours(Standing):
         bound = said.preposition is not None or bool(said.hedges)
         # "Pick up the kids three fifteen": it is no number that is picked.
         alone = not (bound or self.around.is_unit(piece.end)) and (
-            self._ends_behind_object(piece) or self._is_listed(piece)
+            self._ends_behind_object(piece) or self._is_listed(piece) or self._is_in_front(piece)
         )
         return alone or (bound and (self.around.may_end(piece) or (sure and not unit)))
 
@@ -91,6 +100,15 @@ class BareHours(Standing):
         happens = before in self.lexicon.happening - self.lexicon.measure_nouns
         return spelt and (someone or named or happens) and self._ends_order(piece)
 
+    def _is_in_front(self, piece: Piece) -> bool:
+        """Whether two typed numbers stand in front of what is planned then: "14.30 tea"; but "2.50 coffee"."""
+        clock = piece.value.time.clock
+        typed = clock is not None and self.words[piece.start].is_digits
+        begins = all(text in LINE_STARTS for text in self.texts[max(0, piece.start - 1) : piece.start])
+        if not typed or not begins or not counts_nothing(self.words, piece.end, self.lexicon):
+            return False
+        return clock.hour >= self.lexicon.policy.bare_pair_from or clock.minute in QUARTERS
+
     def _ends_order(self, piece: Piece) -> bool:
         """Whether nothing more is said of what is to be done behind it."""
         return self.around.follower(piece) in {"", ".", "!", ",", ";"} | self.closed.further_clause
@@ -98,6 +116,25 @@ class BareHours(Standing):
     def _is_listed(self, piece: Piece) -> bool:
         """Whether it is the hour of an entry of a list: "vet 10, dentist 3"."""
         return in_timetable(self.words, piece.start, piece.end, self.lexicon)
+
+    def _leads_entry(self, piece: Piece, said: Said) -> bool:
+        """Whether it is the hour in front of an entry of a list: "10am vet; 12 lunch"."""
+        return said.preposition is None and leads_entry(self.words, piece.start, piece.end, self.lexicon)
+
+    def _opens_line(self, piece: Piece, said: Said) -> bool:
+        """Whether it stands in front of what is planned then, and counts nothing: "1430 tea", "@9 standup"."""
+        begins = all(text in LINE_STARTS for text in self.texts[max(0, piece.start - 1) : piece.start])
+        if not begins or not counts_nothing(self.words, piece.end, self.lexicon):
+            return False
+        first, number = self.texts[piece.start], self.texts[piece.end - 1]
+        if said.preposition == "at":
+            return first == "@" and self.words[piece.start + 1].glued
+        whole = piece.end - piece.start == 1 and self.measures.is_sure(piece.start)
+        if said.preposition is not None or not whole or number in YEARS:
+            return False
+        # "1000 piece puzzle", but "1000 briefing"
+        known = self.around.follower(piece) in timed_words(self.lexicon) or self.around.is_part_or_meal(piece.end)
+        return known or number.startswith("0") or not number.endswith("00")
 
     def _leads_to_distance(self, piece: Piece) -> bool:
         """Whether so long before or after something follows: "at ten two days before the fair"."""

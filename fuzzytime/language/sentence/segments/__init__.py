@@ -2,7 +2,7 @@
 
 Lines and sentences
     A ``segment`` ends at a sentence, at "then" (``connectives``, but ``next_ones``), before a verb or
-    ``behind_happenings``; ``list_marks``, ``order_words``, ``corrections``, ``corrected_things``,
+    ``behind_happenings``; ``list_marks``, ``dividers``, ``order_words``, ``corrections``, ``corrected_things``,
     ``retractions``, ``asides``.
 What is none
     ``messages``: what somebody is told, which begins in ``told_clauses``.

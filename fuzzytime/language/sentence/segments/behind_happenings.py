@@ -8,14 +8,15 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 
 
-def listed(phrases: Sequence[Phrase]) -> Iterator[int]:
-    """Give where the lines of a timetable begin: "10:00 stretch, 10:15 walk"; not "10:00, 10:15"."""
+def listed(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
+    """Give where the lines of a timetable begin: "10:00 stretch 10:15 walk"; not "10:00, 10:15"."""
     clocks = [phrase for phrase in phrases if _is_clock(phrase)]
     if not clocks or clocks[0].first > 0:
         return
     for before, clock in pairwise(clocks):
         between = [other for other in phrases if before.end <= other.first < clock.first]
-        if clock.first - before.end > 1 and not between:
+        told = (word for word in words[before.end : clock.first] if word.is_letters)
+        if not between and any(word.text not in lexicon.function_words for word in told):
             yield clock.first
 
 

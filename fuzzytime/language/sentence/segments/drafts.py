@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.segments.asides import Aside, asides_of, beside
 from fuzzytime.language.sentence.segments.calls import called_first, called_next
 from fuzzytime.language.sentence.segments.corrections import corrected
 from fuzzytime.language.sentence.segments.cuts import addressed, pieces_of, reminded
+from fuzzytime.language.sentence.segments.dividers import divided
 from fuzzytime.language.sentence.segments.fronts import fronts_of
 from fuzzytime.language.sentence.segments.gaps import with_gaps
 from fuzzytime.language.sentence.segments.in_between import said_apart
@@ -32,6 +33,7 @@ from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.parsing import trees_of, uncapitalised
 from fuzzytime.language.sentence.segments.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
+from fuzzytime.language.sentence.segments.runs import run_apart
 from fuzzytime.language.sentence.segments.same_doers import done_next
 from fuzzytime.language.sentence.segments.segment import segments_of
 from fuzzytime.language.sentence.segments.told_lengths import told_lengths
@@ -132,7 +134,8 @@ def drafted(
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
-        scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
+        listed = run_apart(divided(without_marks(text, marks), grammar, lexicon), lexicon)
+        scanned = Scanned.of(listed, grammar, lexicon)
         messages.append(messages_of(scanned, lexicon))
         if messages[-1]:
             scanned = Scanned.of(without_messages(scanned.text, messages[-1]), grammar, lexicon)

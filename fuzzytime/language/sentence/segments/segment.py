@@ -68,7 +68,7 @@ def segments_of(
     vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
     following = {phrase.first for phrase in phrases if _follows(phrase, words)}
     following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
-    following |= set(listed(phrases))
+    following |= set(listed(phrases, words, lexicon))
     following |= set(behind_happening(phrases, words, lexicon))
     following |= set(beside(phrases, words, lexicon))
     following |= {phrase.end for phrase in phrases[:1] if heads(phrase, words)}

@@ -1,0 +1,106 @@
+"""Entries that follow each other without a mark, told apart by their times: "8:00 standup 8:15 mails 9:00 tea".
+
+Three at least, of which each begins with its time, or each ends with it. One that begins with the number of
+what hardly has another is an entry too: "10am vet 12 lunch 3pm pick up car".
+"""
+
+import re
+from collections.abc import Iterator
+from itertools import pairwise
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import words_of
+from fuzzytime.language.instruction import Span
+
+TOKEN = re.compile(
+    r"""
+    (?<![^\s(])
+    (?: (?P<sure> @\s?\d{1,2}(?:[:.]\d\d)?(?:\s?[ap]m)? | \d{1,2}:\d\d(?:\s?[ap]m)? | \d{1,2}(?:\.\d\d)?\s?[ap]m
+                | [012]\d[0-5]\d )
+        (?:\s?[-–]\s?\d{1,2}(?::\d\d)?(?:\s?[ap]m)?)?
+      | (?P<bare> \d{1,2}) )
+    (?=[\s),;.]|$)
+    """,
+    re.VERBOSE | re.IGNORECASE,
+)
+"""A number that is a clock time in such a list: surely so, or a number alone."""
+
+LINE = re.compile(r"[^\n;]+")
+SHORTEST = 3
+"""Entries at least."""
+
+HALF_DAY = 12
+"""Hours that a number alone may name."""
+
+LONGEST_WORD = 40
+"""Characters behind a number that are looked at."""
+
+STOP = ";"
+"""What stands between two entries then."""
+
+
+def run_apart(text: str, lexicon: Lexicon) -> str:
+    """Give a text of the same length with a mark between such entries."""
+    for line in LINE.finditer(text):
+        for place in _pauses(text, line.span(), lexicon):
+            text = text[:place] + STOP + text[place + 1 :]
+    return text
+
+
+def _pauses(text: str, line: Span, lexicon: Lexicon) -> Iterator[int]:
+    """Give where one entry of a line ends."""
+    tokens = [found for found in TOKEN.finditer(text, *line)]
+    if len(tokens) < SHORTEST:
+        return
+    leads = not text[line[0] : tokens[0].start()].strip(" -*")
+    last = text[tokens[-1].end() : line[1]].strip(" .!")
+    if not leads and last:
+        return
+    tokens = [found for found in tokens if found["sure"] or (leads and _is_hour(text, found, lexicon))]
+    if len(tokens) < SHORTEST or tokens[0]["sure"] is None:
+        return
+    ends = [*(found.start() for found in tokens[1:]), line[1]]
+    begins = [line[0], *(found.end() for found in tokens[:-1])]
+    things = (
+        [text[found.end() : end] for found, end in zip(tokens, ends, strict=True)]
+        if leads
+        else [text[begin : found.start()] for begin, found in zip(begins, tokens, strict=True)]
+    )
+    if not all(_names(thing, lexicon, leads=leads) for thing in things):
+        return
+    if not leads and any(_is_somebody(thing, lexicon) for thing in things[1:]):
+        # "Call Ann 9:00 Bob 9:15"
+        return
+    for before, found in pairwise(tokens):
+        place = found.start() - 1 if leads else before.end()
+        if text[place].isspace():
+            yield place
+
+
+def _names(thing: str, lexicon: Lexicon, *, leads: bool) -> bool:
+    """Whether words name something, right beside the time that they are said of."""
+    words = words_of(thing)
+    if not words or not words[0].is_letters:
+        return False
+    beside = words[0] if leads else words[-1]
+    own = beside.is_letters and beside.text not in lexicon.function_words
+    # "Walk the dog and | 8:00 …"
+    open_ended = words[-1].text in lexicon.function_words - lexicon.places
+    return own and not open_ended and not _is_unit(beside.text, lexicon)
+
+
+def _is_somebody(thing: str, lexicon: Lexicon) -> bool:
+    """Whether one word names a person."""
+    words = words_of(thing)
+    return len(words) == 1 and (words[0].capital or words[0].text in lexicon.persons)
+
+
+def _is_unit(text: str, lexicon: Lexicon) -> bool:
+    return any(found.category in {"unit", "preposition_before"} for found in lexicon.entries.get(text, ()))
+
+
+def _is_hour(text: str, found: re.Match[str], lexicon: Lexicon) -> bool:
+    """Whether a number alone is when something is that has a time: "12 lunch"."""
+    behind = words_of(text[found.end() : found.end() + LONGEST_WORD])
+    timed = lexicon.happening | lexicon.taken | lexicon.events
+    return 0 < int(found["bare"]) <= HALF_DAY and bool(behind) and behind[0].text in timed
