@@ -119,14 +119,19 @@ class BareHours(Standing):
 
     def _leads_entry(self, piece: Piece, said: Said) -> bool:
         """Whether it is the hour in front of an entry of a list: "10am vet; 12 lunch"."""
-        return said.preposition is None and leads_entry(self.words, piece.start, piece.end, self.lexicon)
+        led = said.preposition is None or self.texts[piece.start] == "@"
+        return led and leads_entry(self.words, piece.start, piece.end, self.lexicon)
 
     def _opens_line(self, piece: Piece, said: Said) -> bool:
         """Whether it stands in front of what is planned then, and counts nothing: "1430 tea", "@9 standup"."""
         begins = all(text in LINE_STARTS for text in self.texts[max(0, piece.start - 1) : piece.start])
-        if not begins or not counts_nothing(self.words, piece.end, self.lexicon):
+        if not begins:
             return False
         first, number = self.texts[piece.start], self.texts[piece.end - 1]
+        behind = piece.end + (self.texts[piece.end : piece.end + 1] in ([":"], ["-"]))
+        sure = first == "@" or number.startswith("0")
+        if not counts_nothing(self.words, behind, self.lexicon, plural=sure):
+            return False
         if said.preposition == "at":
             return first == "@" and self.words[piece.start + 1].glued
         whole = piece.end - piece.start == 1 and self.measures.is_sure(piece.start)

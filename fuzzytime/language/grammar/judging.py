@@ -63,6 +63,9 @@ class Judge:
         time = said.time
         if self._counts_from_thing(piece, time):
             return False
+        if isinstance(time, Range) and self.ranges.heads_meal(piece, time):
+            # "12:00 - lunch"
+            return False
         if self._is_whole(piece):
             order = self.walls.may_be_order(piece, said)
             return not lacks_unit(said) and not order and self._accepts_alone(said)

@@ -5,6 +5,9 @@ from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Offset, Range, Said, Wall
 
+EARLY = 3600
+"""Seconds before the hour of a meal within which it may begin: a stretch until it is longer."""
+
 
 class Ranges(Standing):
     """What stands around stretches from one time to another, and whether it makes one doubtful."""
@@ -45,6 +48,22 @@ class Ranges(Standing):
             dated = all(isinstance(end.days, Fields) and end.days.is_day_of_month for end in ends)
             return between and (dated or not self.measures.measured(piece)) and self.around.may_end(piece)
         return True
+
+    def heads_meal(self, piece: Piece, time: Range) -> bool:
+        """Whether a dash in front of a line stands between a clock time and the meal that is then."""
+        dash = next((p for p in range(piece.start, piece.end) if self.texts[p] == "-"), None)
+        if dash is None or self.words[dash].glued or not self.around.opens(piece.start):
+            return False
+        first, last = time.first, time.last
+        if not isinstance(first, Wall) or not isinstance(last, Wall) or first.clock is None:
+            return False
+        meal = last.part if last.clock is None else None
+        # "10am - lunch" is until then.
+        return (
+            meal is not None
+            and meal.meal
+            and any(seconds > meal.start - EARLY for seconds in first.clock.candidates())
+        )
 
     def _binds(self, piece: Piece) -> bool:
         """Whether its first words make two numbers its ends."""

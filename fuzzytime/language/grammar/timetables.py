@@ -13,6 +13,9 @@ HALF_DAY = 12
 """Hours that a number alone may name in a list."""
 DAY = 24
 """Hours of a day, which one with minutes may name."""
+MINUTES = 60
+FOUR = 4
+"""Digits of hour and minute together: "1830"."""
 MINUTED = 3
 """Words of an hour with its minutes: "7:30"."""
 SHORTEST = 2
@@ -57,6 +60,7 @@ def _all_lead(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon
         return False
     named = [words[first + (length or 0)].text for (first, _), length in zip(entries, numbers, strict=True)]
     surely = any((length or 0) > 1 for length in numbers) or any(text in timed_words(lexicon) for text in named)
+    surely = surely or all(words[first].text.startswith("0") for first, _ in entries[:1])
     counted = any(
         length == 1 and text.endswith("s") and text not in timed_words(lexicon)
         for length, text in zip(numbers, named, strict=True)
@@ -64,15 +68,18 @@ def _all_lead(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon
     return surely and not counted
 
 
-def counts_nothing(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    """Whether a word is a thing, or is done, and is not counted by the number before it."""
+def counts_nothing(words: Sequence[Word], place: int, lexicon: Lexicon, *, plural: bool = False) -> bool:
+    """Whether a word is a thing, or is done, and is not counted by the number before it.
+
+    What more than one counts is a ``plural``, which may stand behind what is surely an hour.
+    """
     if place >= len(words) or not words[place].is_letters:
         return False
     text = words[place].text
-    plural = text.endswith("s") and not text.endswith("ss") and text not in timed_words(lexicon)
+    several = text.endswith("s") and not text.endswith("ss") and text not in timed_words(lexicon)
     units = any(found.category == "unit" for found in lexicon.entries.get(text, ()))
     inside = text in lexicon.function_words | lexicon.measure_nouns or len(text) == 1
-    return not (plural or units or inside)
+    return not ((several and not plural) or units or inside)
 
 
 def timed_words(lexicon: Lexicon) -> frozenset[str]:
@@ -107,8 +114,9 @@ def _number_at_end(entry: Sequence[Word], lexicon: Lexicon) -> int | None:
 
 def _number_in_front(entry: Sequence[Word], lexicon: Lexicon) -> int | None:
     """Give how many words the number is that an entry begins with; None where it is no hour, or counts."""
-    digits = [*takewhile(lambda word: word.is_digits or word.text in JOINTS, entry)]
-    length = len(digits)
+    led = entry[0].text == "@"
+    digits = [*takewhile(lambda word: word.is_digits or word.text in JOINTS, entry[led:])]
+    length = led + len(digits)
     half = any(word.text in lexicon.beside.of_hours for word in entry[length : length + 1])
     named = next(iter(entry[length + half :]), None)
     if not digits or named is None or not named.is_letters or named.text in lexicon.function_words:
@@ -120,5 +128,7 @@ def _number_in_front(entry: Sequence[Word], lexicon: Lexicon) -> int | None:
 def _is_hour(digits: Sequence[Word], *, half: bool) -> bool:
     """Whether digits, with minutes or without, are an hour that a number alone may name."""
     hour = digits[0].text
+    if len(digits) == 1 and len(hour) == FOUR:
+        return int(hour[:2]) < DAY and int(hour[2:]) < MINUTES and not half
     hours = HALF_DAY if len(digits) == 1 or half else DAY
     return len(digits) in {1, MINUTED} and hour.isdecimal() and 0 < int(hour) <= hours

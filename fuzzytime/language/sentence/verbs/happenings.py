@@ -47,7 +47,9 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     counted = root == 0 and any(tree.nodes[p].lower == OF for p in tree.children(root, "prep"))
     if counted and any(map(_is_clock, phrases)):
         return True
+    # "12:00 emails": what is named by more than one is no order.
     listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
+    listed = listed or (_is_several(tree, root) and any(map(_is_typed, phrases)))
     # "Incision at eight"
     named = _is_noun(tree, root) or _is_counted(tree, root, lexicon) or _is_of_nouns(tree, root, lexicon)
     listed = listed or (named and any(_is_clock(one) or _is_at_part(one) for one in phrases))
@@ -79,6 +81,13 @@ def _is_noun(tree: Tree, root: int) -> bool:
     """Whether words are one noun that is no verb, without what could be ordered in front."""
     before = all(tree.nodes[p].tag in {"NN", "NNP", "JJ", "DT", "PRP$"} for p in range(root))
     return before and not tree.nodes[root].may_act and not any(tree.nodes[p].may_act for p in range(root))
+
+
+def _is_several(tree: Tree, root: int) -> bool:
+    """Whether words are nouns, the last for more than one: "client emails"."""
+    node = tree.nodes[root]
+    nouns = all(other.tag.startswith(("NN", "CD", "SYM", "HYPH")) for other in tree.nodes[: root + 1])
+    return node.tag == "NNS" and node.text.isalpha() and node.lower != node.lemma and nouns
 
 
 def _is_counted(tree: Tree, root: int, lexicon: Lexicon) -> bool:
@@ -134,6 +143,11 @@ def _is_clock_alone(phrase: Phrase) -> bool:
     time = phrase.said.time
     clocked = isinstance(time, Wall) and time.clock is not None and not time.clock.bare
     return clocked and phrase.said.preposition is None and phrase.said.constraint is None
+
+
+def _is_typed(phrase: Phrase) -> bool:
+    """Whether it is a clock time, or a stretch between two, as it is typed: "12:00", "9:15-10:00", "@10"."""
+    return _is_clock_alone(phrase) or _is_clock(phrase) or _is_range(phrase)
 
 
 def _is_clock(phrase: Phrase) -> bool:
