@@ -148,6 +148,16 @@ def typed(numbers: Typed) -> Duration | None:
     return Duration(((hours, Unit.HOUR), (minutes, Unit.MINUTE))) if minutes < 60 else None
 
 
+@grammar.rule("duration", "<integer> hr|hrs|hour|hours <integer>", weight=0.2)
+@grammar.rule("duration", "<integer> h <integer>", weight=0.2)
+def hours_and_minutes(hours: Integer, minutes: Integer) -> Duration | None:
+    """1hr30, 2 hrs 15; but from 8 h 30 on it is a clock time as well."""
+    typed = bool(hours.digits) and len(minutes.digits) == 2
+    if not typed or minutes.value >= 60:
+        return None
+    return Duration(((hours.value, Unit.HOUR), (minutes.value, Unit.MINUTE)))
+
+
 @grammar.rule("duration", "<hh:mm> <unit>", "<hh:mm> long", weight=-0.1)
 def typed_with_unit(numbers: Typed, unit: UnitWord | None = None) -> Duration | None:
     """1:30 hours."""

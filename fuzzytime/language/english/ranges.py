@@ -204,6 +204,18 @@ def with_dash(first: Goal, last: Goal) -> Said | None:
     return from_to(first, last)
 
 
+@grammar.rule("arrow", "- >", "= >", ">", "→", "⇒")
+def arrow() -> str:
+    """->."""
+    return ">"
+
+
+@grammar.rule("said", "<goal> <arrow> <goal>", weight=1.0)
+def pointed(first: Goal, _: str, last: Goal) -> Said | None:
+    """9:00 -> 9:30, 2 > 3pm."""
+    return from_to(first, last)
+
+
 @grammar.rule(
     "said",
     "anytime|sometime|whenever <clock> to|- <clock>",

@@ -25,6 +25,17 @@ LONGEST_WEEKEND = 6
 DEICTICS = frozenset(Which)
 """Words before a unit that say which: "next week"."""
 
+ZEROS = frozenset({"t", "h", "d", "l"})
+"""Letters for the moment, hour or day that others are counted from."""
+
+MOMENTS = frozenset({"t", "h"})
+"""Those of them that hardly number a thing: "vitamin D-3"."""
+
+LONGEST_COUNT = 3
+"""Digits of such a number at most."""
+
+SIGNS = frozenset({"-", "+"})
+
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
 
@@ -47,6 +58,8 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     around = Surroundings(scanned.words, lexicon)
     yield from _weekends(scanned, explained, around)
     yield from _dates(scanned, explained, around)
+    yield from _counted_from_zero(scanned, explained)
+    yield from _halves(scanned, lexicon)
     for start, cell in enumerate(scanned.cells):
         for category in TELLING & cell.keys():
             for piece in cell[category].values():
@@ -65,6 +78,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     or _is_noun(piece, around)
                     or _is_title(piece, around)
                     or _is_share(piece, scanned)
+                    or _is_rate(piece, around)
                     or (category.startswith("hh") and (around.cites(start) or around.before(piece) == "the"))
                     or (around.describes(piece) and around.follower(piece) not in lexicon.beside.ahead)
                     or _is_compound(piece, around)
@@ -107,6 +121,38 @@ def _dates(scanned: Scanned, explained: Sequence[Span], around: Surroundings) ->
         named = any(text.isalpha() and text not in around.lexicon.function_words for text in behind)
         if led and not known and not named and (typed or word.text in around.lexicon.ordinals):
             yield from range(place, place + 2 + typed)
+
+
+def _counted_from_zero(scanned: Scanned, explained: Sequence[Span]) -> Iterator[int]:
+    """Give the places of times counted from one that is called by a letter: "T-30", "H-2", "D+1"."""
+    words = scanned.words
+    for place in range(len(words) - 2):
+        letter, sign, number = words[place : place + 3]
+        known = any(first < number.end and letter.start < end for first, end in explained)
+        heads = not place or words[place - 1].text in {";", ",", "at", "@"}
+        ends = place + 3 == len(words) or words[place + 3].text in {";", ",", "."}
+        # "Vitamin D-3 at eight", "the T-1000"
+        named = letter.text in ZEROS and (heads or (ends and letter.text in MOMENTS))
+        whole = named and len(number.text) <= LONGEST_COUNT
+        counts = sign.text in SIGNS and sign.glued and number.is_digits and number.glued
+        signed = sign.text != "-" or letter.capital
+        if whole and counts and signed and not known:
+            yield from range(place, place + 3)
+
+
+def _halves(scanned: Scanned, lexicon: Lexicon) -> Iterator[int]:
+    """Give the places of halves of the day that head an entry: "am: laundry, pm: cook"."""
+    words = scanned.words
+    for place, word in enumerate(words[:-1]):
+        begins = not place or words[place - 1].text in {";", ","}
+        if begins and word.text in lexicon.beside.of_hours and words[place + 1].text == ":":
+            yield place
+
+
+def _is_rate(piece: Piece, around: Surroundings) -> bool:
+    """Whether so much of something is in it: "10/min", "5 ml/min"."""
+    stroke = around.texts[piece.start - 1] if piece.start else ""
+    return stroke == "/" and around.words[piece.start].glued and around.words[piece.start - 1].glued
 
 
 def _binds(around: Surroundings, place: int) -> bool:

@@ -1,6 +1,6 @@
 """Numbers that lack their unit: "stirring every 10", "simmer for ten"; and what is for so many people."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -15,6 +15,13 @@ FEWEST_MINUTES = 10
 
 DEGREES_DIGITS = 3
 """Digits of a temperature, and of no hour."""
+
+ENTRY_ENDS = frozenset({",", ";", "\n", "."})
+JOINTS = frozenset({"and", "then"})
+SHORTEST_LIST = 2
+"""Entries of a list at least."""
+LONGEST_ENTRY = 3
+"""Words at most before the number of an entry."""
 
 
 def lacks_unit(said: Said) -> bool:
@@ -43,12 +50,44 @@ def is_left_for(texts: Sequence[str], first: int, end: int, lexicon: Lexicon) ->
 
     What comes next ends the order, or says what comes behind it.
     """
+    if is_timed_entry(texts, first, end, lexicon):
+        return True
     resting = first > 0 and texts[first - 1] in lexicon.doing.resting
     left = resting and not lexicon.letting.isdisjoint(texts[: first - 1])
     behind = texts[end] if end < len(texts) else ""
     return left and behind in (
         {"", "before"} | lexicon.beside.behind_minutes | lexicon.closed.adverbs_of_repetition
     )
+
+
+def is_timed_entry(texts: Sequence[str], first: int, end: int, lexicon: Lexicon) -> bool:
+    """Whether a number alone ends an entry of a list of what goes on for minutes: "knead 10, rest 60"."""
+    if first == 0 or end - first != 1 or not texts[first].isdecimal():
+        return False
+    if end < len(texts) and texts[end] not in ENTRY_ENDS:
+        return False
+    entries = [entry for entry in _entries(texts) if entry[-1].isdecimal()]
+    return len(entries) >= SHORTEST_LIST and all(_goes_on_for(entry, lexicon) for entry in entries)
+
+
+def _entries(texts: Sequence[str]) -> Iterator[list[str]]:
+    """Give the entries of a list, without the words that join them."""
+    entry: list[str] = []
+    for text in (*texts, ","):
+        if text in ENTRY_ENDS:
+            if entry:
+                yield entry
+            entry = []
+        elif entry or text not in JOINTS:
+            entry.append(text)
+
+
+def _goes_on_for(entry: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether an entry is a verb for what takes minutes, and a number that is no temperature."""
+    *said, number = entry
+    timed = lexicon.timing | lexicon.timing_alone | lexicon.doing.settling
+    short = 0 < len(said) <= LONGEST_ENTRY and len(number) < DEGREES_DIGITS
+    return short and said[0] in timed and not any(text.isdecimal() for text in said)
 
 
 def is_heated(before: Sequence[str], time: Time | Duration | Repeat) -> bool:

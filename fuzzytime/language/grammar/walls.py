@@ -3,13 +3,14 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.bare_hours import BareHours
+from fuzzytime.language.grammar.bare_hours import LINE_STARTS, BareHours
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.naming import Naming
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.timetables import timed_words
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
@@ -25,6 +26,9 @@ PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MO
 
 SHORT_YEAR = 2
 """Digits of a year without its century."""
+
+ONE = "one"
+"""What stands for a thing behind a word for which: "a new one"."""
 
 THING = "thing"
 """The last word of a time that may be any thing: "first thing"."""
@@ -48,7 +52,7 @@ class Walls(Standing):
             return False
         if self._goes_on(piece, wall) or self._is_of_event(piece, wall) or self._counts_several(piece, wall):
             return False
-        if self._is_thing(piece, wall) or self.naming.hold(piece, said, wall):
+        if self._is_thing(piece, wall) or self.naming.hold(piece, said, wall) or self._is_one(piece, wall):
             return False
         if wall.bare:
             return self.hours.accept_number(piece, said, wall)
@@ -71,7 +75,25 @@ class Walls(Standing):
             ends = self.around.may_end(piece) and self.around.follower(piece) != "of"
             return said.preposition not in {None, "to"} and ends
         alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
-        return not alone or (weekly and self._is_listed(piece))
+        return not alone or (weekly and (self._is_listed(piece) or self._heads_entry(piece)))
+
+    def _is_one(self, piece: Piece, wall: Wall) -> bool:
+        """Whether it begins with one of some things, and a day: "order a new one | fri"."""
+        if not piece.start or wall.days is None or wall.clock is None or self.texts[piece.start] != ONE:
+            return False
+        hour = self.measures.is_number(piece.start + 1) or self.texts[piece.start + 1] in self.beside.of_clocks
+        return self.around.before(piece).isalpha() and not hour
+
+    def _heads_entry(self, piece: Piece) -> bool:
+        """Whether a short name of a day begins an entry: "sat: market", "wed dentist", "mon gym, tue swim"."""
+        if piece.start and self.texts[piece.start - 1] not in {",", *LINE_STARTS}:
+            return False
+        behind = self.around.follower(piece)
+        if behind in {":", "-"} or behind in timed_words(self.lexicon):
+            return True
+        begun = (p + 1 for p, text in enumerate(self.texts[:-1]) if text in {",", *LINE_STARTS})
+        others = [p for p in (0, *begun) if p != piece.start]
+        return behind.isalpha() and any(self.around.is_weekday(p) for p in others)
 
     def _doubtful_feast(self, piece: Piece, said: Said, wall: Wall) -> Piece | None:
         """Give what it begins with, a feast or not: "he lent it", "call Ramadan"; None with its year."""

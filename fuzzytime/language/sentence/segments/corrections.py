@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from fuzzytime.language.grammar.lent import is_timed_entry
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark, RemarkKind
@@ -142,7 +143,7 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
     if (
         marker[-1] in lexicon.doing.waiting
         and start == place + len(marker)
-        and "duration" in scanned.cells[start]
+        and ("duration" in scanned.cells[start] or _is_timed(scanned, start))
     ):
         # "Heat it at eight, wait three minutes"; but "at eight, wait, nine"
         return None
@@ -164,6 +165,12 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
                 span = (scanned.words[piece.start].start, scanned.words[piece.end - 1].end)
                 return Phrase(said, piece.start, piece.end, span, "correction")
     return None
+
+
+def _is_timed(scanned: Scanned, place: int) -> bool:
+    """Whether a number is how many minutes are waited in a list: "stir 3, wait 10, stir 3"."""
+    texts = [word.text for word in scanned.words]
+    return is_timed_entry(texts, place, place + 1, scanned.lexicon)
 
 
 def _behind_who_says(scanned: Scanned, place: int, lexicon: Lexicon) -> int:

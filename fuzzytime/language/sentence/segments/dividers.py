@@ -12,7 +12,7 @@ from itertools import pairwise
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 
@@ -35,8 +35,19 @@ LEADING = re.compile(r"^\s*[-*+•]\s+(?=\d)")
 LINE = re.compile(r"[^\n;]+")
 """What such marks divide: a line, or what stands in it before a stop."""
 
+COMMA = re.compile(r",(?=\s)")
+
+COLON = re.compile(r"[:](?=\s+[^\W\d])")
+"""A mark between a time in front of an entry and what is then: "mon: gym"."""
+
 LIST = 3
 """Entries of a list at least in which a number alone may be when."""
+
+LONGEST_STEP = 3
+"""Words of a step at most, without how long it takes."""
+
+LONGEST_TIME = 8
+"""Words of a time that heads an entry at most."""
 
 STOP = ";"
 BRACKETS = (("(", ")"), ("[", "]"))
@@ -50,10 +61,19 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon) -> str:
         bullets = [found.span() for found in BULLET.finditer(text, first, end)]
         if bullets and _is_bulleted(text, line.span(), bullets, grammar, lexicon):
             text = _with_stops(text, bullets)
+        commas = [found.span() for found in COMMA.finditer(text, first, end)]
+        if commas and any(
+            told(text, line.span(), commas, grammar, lexicon) for told in (_head_entries, _last_so_long)
+        ):
+            text = _with_stops(text, commas)
         for kind in MARKS:
             marks = [found.span() for found in kind.finditer(text, first, end)]
             if marks and _divide(text, line.span(), marks, grammar, lexicon):
                 text = _with_stops(text, marks)
+    for line in LINE.finditer(text):
+        colon = COLON.search(text, *line.span())
+        if colon is not None and _is_dated(text[line.start() : colon.start()], grammar, lexicon):
+            text = text[: colon.start()] + " " + text[colon.end() :]
     return text
 
 
@@ -95,6 +115,74 @@ def _divide(text: str, line: Span, marks: Sequence[Span], grammar: Grammar, lexi
         return False
     alike = all(entry.begins for entry in entries) or all(entry.ends for entry in entries)
     return alike or len(entries) >= LIST
+
+
+def _head_entries(text: str, line: Span, commas: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether commas stand between entries that days or hours head: "mon: gym, tue: swim", "mon gym, tue swim".
+
+    Without a colon, each names one thing: what is done with several, on a day each, may be said once.
+    """
+    entries = []
+    for item in (text[slice(*span)] for span in _between(line, commas)):
+        time, colon, said = item.partition(":")
+        if colon and said[:1].isspace():
+            heads = _is_time(time, grammar, lexicon) or time.strip().lower() in lexicon.beside.of_hours
+            if not heads or not any(map(str.isalnum, said)):
+                return False
+            entries.append(True)
+        else:
+            words = words_of(item)
+            alone = len(words) == len(("day", "thing")) and all(word.is_letters for word in words)
+            if not alone or not _names_day(words[0], lexicon) or _names_day(words[1], lexicon):
+                return False
+            entries.append(False)
+    return all(entries) or not any(entries)
+
+
+def _last_so_long(text: str, line: Span, commas: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether commas stand between steps and how long they take: "mix 5 min, prove 1h, bake 40 min".
+
+    Each is one word, or begins with what takes so long; but not "boil peas 5 min, carrots 10 min".
+    """
+    timed = lexicon.timing | lexicon.timing_alone | lexicon.doing.settling
+    entries = [text[slice(*span)] for span in _between(line, commas)]
+    if not all(any(map(str.isdigit, entry)) and entry.strip()[:1].isalpha() for entry in entries):
+        return False
+    for entry in entries:
+        scanned = Scanned.of(entry, grammar, lexicon)
+        lengths = [piece for piece in scanned.pieces("duration") if piece.end == len(scanned.words)]
+        first = min((piece.start for piece in lengths), default=0)
+        said = scanned.words[:first]
+        if not 0 < first <= LONGEST_STEP or not all(word.is_letters for word in said):
+            return False
+        if said[-1].text in lexicon.function_words:
+            return False
+        if first > 1 and said[0].text not in timed:
+            return False
+    return True
+
+
+def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether a text is a day or a time of day and nothing else."""
+    words = words_of(text)
+    if len(words) == 1 and _names_day(words[0], lexicon):
+        return True
+    if not words or len(words) > LONGEST_TIME:
+        return False
+    scanned = Scanned.of(text, grammar, lexicon)
+    found = [phrase for phrase in phrases_of(scanned, lexicon) if _is_when(phrase)]
+    return [(phrase.first, phrase.end) for phrase in found] == [(0, len(scanned.words))]
+
+
+def _is_dated(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether a time is more than a part of the day, which is a time by the colon: "morning: laundry"."""
+    return _is_time(text, grammar, lexicon) and not any(
+        entry.category == "part" for entry in lexicon.entries.get(text.strip(" -*").lower(), ())
+    )
+
+
+def _names_day(word: Word, lexicon: Lexicon) -> bool:
+    return any(entry.category == "weekday" for entry in lexicon.entries.get(word.text, ()))
 
 
 def _is_whole(item: str) -> bool:

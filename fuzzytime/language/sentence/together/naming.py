@@ -46,5 +46,8 @@ def _describes(span: Span, part: Part) -> bool:
     head = tree.nodes[last].head
     between = tree.nodes[last + 1 : head + 1]
     named = head > last and all(node.tag.startswith(NOUNS) for node in between)
+    if any(node.text[0].isalpha() and node.text[-1].isdecimal() for node in map(tree.nodes.__getitem__, places)):
+        # "T+10 open the valve"
+        return False
     hangs = (tree.nodes[place].relation in MODIFYING for place in places)
     return named and all(hangs)
