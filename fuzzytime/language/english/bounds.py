@@ -49,6 +49,12 @@ def deadline(preposition: Preposition, goal: Goal) -> Said | None:
     return said_of(_as_clock(goal), preposition.name, Constraint.BEFORE, edge)
 
 
+@grammar.rule("said", "due|deadline : by|on|at? <goal>", "( due|deadline by|on|at? <goal> )", weight=0.4)
+def due(goal: Goal) -> Said | None:
+    """(pay the rent) due: fri, (due friday): as lists of things to do have it."""
+    return said_of(_as_clock(goal), "by", Constraint.BEFORE, Edge.LAST)
+
+
 def _is_celebrated(goal: Goal) -> bool:
     """Whether it is days for which something is done before: "by the weekend", "by passover"."""
     days = goal.time.days if isinstance(goal.time, Wall) and goal.time.part is None else None

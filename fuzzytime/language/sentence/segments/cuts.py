@@ -126,10 +126,17 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
             yield replace(one.segment, span=(first, end))
             whole = _begins_order(part, start) or _is_told(one, start, lexicon)
             borrowed = wishes.get(start, ())
-            verbless = start in gaps and not whole and not borrowed
+            verbless = start in gaps and not whole and not borrowed and not _happens(part, lexicon)
             addressee = one.segment.addressee
             yield Segment((start, last), addressee=addressee, verbless=verbless, borrowed=borrowed)
             return
+
+
+def _happens(part: Part, lexicon: Lexicon) -> bool:
+    """Whether it names what one goes to, which no other thing is: "lunch @12:30, gym @6"."""
+    root = part.tree.nodes[part.tree.root or 0]
+    known = root.lower in (lexicon.happening | lexicon.taken) - lexicon.addressing
+    return known and root.tag.startswith("NN") and not part.tree.children(part.tree.root or 0, "dobj")
 
 
 def _begins_order(part: Part, start: int) -> bool:

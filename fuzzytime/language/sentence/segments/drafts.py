@@ -20,6 +20,7 @@ from fuzzytime.language.sentence.segments.fronts import fronts_of
 from fuzzytime.language.sentence.segments.gaps import with_gaps
 from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
+from fuzzytime.language.sentence.segments.leading_tags import leading_tags, remarks_of_tags, without_tags
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.messages import (
     Message,
@@ -130,11 +131,13 @@ def drafted(
     texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
 ) -> list[Draft]:
     """Draft texts; ``trees`` parses."""
-    sources, steps, asides, several, messages = [], [], [], [], []
+    sources, steps, asides, several, messages, tags = [], [], [], [], [], []
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
-        listed = run_apart(divided(without_marks(text, marks), grammar, lexicon), lexicon)
+        tags.append(leading_tags(text))
+        plain = without_tags(without_marks(text, marks), tags[-1])
+        listed = run_apart(divided(plain, grammar, lexicon), lexicon)
         scanned = Scanned.of(listed, grammar, lexicon)
         messages.append(messages_of(scanned, lexicon))
         if messages[-1]:
@@ -162,15 +165,15 @@ def drafted(
             s.scanned,
             s.phrases,
             tuple(own),
-            (*s.remarks, *remarks_of(text, told)),
+            (*s.remarks, *remarks_of(text, told), *remarks_of_tags(text, tagged)),
             step,
             aside,
             told,
             instances=each,
             orders=s.orders,
         )
-        for (text, _), s, own, step, aside, told, each in zip(
-            texts, sources, parts, steps, asides, messages, several, strict=True
+        for (text, _), s, own, step, aside, told, each, tagged in zip(
+            texts, sources, parts, steps, asides, messages, several, tags, strict=True
         )
     ]
 

@@ -30,6 +30,9 @@ LIST = 2
 
 BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 
+TYPED_JOINTS = frozenset({"/", "+"})
+"""Marks between two clock times that are both meant."""
+
 AT = "at"
 MERIDIEMS = frozenset({"am", "pm", "noon", "midnight"})
 """Words that end a clock time, and are no day."""
@@ -75,6 +78,9 @@ def _joined(
         if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
             # "Monday wednesday and friday", as it is said; "mon/wed/fri"
             between = {","}
+        if between and between <= TYPED_JOINTS and _is_clock(group[-1]) and _is_clock(following):
+            # "7am/7pm", "7am + 7pm"
+            between = {"&"}
         if not between and _is_clock(group[-1]) and _is_clock(following):
             # "For 6 am 6 15 am and 6 30 am", as it is said
             between = {","}
