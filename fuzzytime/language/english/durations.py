@@ -149,9 +149,8 @@ def typed(numbers: Typed) -> Duration | None:
 
 
 @grammar.rule("duration", "<integer> hr|hrs|hour|hours <integer>", weight=0.2)
-@grammar.rule("duration", "<integer> h <integer>", weight=0.2)
 def hours_and_minutes(hours: Integer, minutes: Integer) -> Duration | None:
-    """1hr30, 2 hrs 15; but from 8 h 30 on it is a clock time as well."""
+    """1hr30, 2 hrs 15."""
     typed = bool(hours.digits) and len(minutes.digits) == 2
     if not typed or minutes.value >= 60:
         return None

@@ -51,6 +51,9 @@ class Cuts(Standing):
             before = self.words[piece.start - 1]
             if before.text == ":" and before.glued and self.words[piece.start - 2].is_digits:
                 return True
+            if before.text == "/" and self.texts[piece.start - 2] in self.lexicon.beside.of_hours:
+                # "Feed the cat 7am/7pm"
+                return False
             decade = before.text == "'" and self.texts[piece.end - 1] == "s"
             return decade or before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
         return (

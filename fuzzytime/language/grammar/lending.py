@@ -20,6 +20,9 @@ LENT = frozenset({Constraint.AFTER, Constraint.FOR})
 STOPS = frozenset({".", ";", "!", "?"})
 """Marks behind which a number counts minutes again."""
 
+FEW_HOURS = 8
+"""Hours below which "1h30" is how long one bakes or drives; others are of a clock."""
+
 AFTER = "after"
 
 NOON = 12 * 3600
@@ -107,14 +110,16 @@ def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phras
 
 
 def _as_taken(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Said | None:
-    """Read "7h30" as how long something takes, behind a verb for that: "it takes about 7h30"."""
+    """Read "7h30" as how long something takes, behind a verb for that: "it takes about 7h30", "bake 1h30"."""
     said = phrase.said
-    if not phrase.first or words[phrase.first - 1].text not in lexicon.told["taking"]:
-        return None
     clock = said.time.clock if isinstance(said.time, Wall) and said.preposition is None else None
-    texts = [word.text for word in words[phrase.first : phrase.end]]
-    typed = texts[-2:-1] == ["h"] and words[phrase.end - 1].glued
-    if clock is None or not typed or clock.half is not None:
+    if not phrase.first or clock is None or clock.half is not None:
+        return None
+    before = words[phrase.first - 1].text
+    goes_on = lexicon.timing | lexicon.timing_alone | (lexicon.lasting - lexicon.taken - lexicon.events)
+    few = before in goes_on and clock.hour < FEW_HOURS
+    typed = [word.text for word in words[phrase.first : phrase.end]][-2:-1] == ["h"]
+    if not typed or not (few or (before in lexicon.told["taking"] and words[phrase.end - 1].glued)):
         return None
     length = Duration(((clock.hour, Unit.HOUR), (clock.minute, Unit.MINUTE)))
     return Said(length, Constraint.FOR, None, said.hedges)
