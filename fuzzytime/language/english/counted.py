@@ -61,12 +61,6 @@ def for_like(duration: Duration) -> Said:
     return _length(duration.hedged("about"), Constraint.FOR, "for")
 
 
-@grammar.rule("said", "at|@? t + <duration>", "at|@? t = <duration>", weight=0.6)
-def from_zero(duration: Duration) -> Said:
-    """T+5s, at T=120s: counted from when it is begun."""
-    return _length(duration, Constraint.AT, "in")
-
-
 @grammar.rule("said", "starting|beginning|commencing in <duration>", weight=0.4)
 def starting_in(duration: Duration) -> Said:
     """Starting in a quarter of an hour."""

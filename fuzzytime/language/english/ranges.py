@@ -6,7 +6,7 @@ from fuzzytime.language.english.clocks import number
 from fuzzytime.language.english.minutes_past import moved
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.beside import in_hour_of, lasts_then, refined
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
@@ -240,6 +240,16 @@ def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
     if wall.clock is not None or wall.weak or None in ends:
         return None
     said = _range(Goal(Wall(clock=ends[0])), Goal(Wall(clock=ends[1])), "between")
+    return None if said is None else refined(said, wall)
+
+
+@grammar.rule("said", "<wall> <hh.mm> - <hh.mm>", weight=1.6)
+def minutes_of_day(wall: Wall, first: Typed, last: Typed) -> Said | None:
+    """Thu 9.30-10.30, which is no date."""
+    if wall.clock is not None or wall.weak or any(n[0] > 24 or n[1] >= 60 for n in (first, last)):
+        return None
+    begin, end = (Clock(n[0] % 24, n[1], grain=Unit.MINUTE, full_day=n[0] > NOON) for n in (first, last))
+    said = _range(Goal(Wall(clock=begin)), Goal(Wall(clock=end)), "between")
     return None if said is None else refined(said, wall)
 
 

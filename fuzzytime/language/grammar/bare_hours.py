@@ -54,7 +54,7 @@ class BareHours(Standing):
             return True
         if said.preposition is None and self.measures.is_sure(piece.start) and self._ends_order(piece):
             # "Call ann 1430"
-            return self.is_called(piece.start)
+            return self.is_called(piece.start) or self._is_listed(piece)
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and (bool(said.hedges) or self._is_listed(piece))
         return True
@@ -85,7 +85,10 @@ class BareHours(Standing):
         bound = said.preposition is not None or bool(said.hedges)
         # "Pick up the kids three fifteen": it is no number that is picked.
         alone = not (bound or self.around.is_unit(piece.end)) and (
-            self._ends_behind_object(piece) or self._is_listed(piece) or self._is_in_front(piece)
+            self._ends_behind_object(piece)
+            or self._is_listed(piece)
+            or self._is_in_front(piece)
+            or self._leads_entry(piece, said)
         )
         return alone or (bound and (self.around.may_end(piece) or (sure and not unit)))
 
@@ -101,7 +104,7 @@ class BareHours(Standing):
         return spelt and (someone or named or happens) and self._ends_order(piece)
 
     def _is_in_front(self, piece: Piece) -> bool:
-        """Whether two typed numbers stand in front of what is planned then: "14.30 tea"; but "2.50 coffee"."""
+        """Whether two typed numbers stand in front of what is then: "14.30 tea"; but "2.50 coffee"."""
         clock = piece.value.time.clock
         typed = clock is not None and self.words[piece.start].is_digits
         begins = all(text in LINE_STARTS for text in self.texts[max(0, piece.start - 1) : piece.start])
@@ -123,7 +126,7 @@ class BareHours(Standing):
         return led and leads_entry(self.words, piece.start, piece.end, self.lexicon)
 
     def _opens_line(self, piece: Piece, said: Said) -> bool:
-        """Whether it stands in front of what is planned then, and counts nothing: "1430 tea", "@9 standup"."""
+        """Whether it stands in front of what is then, and counts nothing: "1430 tea", "@9 standup"."""
         begins = all(text in LINE_STARTS for text in self.texts[max(0, piece.start - 1) : piece.start])
         if not begins:
             return False
@@ -138,7 +141,9 @@ class BareHours(Standing):
         if said.preposition is not None or not whole or number in YEARS:
             return False
         # "1000 piece puzzle", but "1000 briefing"
-        known = self.around.follower(piece) in timed_words(self.lexicon) or self.around.is_part_or_meal(piece.end)
+        known = self.around.follower(piece) in timed_words(self.lexicon) or self.around.is_part_or_meal(
+            piece.end
+        )
         return known or number.startswith("0") or not number.endswith("00")
 
     def _leads_to_distance(self, piece: Piece) -> bool:

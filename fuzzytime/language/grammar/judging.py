@@ -61,10 +61,7 @@ class Judge:
         if self.borders.refuse(piece) or self.measures.is_level(piece):
             return False
         time = said.time
-        if self._counts_from_thing(piece, time):
-            return False
-        if isinstance(time, Range) and self.ranges.heads_meal(piece, time):
-            # "12:00 - lunch"
+        if self._counts_from_thing(piece, time) or self.ranges.heads_meal(piece, time):
             return False
         if self._is_whole(piece):
             order = self.walls.may_be_order(piece, said)

@@ -31,6 +31,12 @@ ZEROS = frozenset({"t", "h", "d", "l"})
 MOMENTS = frozenset({"t", "h"})
 """Those of them that hardly number a thing: "vitamin D-3"."""
 
+HALVES = frozenset({"am", "pm"})
+"""Halves of the day."""
+
+BOTH = frozenset({"&", "/", "+"})
+"""Marks between two of them that are both meant."""
+
 LONGEST_COUNT = 3
 """Digits of such a number at most."""
 
@@ -59,7 +65,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     yield from _weekends(scanned, explained, around)
     yield from _dates(scanned, explained, around)
     yield from _counted_from_zero(scanned, explained)
-    yield from _halves(scanned, lexicon)
+    yield from _halves(scanned, explained, lexicon)
     for start, cell in enumerate(scanned.cells):
         for category in TELLING & cell.keys():
             for piece in cell[category].values():
@@ -140,12 +146,20 @@ def _counted_from_zero(scanned: Scanned, explained: Sequence[Span]) -> Iterator[
             yield from range(place, place + 3)
 
 
-def _halves(scanned: Scanned, lexicon: Lexicon) -> Iterator[int]:
-    """Give the places of halves of the day that head an entry: "am: laundry, pm: cook"."""
+def _halves(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:
+    """Give the places of halves of the day that stand alone: "am: laundry, pm: cook", "iron pm"."""
     words = scanned.words
-    for place, word in enumerate(words[:-1]):
+    for place, word in enumerate(words):
+        if word.text not in HALVES or any(first < word.end and word.start < end for first, end in explained):
+            continue
         begins = not place or words[place - 1].text in {";", ","}
-        if begins and word.text in lexicon.beside.of_hours and words[place + 1].text == ":":
+        headed = begins and [one.text for one in words[place + 1 : place + 2]] == [":"]
+        ends = place + 1 == len(words) or words[place + 1].text in {";", ",", "."}
+        before = words[place - 1].text if place else ""
+        inside = lexicon.function_words | lexicon.closed.coordinators
+        alone = before[:1].isalpha() and before not in inside
+        alone = alone or (before in BOTH and place > 1 and words[place - 2].text in HALVES)
+        if headed or (ends and alone):
             yield place
 
 

@@ -66,8 +66,12 @@ def is_timed_entry(texts: Sequence[str], first: int, end: int, lexicon: Lexicon)
         return False
     if end < len(texts) and texts[end] not in ENTRY_ENDS:
         return False
-    entries = [entry for entry in _entries(texts) if entry[-1].isdecimal()]
-    return len(entries) >= SHORTEST_LIST and all(_goes_on_for(entry, lexicon) for entry in entries)
+    entries = list(_entries(texts))
+    numbered = [entry for entry in entries if entry[-1].isdecimal()]
+    # "Simmer 20 min, rest 5"
+    long = [entry for entry in entries if entry not in numbered and _ends_in_length(entry, lexicon)]
+    listed = len(numbered) + len(long) >= SHORTEST_LIST
+    return listed and all(_goes_on_for(entry, lexicon) for entry in numbered)
 
 
 def _entries(texts: Sequence[str]) -> Iterator[list[str]]:
@@ -80,6 +84,14 @@ def _entries(texts: Sequence[str]) -> Iterator[list[str]]:
             entry = []
         elif entry or text not in JOINTS:
             entry.append(text)
+
+
+def _ends_in_length(entry: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether an entry ends in minutes or another unit, and begins with what takes them."""
+    if len(entry) < LONGEST_ENTRY or not entry[-2].isdecimal():
+        return False
+    unit = any(found.category == "unit" for found in lexicon.entries.get(entry[-1], ()))
+    return unit and _goes_on_for(entry[:-1], lexicon)
 
 
 def _goes_on_for(entry: Sequence[str], lexicon: Lexicon) -> bool:

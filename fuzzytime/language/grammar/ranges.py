@@ -49,8 +49,10 @@ class Ranges(Standing):
             return between and (dated or not self.measures.measured(piece)) and self.around.may_end(piece)
         return True
 
-    def heads_meal(self, piece: Piece, time: Range) -> bool:
-        """Whether a dash in front of a line stands between a clock time and the meal that is then."""
+    def heads_meal(self, piece: Piece, time: object) -> bool:
+        """Whether a dash in front of a line stands between a clock time and the meal then: "12:00 - lunch"."""
+        if not isinstance(time, Range):
+            return False
         dash = next((p for p in range(piece.start, piece.end) if self.texts[p] == "-"), None)
         if dash is None or self.words[dash].glued or not self.around.opens(piece.start):
             return False

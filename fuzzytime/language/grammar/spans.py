@@ -15,6 +15,7 @@ from fuzzytime.language.grammar.lending import appointed, in_half, in_minutes, i
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.quotes import quotes_in
+from fuzzytime.language.grammar.timetables import holds_stretch
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Phrase
 
@@ -168,7 +169,11 @@ def _numeral(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
 def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     """Choose the times of a text."""
     judge = Judge(scanned.words, lexicon)
-    called = [piece for piece in scanned.pieces("called at") if judge.walls.is_called(piece.start)]
+    called = [
+        piece
+        for piece in scanned.pieces("called at")
+        if judge.walls.is_called(piece.start) or holds_stretch(scanned.words, piece.start, piece.end, lexicon)
+    ]
     instead = {(piece.start, piece.end) for piece in called}
     kept = [
         *called,

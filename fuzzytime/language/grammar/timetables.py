@@ -1,4 +1,4 @@
-"""Lists in which each entry ends in its hour, or begins with it: "vet 10, dentist 3", "10am vet; 12 lunch"."""
+"""Lists in which each entry ends, or begins, with its hour: "vet 10, dentist 3", "10am vet; 12 lunch"."""
 
 from collections.abc import Iterator, Sequence
 from itertools import takewhile
@@ -9,6 +9,8 @@ from fuzzytime.language.grammar.words import Word
 SEPARATORS = frozenset({",", ";", "\n"})
 JOINTS = frozenset({":", "."})
 """Marks between hour and minute."""
+STRETCHES = JOINTS | {"-"}
+"""Marks in two numbers from when to when."""
 HALF_DAY = 12
 """Hours that a number alone may name in a list."""
 DAY = 24
@@ -16,8 +18,12 @@ DAY = 24
 MINUTES = 60
 FOUR = 4
 """Digits of hour and minute together: "1830"."""
+LONGEST_DAY = 2
+"""Words of a day in front of a list at most: "fri:"."""
 MINUTED = 3
 """Words of an hour with its minutes: "7:30"."""
+SURELY = 2
+"""Entries with minutes or a half of the day beside which a number alone is an hour of what lasts, too."""
 SHORTEST = 2
 """Entries of a list at least, and words of an entry."""
 
@@ -25,8 +31,8 @@ SHORTEST = 2
 def in_timetable(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
     """Whether words at the end of an entry are its hour, as every entry ends in a number.
 
-    One at least must be surely an hour: by its minutes or half of the day, or as what is named is somebody, or
-    happens. What is kneaded for ten, and eggs that are bought, have other numbers.
+    One at least must be surely an hour: by its minutes or half of the day, or as what is named is somebody,
+    or happens. What is kneaded for ten, and eggs that are bought, have other numbers.
     """
     entries = list(_entries(words))
     ends = any(last == end and first < start for first, last in entries)
@@ -35,11 +41,53 @@ def in_timetable(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) 
 
 def leads_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
     """Whether words in front of an entry are its hour, as every entry begins with a number: "12 lunch"."""
-    if start and words[start - 1].text not in SEPARATORS:
+    if start and words[start - 1].text not in SEPARATORS and start > LONGEST_DAY:
         return False
-    entries = list(_entries(words))
+    entries = [(_behind_day(words, first, last, lexicon), last) for first, last in _entries(words)]
+    if any(first >= last for first, last in entries):
+        return False
     leads = any(first == start and end < last for first, last in entries)
     return leads and len(entries) >= SHORTEST and _all_lead(words, entries, lexicon)
+
+
+def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
+    """Whether two numbers are from when to when an entry is: "lecture 10-12", "9-10 gym, 10-11 mails".
+
+    It, or another entry with such numbers, names what has a time.
+    """
+    entries = [(_behind_day(words, first, last, lexicon), last) for first, last in _entries(words)]
+    if not any((first == start) != (last == end) for first, last in entries):
+        return False
+    named = [
+        word.text
+        for first, last in entries
+        for word in (_beside_stretch(words[first:last]),)
+        if word is not None and word.is_letters
+    ]
+    beside = words[start - 1] if any(last == end for _, last in entries) else words[end]
+    sure = not timed_words(lexicon).isdisjoint(named)
+    return sure and (beside.text in timed_words(lexicon) or len(named) > 1) and beside.is_letters
+
+
+def _beside_stretch(entry: Sequence[Word]) -> Word | None:
+    """Give the word beside two numbers in front of an entry, or at its end."""
+    for words in (entry, entry[::-1]):
+        length = sum(1 for _ in takewhile(lambda word: word.is_digits or word.text in STRETCHES, words))
+        if 0 < length < len(words):
+            return words[length]
+    return None
+
+
+def _behind_day(words: Sequence[Word], first: int, last: int, lexicon: Lexicon) -> int:
+    """Give where an entry begins behind its day: "fri | 9 dentist"."""
+    day = first < last and any(
+        entry.category in {"weekday", "day"} and len(entry.words) == 1
+        for entry in lexicon.entries.get(words[first].text, ())
+    )
+    place = first + day
+    while day and place < last and words[place].text in {":", "-"}:
+        place += 1
+    return place
 
 
 def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon: Lexicon) -> bool:
@@ -49,8 +97,17 @@ def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexico
         return False
     named = [words[last - (length or 0) - 1].text for (_, last), length in zip(entries, numbers, strict=True)]
     minutes = any((length or 0) > 1 for length in numbers)
-    lasting = {words[first].text for first, _ in entries} & (lexicon.timing | lexicon.timing_alone)
-    return not lasting and (minutes or any(text in timed_words(lexicon) for text in named))
+    minutes = minutes or any(words[last - 1].text.startswith("0") for _, last in entries)
+    goes_on = lexicon.timing | lexicon.timing_alone
+    # "Dough out 6am, shape 6:30, bake 7"; but "shape it 6:30, bake 40"
+    sure = sum((length or 0) > 1 for length in numbers)
+    lasting = any(
+        words[first].text in goes_on and length == 1
+        for (first, _), length in zip(entries, numbers, strict=True)
+    )
+    return (not lasting or sure >= SURELY) and (
+        minutes or any(text in timed_words(lexicon) for text in named)
+    )
 
 
 def _all_lead(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon: Lexicon) -> bool:
@@ -59,7 +116,9 @@ def _all_lead(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon
     if any(length is None for length in numbers):
         return False
     named = [words[first + (length or 0)].text for (first, _), length in zip(entries, numbers, strict=True)]
-    surely = any((length or 0) > 1 for length in numbers) or any(text in timed_words(lexicon) for text in named)
+    surely = any((length or 0) > 1 for length in numbers) or any(
+        text in timed_words(lexicon) for text in named
+    )
     surely = surely or all(words[first].text.startswith("0") for first, _ in entries[:1])
     counted = any(
         length == 1 and text.endswith("s") and text not in timed_words(lexicon)

@@ -81,11 +81,13 @@ class Walls(Standing):
         """Whether it begins with one of some things, and a day: "order a new one | fri"."""
         if not piece.start or wall.days is None or wall.clock is None or self.texts[piece.start] != ONE:
             return False
-        hour = self.measures.is_number(piece.start + 1) or self.texts[piece.start + 1] in self.beside.of_clocks
+        hour = (
+            self.measures.is_number(piece.start + 1) or self.texts[piece.start + 1] in self.beside.of_clocks
+        )
         return self.around.before(piece).isalpha() and not hour
 
     def _heads_entry(self, piece: Piece) -> bool:
-        """Whether a short name of a day begins an entry: "sat: market", "wed dentist", "mon gym, tue swim"."""
+        """Whether a short name of a day begins an entry: "sat: market", "wed dentist"."""
         if piece.start and self.texts[piece.start - 1] not in {",", *LINE_STARTS}:
             return False
         behind = self.around.follower(piece)

@@ -6,15 +6,14 @@ side tells two entries apart. So do bars, arrows, slashes and wide gaps; a bulle
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.sentence.segments.entries import Entry, is_when, names_day
 
 BULLET = re.compile(r"(?:(?<=\s)|^)[•●▪‣◦·]\s*(?=\w)")
 """A mark that stands in front of an entry, and nowhere else."""
@@ -37,7 +36,7 @@ LINE = re.compile(r"[^\n;]+")
 
 COMMA = re.compile(r",(?=\s)")
 
-COLON = re.compile(r"[:](?=\s+[^\W\d])")
+COLON = re.compile(r"(?:(?<!\d)(?<!\d\s):(?=\s+\d)|:(?=\s+[^\W\d]))")
 """A mark between a time in front of an entry and what is then: "mon: gym"."""
 
 LIST = 3
@@ -63,7 +62,8 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon) -> str:
             text = _with_stops(text, bullets)
         commas = [found.span() for found in COMMA.finditer(text, first, end)]
         if commas and any(
-            told(text, line.span(), commas, grammar, lexicon) for told in (_head_entries, _last_so_long)
+            told(text, line.span(), commas, grammar, lexicon)
+            for told in (_head_entries, _last_so_long, _each_is_timed)
         ):
             text = _with_stops(text, commas)
         for kind in MARKS:
@@ -92,12 +92,10 @@ def _between(line: Span, marks: Sequence[Span]) -> Iterator[Span]:
         begin = end
 
 
-def _is_bulleted(
-    text: str, line: Span, bullets: Sequence[Span], grammar: Grammar, lexicon: Lexicon
-) -> bool:
+def _is_bulleted(text: str, line: Span, bullets: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether each bullet of a line stands before something."""
     items = [text[slice(*span)] for span in _between(line, bullets)]
-    return all(_Entry.of(item, grammar, lexicon).things for item in items if item.strip())
+    return all(Entry.of(item, grammar, lexicon).things for item in items if item.strip())
 
 
 def _divide(text: str, line: Span, marks: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
@@ -105,7 +103,7 @@ def _divide(text: str, line: Span, marks: Sequence[Span], grammar: Grammar, lexi
     items = [text[slice(*span)] for span in _between(line, marks)]
     if not all(any(map(str.isalnum, item)) and _is_whole(item) for item in items):
         return False
-    entries = [_Entry.of(item, grammar, lexicon) for item in items]
+    entries = [Entry.of(item, grammar, lexicon) for item in items]
     if not all(entry.things and entry.timed(listed=len(entries) >= LIST) for entry in entries):
         return False
     if any(before.ends and behind.begins for before, behind in pairwise(entries)):
@@ -118,7 +116,7 @@ def _divide(text: str, line: Span, marks: Sequence[Span], grammar: Grammar, lexi
 
 
 def _head_entries(text: str, line: Span, commas: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
-    """Whether commas stand between entries that days or hours head: "mon: gym, tue: swim", "mon gym, tue swim".
+    """Whether commas stand between entries headed by days or hours: "mon: gym, tue: swim", "mon gym, tue swim".
 
     Without a colon, each names one thing: what is done with several, on a day each, may be said once.
     """
@@ -133,7 +131,7 @@ def _head_entries(text: str, line: Span, commas: Sequence[Span], grammar: Gramma
         else:
             words = words_of(item)
             alone = len(words) == len(("day", "thing")) and all(word.is_letters for word in words)
-            if not alone or not _names_day(words[0], lexicon) or _names_day(words[1], lexicon):
+            if not alone or not names_day(words[0], lexicon) or names_day(words[1], lexicon):
                 return False
             entries.append(False)
     return all(entries) or not any(entries)
@@ -162,15 +160,27 @@ def _last_so_long(text: str, line: Span, commas: Sequence[Span], grammar: Gramma
     return True
 
 
+def _each_is_timed(text: str, line: Span, commas: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether commas stand between things that each have a clock time: "obs 8:00, meds 8:30".
+
+    The first is one word, so that nothing is done with it that may be done with the others, too.
+    """
+    entries = [Entry.of(text[slice(*span)], grammar, lexicon) for span in _between(line, commas)]
+    first, *others = entries
+    if len(first.named) != 1:
+        return False
+    return first.clocked and all(entry.clocked and entry.named and entry.opens for entry in others)
+
+
 def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether a text is a day or a time of day and nothing else."""
     words = words_of(text)
-    if len(words) == 1 and _names_day(words[0], lexicon):
+    if len(words) == 1 and names_day(words[0], lexicon):
         return True
     if not words or len(words) > LONGEST_TIME:
         return False
     scanned = Scanned.of(text, grammar, lexicon)
-    found = [phrase for phrase in phrases_of(scanned, lexicon) if _is_when(phrase)]
+    found = [phrase for phrase in phrases_of(scanned, lexicon) if is_when(phrase)]
     return [(phrase.first, phrase.end) for phrase in found] == [(0, len(scanned.words))]
 
 
@@ -181,79 +191,6 @@ def _is_dated(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
     )
 
 
-def _names_day(word: Word, lexicon: Lexicon) -> bool:
-    return any(entry.category == "weekday" for entry in lexicon.entries.get(word.text, ()))
-
-
 def _is_whole(item: str) -> bool:
     """Whether no bracket and no mark of a quotation is open in an entry."""
     return item.count('"') % 2 == 0 and all(item.count(a) == item.count(b) for a, b in BRACKETS)
-
-
-@dataclass(frozen=True, slots=True)
-class _Entry:
-    """What may be an entry: its words and times, and the places of the words that name something."""
-
-    words: tuple[Word, ...]
-    times: tuple[Phrase, ...]
-    things: tuple[int, ...]
-    lexicon: Lexicon
-
-    @classmethod
-    def of(cls, item: str, grammar: Grammar, lexicon: Lexicon) -> "_Entry":
-        scanned = Scanned.of(item, grammar, lexicon)
-        times = tuple(phrase for phrase in phrases_of(scanned, lexicon) if _is_when(phrase))
-        covered = {place for phrase in times for place in range(phrase.first, phrase.end)}
-        things = (
-            place
-            for place, word in enumerate(scanned.words)
-            if place not in covered and word.is_letters and word.text not in lexicon.function_words
-        )
-        return cls(scanned.words, times, tuple(things), lexicon)
-
-    def timed(self, *, listed: bool) -> bool:
-        """Whether it says when; a number alone does in a list, or beside what is known to have a time."""
-        if self.times:
-            return True
-        lexicon = self.lexicon
-        if not (self._begins_with_number or self._ends_with_number):
-            return False
-        known = lexicon.persons | lexicon.animals | lexicon.events | lexicon.happening | lexicon.taken
-        beside = self.words[1] if self._begins_with_number else self.words[-2]
-        return listed or beside.text in known
-
-    @property
-    def begins(self) -> bool:
-        """Whether its time stands in front."""
-        return self._begins_with_number or any(phrase.first == 0 for phrase in self.times)
-
-    @property
-    def ends(self) -> bool:
-        """Whether its time stands at the end."""
-        last = len(self.words)
-        while last and not self.words[last - 1].text.isalnum():
-            last -= 1
-        return self._ends_with_number or any(phrase.end >= last for phrase in self.times)
-
-    @property
-    def goes_on(self) -> bool:
-        """Whether it corrects, or offers instead of, what stands before it: "at five - no, at six"."""
-        corrects = longest_match(self.words, 0, self.lexicon.corrections) is not None
-        return corrects or self.words[0].text in self.lexicon.closed.alternatives
-
-    @property
-    def _begins_with_number(self) -> bool:
-        return len(self.words) > 1 and self.words[0].is_digits and 1 in self.things
-
-    @property
-    def _ends_with_number(self) -> bool:
-        last = len(self.words) - 1
-        return last > 0 and self.words[last].is_digits and last - 1 in self.things
-
-
-def _is_when(phrase: Phrase) -> bool:
-    """Whether a time says when: a meal without a preposition may be what is planned."""
-    time = phrase.said.time
-    if phrase.said.preposition is not None or not isinstance(time, Wall) or time.part is None:
-        return True
-    return time.clock is not None or time.days is not None or not time.part.meal

@@ -6,7 +6,9 @@ from collections.abc import Iterator
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
 
 BOX = r"(?:[-*+•]\s+)?(?:\[\s?\]\s+)?"
-TAG = re.compile(rf"^\s*{BOX}(?P<tag>\([A-F]\)|!+[^\W\d]*\d?|[pP][1-4]|\#[^\W\d]\w*)(?=:?\s+\w):?", re.MULTILINE)
+TAG = re.compile(
+    rf"^\s*{BOX}(?P<tag>\([A-F]\)|!+[^\W\d]*\d?|[pP][1-4]|\#[^\W\d]\w*)(?=:?\s+\w):?", re.MULTILINE
+)
 """A mark in front of what is asked for, with the box before it."""
 
 

@@ -8,10 +8,13 @@ from fuzzytime.language.instruction import Span
 
 MARK = re.compile(
     r"\b(?:step|stage)\s+(?P<step>\d{1,2}|[a-z]+)\s*(?:[:.)]|-\s)\s*"
-    r"|(?P<first>(?<![\w.,:])\(?)(?P<number>\d{1,2})[.)]\s+(?=[^\W\d])",
+    r"|(?P<first>(?<![\w.,:])\(?)(?P<number>\d{1,2})[.)]\s+(?=[^\W\d]|(?P<timed>\d))",
     re.IGNORECASE,
 )
 """A number with a full stop or a bracket before a word, or "step" and a number."""
+
+TIMED = re.compile(r"(?:\d{1,2}(?:[:.]\d\d)?\s?(?:[ap]m\b)?|\d{4})\s+[^\W\d]", re.IGNORECASE)
+"""The clock time that an item begins with, and what is then: "1. 10:00 call Bob", "2) 9 dentist"."""
 
 BEGINS = re.compile(r"[\s>*•+-]*\Z")
 """What may stand in a line before its mark."""
@@ -35,6 +38,8 @@ def list_marks(text: str, lexicon: Lexicon) -> list[ListMark]:
         line = text.rfind("\n", 0, match.start()) + 1
         begins = BEGINS.match(text[line : match.start()]) is not None
         counts_on = bool(marks) and number == marks[-1].number + 1
+        if match["timed"] and TIMED.match(text[match.end() :]) is None:
+            continue
         if begins or counts_on:
             marks.append(ListMark(match.span(), number))
     return marks

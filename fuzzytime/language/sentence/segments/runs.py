@@ -1,4 +1,4 @@
-"""Entries that follow each other without a mark, told apart by their times: "8:00 standup 8:15 mails 9:00 tea".
+"""Entries that follow each other without a mark, told apart by their times: "8:00 up 8:15 mails 9:00 tea".
 
 Three at least, of which each begins with its time, or each ends with it. One that begins with the number of
 what hardly has another is an entry too: "10am vet 12 lunch 3pm pick up car".
@@ -14,9 +14,9 @@ from fuzzytime.language.instruction import Span
 
 TOKEN = re.compile(
     r"""
-    (?<![^\s(])
-    (?: (?P<sure> @\s?\d{1,2}(?:[:.]\d\d)?(?:\s?[ap]m)? | \d{1,2}:\d\d(?:\s?[ap]m)? | \d{1,2}(?:\.\d\d)?\s?[ap]m
-                | [012]\d[0-5]\d )
+    (?: (?<![^\s(]) | (?=@) )
+    (?: (?P<sure> @\s?\d{1,2}(?:[:.]\d\d)?(?:\s?[ap]m)? | \d{1,2}:\d\d(?:\s?[ap]m)?
+                | \d{1,2}(?:\.\d\d)?\s?[ap]m | [012]\d[0-5]\d )
         (?:\s?[-–]\s?\d{1,2}(?::\d\d)?(?:\s?[ap]m)?)?
       | (?P<bare> \d{1,2}) )
     (?=[\s),;.]|$)
@@ -26,8 +26,8 @@ TOKEN = re.compile(
 """A number that is a clock time in such a list: surely so, or a number alone."""
 
 LINE = re.compile(r"[^\n;]+")
-SHORTEST = 3
-"""Entries at least."""
+SHORTEST, LEAST = 3, 2
+"""Entries at least, and where each time has its "@"."""
 
 HALF_DAY = 12
 """Hours that a number alone may name."""
@@ -49,15 +49,15 @@ def run_apart(text: str, lexicon: Lexicon) -> str:
 
 def _pauses(text: str, line: Span, lexicon: Lexicon) -> Iterator[int]:
     """Give where one entry of a line ends."""
-    tokens = [found for found in TOKEN.finditer(text, *line)]
-    if len(tokens) < SHORTEST:
+    tokens = list(TOKEN.finditer(text, *line))
+    if len(tokens) < (LEAST if all(found[0].startswith("@") for found in tokens) else SHORTEST):
         return
     leads = not text[line[0] : tokens[0].start()].strip(" -*")
     last = text[tokens[-1].end() : line[1]].strip(" .!")
     if not leads and last:
         return
     tokens = [found for found in tokens if found["sure"] or (leads and _is_hour(text, found, lexicon))]
-    if len(tokens) < SHORTEST or tokens[0]["sure"] is None:
+    if len(tokens) < LEAST or tokens[0]["sure"] is None:
         return
     ends = [*(found.start() for found in tokens[1:]), line[1]]
     begins = [line[0], *(found.end() for found in tokens[:-1])]
@@ -69,7 +69,7 @@ def _pauses(text: str, line: Span, lexicon: Lexicon) -> Iterator[int]:
     if not all(_names(thing, lexicon, leads=leads) for thing in things):
         return
     if not leads and any(_is_somebody(thing, lexicon) for thing in things[1:]):
-        # "Call Ann 9:00 Bob 9:15"
+        # As in "call Ann 9:00 Bob 9:15".
         return
     for before, found in pairwise(tokens):
         place = found.start() - 1 if leads else before.end()
@@ -96,7 +96,8 @@ def _is_somebody(thing: str, lexicon: Lexicon) -> bool:
 
 
 def _is_unit(text: str, lexicon: Lexicon) -> bool:
-    return any(found.category in {"unit", "preposition_before"} for found in lexicon.entries.get(text, ()))
+    counting = (found for found in lexicon.entries.get(text, ()) if len(found.words) == 1)
+    return any(found.category in {"unit", "preposition_before"} for found in counting)
 
 
 def _is_hour(text: str, found: re.Match[str], lexicon: Lexicon) -> bool:

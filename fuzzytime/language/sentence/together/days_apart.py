@@ -28,6 +28,7 @@ from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.together.listed_days import listed_below_day
 from fuzzytime.language.sentence.together.mornings import is_morning_after, part_before
 from fuzzytime.requirement import Constraint, Unit
 
@@ -62,7 +63,8 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
     above = None if day is None else _Day(day.said)
     held = above
     for sketch in map(_on_each_day, sketches):
-        if placed and ENDS & set(text_between(placed[-1], sketch, text)):
+        between = text_between(placed[-1], sketch, text) if placed else ""
+        if ENDS & set(between) and not listed_below_day(placed[0], sketch, between, text):
             held = above
         offered = _offered(sketch)
         days = [(p, phrase.said) for p, phrase in enumerate(sketch.phrases) if phrase.said.is_day]

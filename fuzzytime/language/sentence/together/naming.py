@@ -46,7 +46,8 @@ def _describes(span: Span, part: Part) -> bool:
     head = tree.nodes[last].head
     between = tree.nodes[last + 1 : head + 1]
     named = head > last and all(node.tag.startswith(NOUNS) for node in between)
-    if any(node.text[0].isalpha() and node.text[-1].isdecimal() for node in map(tree.nodes.__getitem__, places)):
+    texts = (tree.nodes[place].text for place in places)
+    if any(text[0].isalpha() and text[-1].isdecimal() for text in texts):
         # "T+10 open the valve"
         return False
     hangs = (tree.nodes[place].relation in MODIFYING for place in places)

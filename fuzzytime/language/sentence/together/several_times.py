@@ -47,7 +47,7 @@ def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) ->
     joining = closed.additions | closed.alternatives
     for place in range(len(sketch.phrases) - 1):
         group, joints = _joined(sketch.phrases[place:], words, lexicon)
-        several = len(group) > LIST and all(map(is_weekday, group))
+        several = len(group) > LIST and (all(map(is_weekday, group)) or all(map(_is_clock, group)))
         if len(group) > 1 and (several or joints & joining - {","}):
             rest = [phrase for phrase in sketch.phrases if phrase not in group]
             if joints & closed.alternatives:
