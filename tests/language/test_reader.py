@@ -532,6 +532,32 @@ def test_days_that_are_not_known_are_pointed_at(text: str, left: list[str]) -> N
     assert [text[slice(*remark.span)] for remark in unknown] == left
 
 
+@pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("load the truck H-2", ["H-2"]),
+        ("T-30 open the doors", ["T-30"]),
+        ("T+10 open the doors", ["T+10"]),
+        ("take vitamin D-3", []),
+        ("watch T-1000 tonight", []),
+        ("iron the shirts pm", ["pm"]),
+        ("walk the dog am & pm", ["pm"]),
+        ("say am or pm", []),
+        ("pump at 10 ml/min", []),
+    ],
+)
+def test_times_counted_from_what_is_not_known_are_pointed_at(text: str, left: list[str]) -> None:
+    reading = language().read(text, now=NOW)
+    unknown = [r for r in reading.remarks if r.message.endswith("looks like a time and was not understood")]
+    assert [text[slice(*remark.span)] for remark in unknown] == left
+
+
+def test_tags_in_front_of_a_line_are_not_used() -> None:
+    reading = language().read("(A) call the bank at noon", now=NOW)
+    (remark,) = reading.remarks
+    assert (remark.kind, reading.text[slice(*remark.span)]) == (RemarkKind.POLICY, "(A)")
+
+
 def test_a_time_on_a_day_that_is_not_known_is_pointed_at() -> None:
     reading = language().read("Fetch the cake by noon the day before the christening", now=NOW)
     (remark, _) = reading.remarks

@@ -50,7 +50,7 @@ class Ranges(Standing):
         return True
 
     def heads_meal(self, piece: Piece, time: object) -> bool:
-        """Whether a dash in front of a line stands between a clock time and the meal then: "12:00 - lunch"."""
+        """Whether a dash stands in front, between a clock time and the meal then: "12:00 - lunch"."""
         if not isinstance(time, Range):
             return False
         dash = next((p for p in range(piece.start, piece.end) if self.texts[p] == "-"), None)

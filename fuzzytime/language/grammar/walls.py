@@ -86,12 +86,17 @@ class Walls(Standing):
         )
         return self.around.before(piece).isalpha() and not hour
 
+    def _leads_event(self, piece: Piece) -> bool:
+        """Whether what happens stands behind it, and no meal: "wed dentist 2:30"."""
+        known = self.around.follower(piece) in timed_words(self.lexicon)
+        return known and not self.around.is_part_or_meal(piece.end)
+
     def _heads_entry(self, piece: Piece) -> bool:
         """Whether a short name of a day begins an entry: "sat: market", "wed dentist"."""
         if piece.start and self.texts[piece.start - 1] not in {",", *LINE_STARTS}:
             return False
         behind = self.around.follower(piece)
-        if behind in {":", "-"} or behind in timed_words(self.lexicon):
+        if behind in {":", "-"} or self._leads_event(piece):
             return True
         begun = (p + 1 for p, text in enumerate(self.texts[:-1]) if text in {",", *LINE_STARTS})
         others = [p for p in (0, *begun) if p != piece.start]

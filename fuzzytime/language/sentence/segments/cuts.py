@@ -124,7 +124,7 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
             yield replace(one.segment, span=(first, end))
-            whole = _begins_order(part, start) or _is_told(one, start, lexicon)
+            whole = _begins_order(one, part, start) or _is_told(one, start, lexicon)
             borrowed = wishes.get(start, ())
             verbless = start in gaps and not whole and not borrowed and not _happens(part, lexicon)
             addressee = one.segment.addressee
@@ -139,7 +139,7 @@ def _happens(part: Part, lexicon: Lexicon) -> bool:
     return known and root.tag.startswith("NN") and not part.tree.children(part.tree.root or 0, "dobj")
 
 
-def _begins_order(part: Part, start: int) -> bool:
+def _begins_order(one: Waiting, part: Part, start: int) -> bool:
     """Whether what was taken for another thing is to be done: "and dust the shelves at ten"."""
     place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
     if place is None or place + 1 >= len(part.tree.nodes):
@@ -148,7 +148,22 @@ def _begins_order(part: Part, start: int) -> bool:
     counted = behind.tag == "IN" and any(n.tag == "CD" for n in part.tree.nodes[place + 2 : place + 3])
     # "Thaw the cells for 2 min, spin at 300 g for 5"
     measured = counted and bool(part.tree.nodes[place + 3 : place + 4]) and not node.tag.startswith("NNP")
-    return node.may_act and node.lower == node.lemma and (behind.tag in DETERMINERS or measured)
+    led = behind.tag in DETERMINERS or measured or _is_terse(one, part, place)
+    return node.may_act and node.lower == node.lemma and led
+
+
+def _is_terse(one: Waiting, part: Part, place: int) -> bool:
+    """Whether no article stands behind it, nor behind the first: "call mum 5pm, post letter by 4"."""
+    nodes = part.tree.nodes
+    before, first, behind = nodes[place - 1], nodes[1], nodes[place + 1]
+    if not one.source.covered.isdisjoint(
+        one.source.places(*(part.offset + p for p in (behind.start, behind.end)))
+    ):
+        # "Buy milk today, bread tomorrow"
+        return False
+    things = all(node.tag.startswith(("NN", "JJ")) and node.text.isalpha() for node in (first, behind))
+    verb = nodes[place].tag.startswith(("VB", "NN")) and not nodes[place].text[0].isupper()
+    return nodes[0].may_act and before.text == "," and things and verb and not first.text[0].isupper()
 
 
 def _is_told(one: Waiting, start: int, lexicon: Lexicon) -> bool:

@@ -116,7 +116,7 @@ def _divide(text: str, line: Span, marks: Sequence[Span], grammar: Grammar, lexi
 
 
 def _head_entries(text: str, line: Span, commas: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
-    """Whether commas stand between entries headed by days or hours: "mon: gym, tue: swim", "mon gym, tue swim".
+    """Whether commas stand between entries headed by days: "mon: gym, tue: swim", "mon gym, tue swim".
 
     Without a colon, each names one thing: what is done with several, on a day each, may be said once.
     """

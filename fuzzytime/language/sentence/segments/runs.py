@@ -84,7 +84,7 @@ def _names(thing: str, lexicon: Lexicon, *, leads: bool) -> bool:
         return False
     beside = words[0] if leads else words[-1]
     own = beside.is_letters and beside.text not in lexicon.function_words
-    # "Walk the dog and | 8:00 …"
+    # As in "walk the dog and | 8:00".
     open_ended = words[-1].text in lexicon.function_words - lexicon.places
     return own and not open_ended and not _is_unit(beside.text, lexicon)
 
