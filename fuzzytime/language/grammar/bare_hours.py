@@ -2,7 +2,13 @@
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
-from fuzzytime.language.grammar.timetables import counts_nothing, in_timetable, leads_entry, timed_words
+from fuzzytime.language.grammar.timetables import (
+    counts_nothing,
+    in_timetable,
+    is_hour_of,
+    leads_entry,
+    timed_words,
+)
 from fuzzytime.language.grammar.words import joins
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.requirement import Unit
@@ -132,6 +138,9 @@ class BareHours(Standing):
             return False
         first, number = self.texts[piece.start], self.texts[piece.end - 1]
         behind = piece.end + (self.texts[piece.end : piece.end + 1] in ([":"], ["-"]))
+        if said.preposition is None and is_hour_of(self.words, piece.start, piece.end, self.lexicon):
+            # "12 lunch", "9 market"
+            return True
         sure = first == "@" or number.startswith("0")
         if not counts_nothing(self.words, behind, self.lexicon, plural=sure):
             return False

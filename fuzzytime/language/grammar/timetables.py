@@ -127,6 +127,16 @@ def _all_lead(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon
     return surely and not counted
 
 
+def is_hour_of(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
+    """Whether a number alone stands before one thing that has a time: "12 lunch"; but "5 train tickets"."""
+    number, behind = words[start].text, [word.text for word in words[end : end + 2]]
+    if end - start != 1 or not number.isdecimal() or not 1 < int(number) <= HALF_DAY or not behind:
+        return False
+    several = behind[0].endswith("s") and not behind[0].endswith("ss")
+    ends = behind[1:] == [] or behind[1] in SEPARATORS or behind[1] in lexicon.function_words
+    return ends and not several and behind[0] in lexicon.happening | lexicon.taken
+
+
 def counts_nothing(words: Sequence[Word], place: int, lexicon: Lexicon, *, plural: bool = False) -> bool:
     """Whether a word is a thing, or is done, and is not counted by the number before it.
 
