@@ -42,6 +42,9 @@ COLON = re.compile(r"(?:(?<!\d)(?<!\d\s):(?=\s+\d)|:(?=\s+[^\W\d]))")
 LIST = 3
 """Entries of a list at least in which a number alone may be when."""
 
+DAY_AND_THING = 2
+"""Words of an entry that says no more than what is when."""
+
 LONGEST_STEP = 3
 """Words of a step at most, without how long it takes."""
 
@@ -130,7 +133,7 @@ def _head_entries(text: str, line: Span, commas: Sequence[Span], grammar: Gramma
             entries.append(True)
         else:
             words = words_of(item)
-            alone = len(words) == len(("day", "thing")) and all(word.is_letters for word in words)
+            alone = len(words) == DAY_AND_THING and all(word.is_letters for word in words)
             if not alone or not names_day(words[0], lexicon) or names_day(words[1], lexicon):
                 return False
             entries.append(False)
@@ -165,11 +168,11 @@ def _each_is_timed(text: str, line: Span, commas: Sequence[Span], grammar: Gramm
 
     The first is one word, so that nothing is done with it that may be done with the others, too.
     """
-    entries = [Entry.of(text[slice(*span)], grammar, lexicon) for span in _between(line, commas)]
-    first, *others = entries
-    if len(first.named) != 1:
+    entries = (Entry.of(text[slice(*span)], grammar, lexicon) for span in _between(line, commas))
+    first = next(entries)
+    if len(first.named) != 1 or not first.clocked:
         return False
-    return first.clocked and all(entry.clocked and entry.named and entry.opens for entry in others)
+    return all(entry.clocked and entry.named and entry.opens for entry in entries)
 
 
 def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:

@@ -6,24 +6,12 @@ what hardly has another is an entry too: "10am vet 12 lunch 3pm pick up car".
 
 import re
 from collections.abc import Iterator
+from functools import cache
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Span
-
-TOKEN = re.compile(
-    r"""
-    (?: (?<![^\s(]) | (?=@) )
-    (?: (?P<sure> @\s?\d{1,2}(?:[:.]\d\d)?(?:\s?[ap]m)? | \d{1,2}:\d\d(?:\s?[ap]m)?
-                | \d{1,2}(?:\.\d\d)?\s?[ap]m | [012]\d[0-5]\d )
-        (?:\s?[-–]\s?\d{1,2}(?::\d\d)?(?:\s?[ap]m)?)?
-      | (?P<bare> \d{1,2}) )
-    (?=[\s),;.]|$)
-    """,
-    re.VERBOSE | re.IGNORECASE,
-)
-"""A number that is a clock time in such a list: surely so, or a number alone."""
 
 LINE = re.compile(r"[^\n;]+")
 SHORTEST, LEAST = 3, 2
@@ -39,6 +27,23 @@ STOP = ";"
 """What stands between two entries then."""
 
 
+@cache
+def _numbers(halves: frozenset[str]) -> re.Pattern[str]:
+    """Give what finds clock times in such a list: surely so ("7:30", "@7", "7 am"), or a number alone."""
+    half = rf"(?:\s?(?:{'|'.join(map(re.escape, sorted(halves, key=len, reverse=True)))}))"
+    return re.compile(
+        rf"""
+        (?: (?<![^\s(]) | (?=@) )
+        (?: (?P<sure> @\s?\d{{1,2}}(?:[:.]\d\d)?{half}? | \d{{1,2}}:\d\d{half}?
+                    | \d{{1,2}}(?:\.\d\d)?{half} | [012]\d[0-5]\d )
+            (?:\s?[-–]\s?\d{{1,2}}(?::\d\d)?{half}?)?
+          | (?P<bare> \d{{1,2}}) )
+        (?=[\s),;.]|$)
+        """,
+        re.VERBOSE | re.IGNORECASE,
+    )
+
+
 def run_apart(text: str, lexicon: Lexicon) -> str:
     """Give a text of the same length with a mark between such entries."""
     for line in LINE.finditer(text):
@@ -49,7 +54,7 @@ def run_apart(text: str, lexicon: Lexicon) -> str:
 
 def _pauses(text: str, line: Span, lexicon: Lexicon) -> Iterator[int]:
     """Give where one entry of a line ends."""
-    tokens = list(TOKEN.finditer(text, *line))
+    tokens = list(_numbers(lexicon.beside.of_hours).finditer(text, *line))
     if len(tokens) < (LEAST if all(found[0].startswith("@") for found in tokens) else SHORTEST):
         return
     leads = not text[line[0] : tokens[0].start()].strip(" -*")
