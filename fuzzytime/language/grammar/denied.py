@@ -5,7 +5,8 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Duration, Phrase
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat
+from fuzzytime.language.meaning.weekdays_left_out import weekdays_in
 from fuzzytime.requirement import Constraint
 
 SIDED = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
@@ -38,6 +39,10 @@ def _denying(texts: Sequence[str], phrase: Phrase, lexicon: Lexicon) -> int | No
         # "The film is not at six" tells, "why not at six" asks.
         held = place > 0 and texts[place - 1] in lexicon.beside.before_no_denial
         return None if held else place
+    if texts[place] in lexicon.beside.denying_weekdays:
+        # "Every day, no sundays"
+        repeated = not lexicon.beside.repeating.isdisjoint(texts[:place])
+        return place if repeated and weekdays_in(phrase.said.time) and _is_plural(phrase) else None
     if texts[place] in lexicon.beside.leaving_out_of_all:
         all_said = not lexicon.beside.repeating.isdisjoint(texts[:place])
         return place if all_said and phrase.said.constraint not in SIDED else None
@@ -45,3 +50,8 @@ def _denying(texts: Sequence[str], phrase: Phrase, lexicon: Lexicon) -> int | No
         place -= 1
     left_out = place >= 0 and texts[place] in lexicon.beside.leaving_out
     return None if not left_out or isinstance(phrase.said.time, Duration) else place
+
+
+def _is_plural(phrase: Phrase) -> bool:
+    """Whether weekdays are named by nothing else: "sundays"."""
+    return isinstance(phrase.said.time, Repeat) and phrase.said.preposition is None

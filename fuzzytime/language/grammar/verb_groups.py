@@ -64,6 +64,11 @@ class Doing:
     several_timed: Words
     saying: Words
     closing_up: Words
+    closing_there: Words
+    opening_up: Words
+    opening_there: Words
+    hours: Words
+    errands: Words
     dropping: Words
     declining: Words
     revoking: Words

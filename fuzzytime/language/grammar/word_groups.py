@@ -212,6 +212,9 @@ class BesideTimes:
     degrees: Words
     mixing: Words
     reasons_in_front: Words
+    around_denials: Words
+    denying_weekdays: Words
+    reasons: Words
     ages: Words
     past_deictics: Words
     timed_things: Words

@@ -24,13 +24,15 @@ PURPOSE = 3
 class Aside:
     """An aside: its stretch, and the length that it says.
 
-    ``way`` says that this is how long one goes there, ``left`` that what was done is left alone so long.
+    ``way`` says that this is how long one goes there, ``left`` that what was done is left alone so long,
+    ``bounds`` that it is no length, but a time before or after which something can be done.
     """
 
     span: Span
     length: Phrase
     way: bool = False
     left: bool = False
+    bounds: bool = False
 
 
 def asides_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:

@@ -22,6 +22,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.weekdays_left_out import weekdays_in
 from fuzzytime.requirement import Constraint, Unit
 
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
@@ -147,6 +148,10 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
     ):
         # "Heat it at eight, wait three minutes"; but "at eight, wait, nine"
         return None
+    left_out = {word.text for word in scanned.words[place:start]} <= lexicon.beside.denying_weekdays
+    if left_out and isinstance(phrase.said.time, Repeat) and _are_weekdays(scanned, start):
+        # "Every day, no sundays"; but "every monday, no, every tuesday"
+        return None
     further = longest_match(scanned.words, start, lexicon.corrections)
     if further is not None:
         # "Actually, make it twenty"
@@ -171,6 +176,12 @@ def _is_timed(scanned: Scanned, place: int) -> bool:
     """Whether a number is how many minutes are waited in a list: "stir 3, wait 10, stir 3"."""
     texts = [word.text for word in scanned.words]
     return is_timed_entry(texts, place, place + 1, scanned.lexicon)
+
+
+def _are_weekdays(scanned: Scanned, place: int) -> bool:
+    """Whether weekdays stand at a place that are repeated: "sundays"."""
+    pieces = scanned.cells[place].get("repeat", {}).values()
+    return any(weekdays_in(piece.value) for piece in pieces)
 
 
 def _behind_who_says(scanned: Scanned, place: int, lexicon: Lexicon) -> int:

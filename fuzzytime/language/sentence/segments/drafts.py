@@ -12,6 +12,7 @@ from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.asides import Aside, asides_of, beside_each_other, without_asides
+from fuzzytime.language.sentence.segments.asides_of_hours import asides_of_hours
 from fuzzytime.language.sentence.segments.calls import called_first, called_next
 from fuzzytime.language.sentence.segments.corrections import corrected
 from fuzzytime.language.sentence.segments.cuts import addressed, pieces_of, reminded
@@ -142,7 +143,8 @@ def drafted(
         messages.append(messages_of(scanned, lexicon))
         if messages[-1]:
             scanned = Scanned.of(without_messages(scanned.text, messages[-1]), grammar, lexicon)
-        asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon)))
+        lengths = beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon))
+        asides.append(beside_each_other(lengths, asides_of_hours(scanned, lexicon)))
         if asides[-1]:
             scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
         for said in (with_gaps, said_apart):

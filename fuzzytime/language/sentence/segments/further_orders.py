@@ -114,10 +114,14 @@ def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
 
 
 def _follows_statement(tree: Tree, place: int, root: int, timed: set[int]) -> bool:
-    """Whether a bare verb behind a comma is taken for what something does: "it shuts at three, get bread"."""
+    """Whether a bare verb behind a comma is taken for what something does: "it shuts at three, get bread".
+
+    So it is behind a colon: "the shop opens at nine: buy milk".
+    """
     node = tree.nodes[place]
     told = tree.nodes[root].tag == "VBZ" and any(p < root for p in tree.children(root, *ANY_SUBJECTS))
-    joined = node.relation == "xcomp" and node.head == root and tree.nodes[place - 1].text == ","
+    relations = {",": {"xcomp"}, ":": COORDINATE}.get(tree.nodes[place - 1].text, frozenset())
+    joined = node.head == root and node.relation in relations
     whole = not tree.children(place, *ANY_SUBJECTS, "aux", "mark")
     return told and joined and whole and node.tag in IMPERATIVE and place - 2 in timed
 

@@ -1,5 +1,6 @@
 """The hours at which people do what is asked for: dinner is in the evening, who wakes does in the morning."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from datetime import time
@@ -9,8 +10,14 @@ from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.meaning.expressions import Offset, Range, Wall
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
+from fuzzytime.language.sentence.segments.asides_of_hours import HOURS
 from fuzzytime.language.sentence.sketches.said_of_time import DATED
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+
+IT = "it"
+
+CLAUSE = re.compile("[,;:.(–]|-(?= )")
+"""What ends before a clause that says when somewhere opens."""
 
 
 def at_usual_hours(moment: Moment, sketch: Sketch, text: str, lexicon: Lexicon) -> Moment:
@@ -20,7 +27,14 @@ def at_usual_hours(moment: Moment, sketch: Sketch, text: str, lexicon: Lexicon) 
     leading = [text[slice(*phrase.span)].partition(" ")[0] for phrase in sketch.phrases]
     leading += [phrase.said.preposition or "" for phrase in sketch.phrases]
     named = [*(f"{name} {word}" for name in named for word in leading), *named]
-    dated = (text[slice(*phrase.span)] for phrase in sketch.phrases if phrase.rule == DATED)
+    dated = [text[slice(*phrase.span)] for phrase in sketch.phrases if phrase.rule == DATED]
+    hours = [phrase for phrase in sketch.phrases if phrase.rule == HOURS]
+    # "(Opens at eight)" does not say what does, nor does "they open at eight".
+    dated += [f"{IT} {CLAUSE.split(text[: phrase.span[1]])[-1]}" for phrase in hours]
+    named += [f"{IT} {name}" for name in named if sketch.operation and sketch.operation.stated]
+    if hours and len(hours) == len(sketch.phrases):
+        # They were said of something else, which tells which half of the day is meant.
+        moment = replace(moment, since=None)
     words = words_of(" ; ".join((*dated, *named)))
     places = (place for place in range(len(words)) if not _is_thing(words, place, lexicon))
     found = (longest_match(words, place, lexicon.usual_hours) for place in places)

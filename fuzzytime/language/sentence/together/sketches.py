@@ -22,7 +22,9 @@ from fuzzytime.language.sentence.together.days_left_out import without_days_left
 from fuzzytime.language.sentence.together.days_on import days_on
 from fuzzytime.language.sentence.together.first_offered import first_offered
 from fuzzytime.language.sentence.together.first_times import from_first_time
+from fuzzytime.language.sentence.together.left_out_behind import left_out_behind
 from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
+from fuzzytime.language.sentence.together.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.said_again import done_again, each_of
 from fuzzytime.language.sentence.together.several_times import of_several_times
 from fuzzytime.language.sentence.together.told_beside import told_beside
@@ -38,7 +40,8 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
         [sketch_of(draft, part, lexicon) for part in draft.parts], draft, lexicon
     )
     remarks += corrections
-    sketches = told_beside(sketches, draft.text, lexicon)
+    sketches = left_out_behind(sketches, lexicon)
+    sketches = within_opening_hours(told_beside(sketches, draft.text, lexicon), draft.text, lexicon)
     sketches = repeated(led(sketches, draft.text), draft.text, lexicon)
     told = shared(at_once(within(sketches, draft.text, lexicon), draft.text), draft.text, lexicon)
     words = draft.scanned.words
@@ -93,6 +96,9 @@ def _is_repeated(sketch: Sketch) -> bool:
 
 
 def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
+    if aside.bounds:
+        bounded = (*sketch.phrases, aside.length)
+        return replace(sketch, phrases=bounded, references=(*sketch.references, None))
     if aside.way:
         return replace(
             sketch, way=aside.length.said.time if isinstance(aside.length.said.time, Duration) else None

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.references.mentions import BE, Mentions
 from fuzzytime.language.sentence.segments.same_doers import tells_more
 from fuzzytime.language.sentence.segments.segment import ENDS
@@ -38,8 +38,6 @@ def told_beside(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Ske
         elif found and _may_only(found[-1], sketch, text, lexicon):
             found[-1] = _at_the_only(found[-1], sketch)
             continue
-        elif found and _shuts(found[-1], sketch, text, lexicon):
-            found[-1] = found[-1].under([_before(phrase) for phrase in sketch.phrases if _says_when(phrase)])
         found.append(told)
     return found
 
@@ -74,22 +72,6 @@ def _at_the_only(before: Sketch, sketch: Sketch) -> Sketch:
     segment = before.part.segment
     whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
     return replace(told, part=replace(before.part, segment=whole))
-
-
-def _shuts(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
-    """Whether something shuts, before which an order has to be done: "buy stamps, the shop shuts at six"."""
-    operation = sketch.operation
-    if operation is None or not operation.stated or not _is_order_without_time(before):
-        return False
-    shuts = operation.lemma in lexicon.doing.closing_up
-    clocks = [phrase for phrase in sketch.phrases if isinstance(phrase.said.time, Wall)]
-    at = all(phrase.said.constraint in {None, Constraint.AT} for phrase in clocks)
-    return shuts and at and len(clocks) == len(sketch.phrases) == 1 and _is_beside(before, sketch, text)
-
-
-def _before(phrase: Phrase) -> Phrase:
-    """Give the time at which something shuts as what an order has to be done before."""
-    return replace(phrase, said=replace(phrase.said, constraint=Constraint.BEFORE, preposition="before"))
 
 
 def _done_next(sketch: Sketch, operation: Operation, text: str, lexicon: Lexicon) -> Sketch:
