@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from fuzzytime.language.instruction import Instruction, Operation, Reading
+from fuzzytime.language.meaning.delayed_recurrence import DelayedRecurrence
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
 from fuzzytime.language.meaning.recurrence_by_months import RecurrenceByMonths
 from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
@@ -162,6 +163,10 @@ def _coming(recurrence: Recurrence | None, count: int) -> tuple[tuple[float, flo
     """Give where the next occurrences begin and are over, at most so many."""
     if isinstance(recurrence, (EvenRecurrence, CalendarRecurrence, RecurrenceByMonths, RecurrenceOnDays)):
         return recurrence.coming(count)
+    if isinstance(recurrence, DelayedRecurrence):
+        return tuple(
+            (begin + recurrence.by, end + recurrence.by) for begin, end in _coming(recurrence.of, count)
+        )
     return ()
 
 

@@ -38,6 +38,10 @@ OF_HOURS = frozenset(
 )
 """Prepositions of minutes past an hour that is not said: "at half past"."""
 
+SAME_TIME = ["same", "time"]
+
+EACH_TIME = (["each", "time"], ["every", "time"])
+
 
 class Judge:
     """What stands around a reading, and whether it makes it doubtful."""
@@ -107,7 +111,7 @@ class Judge:
         if isinstance(time, TimeWord) and self.around.before(piece) in {"between", "from"}:
             # "Between now and the concert"
             return False
-        if isinstance(time, TimeWord) and (self._begins_clause(piece) or self._is_now_and_again(piece)):
+        if isinstance(time, TimeWord) and self._is_more(piece):
             return False
         if isinstance(time, TimeWord) and self.texts[piece.start : piece.end] == ["then"]:
             # "Call me then"; "then call me" is a step behind another.
@@ -146,6 +150,19 @@ class Judge:
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self.around.describes(piece)
         return True
+
+    def _is_more(self, piece: Piece) -> bool:
+        """Whether a time word is part of more: of a clause, or of what says which time is meant."""
+        return self._begins_clause(piece) or self._is_now_and_again(piece) or self._says_which(piece)
+
+    def _says_which(self, piece: Piece) -> bool:
+        """Whether words behind say which time is meant, or each of what: "at the same time as the rice"."""
+        said, follower = self.texts[piece.start : piece.end], self.around.follower(piece)
+        if said in EACH_TIME:
+            # "Check her pulse each time"; but "each time you turn her", "five minutes each time"
+            behind = piece.start == 0 or self.around.timely(piece.start - 1)
+            return behind or follower not in {"", ".", "!", ";", ","}
+        return said[-2:] == SAME_TIME and follower in self.beside.behind_same_time
 
     def _is_past(self, piece: Piece, said: Said) -> bool:
         """Whether it is the time just gone: "what was said in the last hour"; not "in the last hour of X"."""

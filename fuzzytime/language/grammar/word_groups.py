@@ -212,6 +212,9 @@ class BesideTimes:
     degrees: Words
     mixing: Words
     reasons_in_front: Words
+    each_time: Words
+    at_the_same_time: Words
+    behind_same_time: Words
     around_denials: Words
     denying_weekdays: Words
     reasons: Words

@@ -6,7 +6,7 @@ leave open.
 Values
     What was said: ``expressions``, ``calendar``, ``times_of_day``, ``nested``, ``relations``,
     ``feasts`` (days from ``calendars``), ``workdays``, ``spared_days``, ``recurrence``,
-    ``closing_recurrence``, ``recurrence_by_months``, ``recurrence_on_days``.
+    ``closing_recurrence``, ``delayed_recurrence``, ``recurrence_by_months``, ``recurrence_on_days``.
     What names no time: ``ungrounded``.
     What is reckoned with: ``instants``, ``moment``, ``standpoint``.
 

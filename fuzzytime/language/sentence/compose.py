@@ -246,7 +246,7 @@ class _Composer:
             requirements=tuple(requirements),
             named=ground_all(sketch.named, self.draft.text, self.moment).requirements,
             duration=duration,
-            repeats=next((g.recurrence for g in times.found if g.recurrence is not None), None),
+            repeats=next((part.recurrence for part in requirements if part.recurrence is not None), None),
             fuzzy_parameters=sketch.parameters,
             length_of=told,
             way=None if sketch.way is None else sketch.way.seconds,

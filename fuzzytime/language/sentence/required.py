@@ -8,6 +8,7 @@ from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.first_times import opening_of
 from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.references.anchors import Anchors
+from fuzzytime.language.sentence.references.each_time import each_time
 from fuzzytime.language.sentence.references.phrase_anchors import (
     ORDERING,
     counts_from_nothing,
@@ -17,6 +18,7 @@ from fuzzytime.language.sentence.references.phrase_anchors import (
 )
 from fuzzytime.language.sentence.segments.connectives import agreeing, follows_nothing, within_after
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
+from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.at_events import at_events
 from fuzzytime.language.sentence.sketches.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.sketches.sketch import Sketch
@@ -48,7 +50,8 @@ def required_of(
     connected = agreeing(connected, requirements)
     if connected is not None:
         requirements.append(connected)
-    requirements = within_after(requirements)
+    joined = not ENDS & set(draft.text[draft.parts[0].segment.span[0] : sketch.part.segment.span[0]])
+    requirements = each_time(within_after(requirements), anchors, joined=joined)
     requirements.sort(key=lambda requirement: requirement.span)
     return requirements, remarks
 

@@ -46,6 +46,7 @@ ORDERING = {
     "right beforehand": Constraint.BEFORE,
     "then": Constraint.AT,
     "meanwhile": Constraint.AT,
+    "each time": Constraint.AT,
 }
 """The time words that are about the instruction before it."""
 

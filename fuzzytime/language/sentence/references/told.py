@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from datetime import datetime, timedelta
 
 from fuzzytime.language.instruction import Instruction
-from fuzzytime.requirement import Anchor, Constraint
+from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 
 AFTER = "after"
 
@@ -14,7 +14,7 @@ WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 
 @dataclass(slots=True)
 class Told:
-    """What a text told so far: ``starts``; lengths in seconds, the latest told last; what is ``repeated``.
+    """What a text told: ``starts``; lengths in seconds, the latest told last; how often what is ``repeated``.
 
     ``since`` is what those count from that are so long after something, None for the moment of speaking.
     ``above`` is what was told before the text: what is asked of both is answered by the text first.
@@ -23,7 +23,7 @@ class Told:
     above: "Told | None" = None
     starts: dict[int, datetime] = field(default_factory=dict)
     lasting: dict[int, float] = field(default_factory=dict)
-    repeated: set[int] = field(default_factory=set)
+    repeated: dict[int, TimeRequirement] = field(default_factory=dict)
     since: dict[int, Anchor | None] = field(default_factory=dict)
 
     def add(self, position: int, instruction: Instruction, now: datetime | None) -> None:
@@ -34,8 +34,9 @@ class Told:
         for part in instruction.requirements:
             if part.preposition == AFTER and part.number:
                 self.since[position] = part.anchor
-        if instruction.repeats is not None:
-            self.repeated.add(position)
+        repetition = next((part for part in instruction.requirements if part.recurrence is not None), None)
+        if repetition is not None:
+            self.repeated[position] = repetition
         meant = position if instruction.length_of is None else instruction.length_of.target
         if instruction.duration is not None and meant is not None:
             self.lasting.pop(meant, None)
@@ -55,7 +56,13 @@ class Told:
 
     def is_repeated(self, position: int) -> bool:
         """Whether an instruction was told to be repeated."""
-        return position in self.repeated or (self.above is not None and self.above.is_repeated(position))
+        return self.repetition(position) is not None
+
+    def repetition(self, position: int) -> TimeRequirement | None:
+        """Give what says how often an instruction is repeated, as far as it was told."""
+        if self.above is None or position in self.repeated:
+            return self.repeated.get(position)
+        return self.above.repetition(position)
 
     def last_going_on(self, before: int) -> int | None:
         """Give the instruction before a position whose length was told last; None without one."""

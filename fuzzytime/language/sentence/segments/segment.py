@@ -92,6 +92,8 @@ def segments_of(
         if found is not None and lexicon.connectives[found] == MEANWHILE and end < len(words):
             # "At the same time every evening"
             found = None if words[end].text in lexicon.closed.distributives else found
+        if found is not None and words[place].text in lexicon.closed.distributives:
+            found = found if _is_order(words, end, lexicon) else None
         # "Do it when you're done": nothing follows.
         if found is not None and end < len(words) and words[end].text not in {*ENDS, "as"}:
             cuts.append((place, end, lexicon.connectives[found]))
@@ -131,6 +133,14 @@ def _end_of(words: Sequence[Word], place: int, length: int) -> int:
     """Give the place behind a connective, and the comma that may follow it."""
     end = place + length
     return end + 1 if end < len(words) and words[end].text in {",", ":"} else end
+
+
+def _is_order(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether an order stands behind "each time", and not what that is of: "each time check her pulse"."""
+    openers, objects = lexicon.closed.noun_openers, lexicon.closed.all_anaphors
+    said = [word.text for word in words[place : place + 2]]
+    subjects = openers | objects | lexicon.closed.personal_pronouns
+    return len(said) > 1 and said[0] not in subjects and said[1] in openers | objects
 
 
 def _opens(words: Sequence[Word], place: int, vague: set[int], lexicon: Lexicon) -> bool:

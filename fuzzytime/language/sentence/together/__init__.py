@@ -6,7 +6,8 @@ Words and times
     ``at_once``, ``for_all``, ``also_at_events``, ``choices_of_repetitions``; what is ``told_beside``.
 Days and lengths
     ``headings``, ``days_apart`` (``listed_days``), ``mornings``, ``day_by_day``, ``days_left_out``,
-    ``days_on``, ``lengths``, ``waited``, ``consequences``.
+    ``left_out_behind``, ``each_week``, ``opening_hours``, ``days_on``, ``lengths``, ``waited``,
+    ``consequences``.
 What is none
     ``doubts`` (``what_was``), ``denials``, ``naming``.
 """

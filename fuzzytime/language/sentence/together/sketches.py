@@ -20,6 +20,7 @@ from fuzzytime.language.sentence.together.day_by_day import day_by_day, each_day
 from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days, under_first_line
 from fuzzytime.language.sentence.together.days_left_out import without_days_left_out
 from fuzzytime.language.sentence.together.days_on import days_on
+from fuzzytime.language.sentence.together.each_week import each_week
 from fuzzytime.language.sentence.together.first_offered import first_offered
 from fuzzytime.language.sentence.together.first_times import from_first_time
 from fuzzytime.language.sentence.together.left_out_behind import left_out_behind
@@ -62,7 +63,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
         for again in also_at_events(whole, words, lexicon):
             found += of_several_times(again, words, lexicon)
     found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in again_between(found)]
-    placed = on_their_days(found, draft.text, draft.heading)
+    placed = on_their_days(each_week(found, draft.text, lexicon), draft.text, draft.heading)
     return _with_asides([from_first_time(sketch, words) for sketch in placed], draft), remarks
 
 

@@ -1,0 +1,78 @@
+"""Weekdays beside what is done each week: "every monday put the bins out and bring them in on tuesday"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
+from fuzzytime.language.meaning.repeats_beside import MOMENTS
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.requirement import Constraint, Unit
+
+
+def each_week(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Let a weekday be that of each week, where its sentence says before it that something is done weekly.
+
+    That is said in front of the first order, which holds for all; behind it, it holds for what is done with
+    the same thing.
+    """
+    found: list[Sketch] = []
+    weekly: Phrase | None = None
+    in_front = False
+    for sketch in sketches:
+        if found and ENDS & set(text_between(found[-1], sketch, text)):
+            weekly = None
+        told = sketch
+        if weekly is not None and sketch.asks and (in_front or _is_about_it(sketch, lexicon)):
+            told = _told_weekly(sketch, weekly)
+        found.append(told)
+        own = next((phrase for phrase in sketch.phrases if _is_weekly(phrase)), None)
+        if own is not None and sketch.operation is not None and sketch.asks:
+            weekly, in_front = own, own.span[1] <= sketch.operation.span[0]
+    return found
+
+
+def _told_weekly(sketch: Sketch, weekly: Phrase) -> Sketch:
+    """Give an order with its weekday in each week, which it is on instead of those of the first."""
+    told = [_in_each_week(phrase, weekly) for phrase in sketch.phrases]
+    if told == list(sketch.phrases):
+        return sketch
+    kept = [place for place, phrase in enumerate(told) if phrase.span != weekly.span]
+    return replace(
+        sketch,
+        phrases=tuple(told[place] for place in kept),
+        references=tuple(sketch.references[place] for place in kept),
+    )
+
+
+def _is_weekly(phrase: Phrase) -> bool:
+    """Whether it is a repetition by weeks: on weekdays, or once in each."""
+    time = phrase.said.time
+    days = [wall.days for wall in time.walls] if isinstance(time, Repeat) else []
+    return bool(days) and (days == [Cycle(Unit.WEEK)] or all(_is_weekday(day) for day in days))
+
+
+def _is_weekday(days: Calendar | None) -> bool:
+    return isinstance(days, Fields) and days.weekly
+
+
+def _in_each_week(phrase: Phrase, weekly: Phrase) -> Phrase:
+    """Give a weekday as that of each week, from the first day on that is said of it."""
+    said, time = phrase.said, phrase.said.time
+    alone = isinstance(time, Wall) and _is_weekday(time.days) and said.constraint in MOMENTS
+    if not isinstance(time, Wall) or not alone or said.denied or not isinstance(weekly.said.time, Repeat):
+        return phrase
+    (days, *further), skip = weekly.said.time.walls, weekly.said.time.skip
+    # Of every other monday, the tuesday behind it: not that before the first.
+    first = None if further or not _is_weekday(days.days) else Wall(days.days)
+    repeat = Repeat(walls=(time,), skip=1 if further else skip, starting=first)
+    return replace(phrase, said=replace(said, time=repeat, constraint=Constraint.EVERY))
+
+
+def _is_about_it(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether something is done with what was said before."""
+    operation = sketch.operation
+    thing = "" if operation is None else (operation.object or "").lower()
+    return thing in lexicon.closed.all_anaphors
