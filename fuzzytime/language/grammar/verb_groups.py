@@ -63,6 +63,7 @@ class Doing:
     timed: Words
     several_timed: Words
     saying: Words
+    foretold: Words
     closing_up: Words
     closing_there: Words
     opening_up: Words

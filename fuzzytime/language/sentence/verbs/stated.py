@@ -142,6 +142,26 @@ class Stated(Places):
         timed = any(map(self.timed, self.tree.below(verb)))
         return bool(there and finite and timed and self.tree.children(verb, "attr"))
 
+    def _is_foretold(self, verb: int, helping: set[str]) -> bool:
+        """Whether it is only told that something is to come: "rain is expected at three"."""
+        node, closed, doing = self.tree.nodes[verb], self.lexicon.closed, self.lexicon.doing
+        over = self.tree.nodes[node.head]
+        called = {self.tree.nodes[p].lower for p in self.tree.children(verb, *SUBJECTS)}
+        called |= {self.tree.nodes[p].lower for p in self.tree.children(node.head, *SUBJECTS)}
+        if not called.isdisjoint(closed.first_and_second_person):
+            return False
+        if node.relation == "xcomp" and node.tag == "VB" and not self.tree.children(verb, "auxpass"):
+            helped = self._helping(node.head) | {over.lower}
+            goes = node.lemma in doing.arriving | doing.leaving | doing.several_timed
+            # "The ferry is due to leave at six"
+            return over.lower in doing.foretold and bool(helped & closed.present_be) and goes
+        come = helping and helping <= closed.present_be | closed.future | {BE}
+        # "Rain expected at three"
+        named = self.tree.children(verb, *SUBJECTS) or (node.relation == "acl" and verb == node.head + 1)
+        told = come or (not helping and node.relation in {"acl", "ROOT"} and named)
+        alone = not self.tree.children(verb, "xcomp")
+        return bool(told) and alone and node.tag == "VBN" and node.lower in doing.foretold
+
     def _helping(self, verb: int) -> set[str]:
         """Give the verbs that help one, and what denies it."""
         return {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
@@ -164,6 +184,8 @@ class Stated(Places):
             return True
         helping = self._helping(verb)
         if others_do(self.tree, verb, helping, self.lexicon) or self._exists(verb, helping):
+            return True
+        if self._is_foretold(verb, helping):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= closed.future
         if finite and (self._has_frame(verb) or self._has_visitors(verb)):
