@@ -39,7 +39,7 @@ def required_of(
         if clause.marker == OF and not repeated and _ends_then(required.anchor, anchors):
             # "In the last half hour of the shift", of which it is told when it ends.
             continue
-        requirements.append(required)
+        requirements.append(replace(required, alternative=clause.alternative))
         remarks += told
     events, told = at_events(sketch, draft.scanned.words, draft.text, anchors)
     requirements += events
@@ -82,6 +82,9 @@ def _of_phrases(
             continue
         if phrase.rule == HEADED and draft.heading is not None:
             requirement = replace(requirement, text=draft.heading.name)
+        if phrase.said.alternative and sketch.clauses:
+            # "When the tank is full, or at noon"
+            requirement = replace(requirement, alternative=True)
         requirement = of_phrase(anchors, phrase, requirement, sketch.clauses)
         requirements.append(referred(requirement, reference))
         if not waits and counts_from_nothing(requirement, phrase.said, sketch.operation, anchors.position):

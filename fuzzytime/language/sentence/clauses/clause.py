@@ -19,7 +19,8 @@ class Clause:
     ``reference`` is which moment of what is to be done it is about: "have it ready when they come".
     ``edge`` is that of the event which it names: "by the end of the lesson"; ``side`` on which side of its
     distance something must be: "no earlier than an hour after lunch"; ``day_part`` the part of the day, a day
-    before or after: "the evening before the trip".
+    before or after: "the evening before the trip". ``alternative`` says that it may be so instead of the time
+    before it: "at six or when it is full".
     """
 
     kind: str
@@ -39,6 +40,7 @@ class Clause:
     edge: Edge | None = None
     side: Constraint | None = None
     day_part: Phrase | None = None
+    alternative: bool = False
 
     def is_there(self, lexicon: Lexicon) -> bool:
         """Whether it says of somebody that they have come: "when they get here", "while she is in"."""

@@ -38,13 +38,28 @@ def offered(
             continue
         first = found[-1]
         stated = operation is not None and operation.stated
-        if stated or first.anchor is not None or requirement.anchor is not None:
+        if stated or _is_of_another(first) or _is_of_another(requirement):
             remarks.append(not_used(text, requirement.span))
             continue
         bounded = {first.constraint, requirement.constraint} == BOUNDS
         alternative = not requirement.denied and (not bounded or _is_apart(first, requirement))
         found.append(replace(requirement, alternative=alternative))
+        if Constraint.WHEN in {first.constraint, requirement.constraint}:
+            remarks.append(_where_nothing_tells(first, requirement))
     return found, [*remarks, *_contradictions(found)]
+
+
+def _where_nothing_tells(first: TimeRequirement, second: TimeRequirement) -> Remark:
+    """Say which of two times is kept where nothing tells of the other, which is what must be so."""
+    state, time = (first, second) if first.constraint is Constraint.WHEN else (second, first)
+    message = f"{time.text!r} is kept where nothing tells {state.text!r}"
+    return Remark(RemarkKind.POLICY, state.span, message)
+
+
+def _is_of_another(requirement: TimeRequirement) -> bool:
+    """Whether a time counts from another instruction, or waits for what that brings about."""
+    condition = requirement.condition
+    return requirement.anchor is not None or (condition is not None and condition.target is not None)
 
 
 def _contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]:

@@ -156,9 +156,7 @@ class _Clauses:
         kind = self._kind(form, bound, edge)
         if edge is None and bound is not None and isinstance(bound.said.time, Coming):
             edge = Edge.START
-        end = self.ends.of(first)
-        last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
-        time = next((phrase for phrase in last if is_apart(phrase, kind)), None)
+        end, time = self._end(first, kind)
         said_end = end if time is None else time.first
         time = self.before.aside(end) if time is None else time
         if said_end <= first or self.covered.issuperset(range(first, said_end)):
@@ -212,6 +210,16 @@ class _Clauses:
         if found is None or time is None or not eventful or not dates(time, duration, kind):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
+
+    def _end(self, first: int, kind: str) -> tuple[int, Phrase | None]:
+        """Give where a clause ends that begins at a place, and the time of its own behind it."""
+        end = self.ends.of(first)
+        last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
+        time = next((phrase for phrase in last if is_apart(phrase, kind)), None)
+        if time is not None and self.words[time.first - 1].text in self.lexicon.closed.alternatives:
+            # "Until the bell or three o'clock"
+            return time.first - 1, None
+        return end, time
 
     def _day_part(self, place: int, form: tuple[str, ...]) -> Phrase | None:
         """Give the part of a day beside a marker: "the evening before it", "on the morning of the trip"."""

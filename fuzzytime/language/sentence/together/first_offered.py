@@ -1,15 +1,20 @@
 """Times and clauses that "or" joins to others of one thing: "at nine, or at ten if the baby is asleep"."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.sketches.alternatives import not_used
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
+
+UNTIL = "until"
+
+STATES = frozenset({"when", IF})
+"""Kinds of clauses that say what must be so when something begins."""
 
 
 def first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Remark]]:
@@ -27,17 +32,25 @@ def first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Remark]]:
         if _is_or(sketch, first, second, text)
         and ((first in lasting and second in moments) or _is_other(first, second, lasting, clauses))
     ]
+    sketch, left, latest = _until_the_latest(sketch, left, text)
     chosen = _with_condition(sketch, left, text)
+    either = _times_or_states(sketch, [span for span in left if span not in chosen], moments)
+    left = [span for span in left if span not in either]
     phrases = [place for place, phrase in enumerate(sketch.phrases) if phrase.span not in left]
     kept = replace(
         sketch,
-        phrases=tuple(_offered(sketch.phrases[place], chosen) for place in phrases),
+        phrases=tuple(_offered(sketch.phrases[place], {*chosen.values(), *either}) for place in phrases),
         references=tuple(sketch.references[place] for place in phrases),
-        clauses=tuple(c for c in sketch.clauses if c.span not in left and c.span not in chosen),
+        clauses=tuple(
+            replace(clause, alternative=clause.span in either)
+            for clause in sketch.clauses
+            if clause.span not in left and clause.span not in chosen
+        ),
     )
     return kept, [
         *(not_used(text, span) for span in left if span not in chosen),
         *(_either(text, span) for span in chosen),
+        *latest,
     ]
 
 
@@ -68,9 +81,51 @@ def _is_or(sketch: Sketch, first: Span, second: Span, text: str) -> bool:
     return between in sketch.part.tree.lexicon.closed.alternatives
 
 
-def _offered(phrase: Phrase, chosen: dict[Span, Span]) -> Phrase:
+def _until_the_latest(
+    sketch: Sketch, left: Sequence[Span], text: str
+) -> tuple[Sketch, list[Span], list[Remark]]:
+    """Let the clock time bound what goes on until it or an event: "until the bell or three o'clock".
+
+    Whichever is first ends it, and when the event is may not be known.
+    """
+    events = {clause.span for clause in sketch.clauses if clause.is_event and clause.kind == UNTIL}
+    phrases = {phrase.span: phrase for phrase in sketch.phrases}
+    heard = pairwise(sorted(sketch.heard))
+    found = {b: a for a, b in heard if a in events and b in left and isinstance(phrases[b].said.time, Wall)}
+    bounded = {span: _until(phrases[span]) for span in found}
+    remarks = [
+        Remark(
+            RemarkKind.POLICY,
+            event,
+            f"{text[slice(*event)]!r} is not used: it is over by {text[slice(*span)]!r}, if not before",
+        )
+        for span, event in found.items()
+    ]
+    told = replace(
+        sketch,
+        phrases=tuple(bounded.get(phrase.span, phrase) for phrase in sketch.phrases),
+        clauses=tuple(clause for clause in sketch.clauses if clause.span not in found.values()),
+    )
+    return told, [span for span in left if span not in found], remarks
+
+
+def _until(phrase: Phrase) -> Phrase:
+    """Give a time as what something goes on until."""
+    return replace(phrase, said=replace(phrase.said, constraint=Constraint.BEFORE, preposition=UNTIL))
+
+
+def _times_or_states(sketch: Sketch, left: Collection[Span], moments: set[Span]) -> set[Span]:
+    """Give times, and what must be so, that may be taken one for the other: "at six or when it is full"."""
+    states = {
+        clause.span for clause in sketch.clauses if clause.condition is not None and clause.kind in STATES
+    }
+    pairs = ((first, second) for first, second in pairwise(sorted(sketch.heard)) if second in left)
+    return {second for first, second in pairs if {first, second} & moments and {first, second} & states}
+
+
+def _offered(phrase: Phrase, chosen: Collection[Span]) -> Phrase:
     """Give a time that may be taken instead of the one before it as such."""
-    if phrase.span not in chosen.values():
+    if phrase.span not in chosen:
         return phrase
     return replace(phrase, said=replace(phrase.said, alternative=True))
 
