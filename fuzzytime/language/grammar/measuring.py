@@ -103,6 +103,9 @@ class Measures:
     def _measures(self, place: int, piece: Piece) -> bool:
         """Whether a word makes a number behind it an amount: that depends on how it is bound."""
         text, said, lexicon = self.texts[place], piece.value, self.lexicon
+        if place and self.texts[place - 1] in lexicon.levels and place + 1 == piece.start:
+            # "On low heat at six": how high it is was said.
+            return False
         if not _is_bound_to_hour(said):
             # "In the oven around ten": things are near an hour, too.
             nouns = lexicon.amount_nouns if _is_near_hour(said) else lexicon.measure_nouns

@@ -31,12 +31,13 @@ from fuzzytime.language.sentence.verbs.actions import (
     says_how_things_are,
 )
 from fuzzytime.language.sentence.verbs.amounts import parameters_of
+from fuzzytime.language.sentence.verbs.due_by_then import due_by_then
 from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
 from fuzzytime.language.sentence.verbs.moments import reference_of
 from fuzzytime.language.sentence.verbs.operations import Reader
 from fuzzytime.language.sentence.verbs.put_there import put_there
 from fuzzytime.language.sentence.verbs.remembered import as_remembered
-from fuzzytime.requirement import Reference
+from fuzzytime.requirement import Constraint, Reference
 
 if TYPE_CHECKING:
     from fuzzytime.skills import FuzzyParameter
@@ -203,6 +204,10 @@ def _happening(
     put = put_there(part.tree, [place for span in spans for place in part.tree.at(*span)], lexicon)
     if put is not None and not part.segment.verbless:
         return replace(put, span=(put.span[0] + part.offset, put.span[1] + part.offset))
+    due = {place for p in phrases for place in _at(part, p) if p.said.constraint is Constraint.BEFORE}
+    so = due_by_then(part.tree, due, {place for p in phrases for place in _at(part, p)}, lexicon)
+    if so is not None and not clauses and not part.segment.verbless:
+        return replace(so, span=(so.span[0] + part.offset, so.span[1] + part.offset))
     if part.segment.verbless or root is None or not timed or not happens(part.tree, phrases, lexicon):
         return None
     vague = (p.span for p in phrases if isinstance(p.said.time, TimeWord))
@@ -213,6 +218,11 @@ def _happening(
     names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in said])
     found = happening_at(root, part.tree, phrases, names, lexicon)
     return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))
+
+
+def _at(part: Part, phrase: Phrase) -> Sequence[int]:
+    """Give the places of a time in the tree of a part."""
+    return list(part.tree.at(phrase.span[0] - part.offset, phrase.span[1] - part.offset))
 
 
 def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexicon: Lexicon) -> Action | None:

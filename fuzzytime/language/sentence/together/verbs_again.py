@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
 from fuzzytime.language.meaning.expressions import LATER, Offset, Repeat, Said
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.verbs.due_by_then import BE, MUST, MUST_BE, WHERE
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint
 
@@ -57,13 +58,10 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     # "Call Ann at ten, then Bob"
     called = then and first[:1].isupper() and (before.object or "")[:1].isupper()
     named = (thing or part.segment.verbless) if sketch.phrases else ((thing or called) and then)
-    if part.segment.verbless and says_where(rest.lower(), lexicon):
-        # "Hoover downstairs in the morning and upstairs after lunch"
-        whole = says_where((before.object or "").lower(), lexicon)
-        return replace(before, object=None if whole else before.object, place=rest, manner=None)
-    if rest and part.segment.verbless and before.object is None and before.place is not None:
-        # "Stop for a brew at ten and for lunch at noon"
-        return replace(before, place=rest) if rest.split()[0] == before.place.split()[0] else None
+    if rest and part.segment.verbless:
+        placed = _placed_again(before, rest, lexicon)
+        if placed is not None or (before.object is None and before.place is not None):
+            return placed
     if not rest or not named or before.object is None:
         return None
     # "Hand me the wrench, then the pliers"
@@ -73,6 +71,21 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
         if word.lower() in closed.indirect_objects and " " in before.object
     ]
     return replace(before, object=" ".join((*given, rest)), place=None)
+
+
+def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before at another place; None where none is said."""
+    if says_where(rest.lower(), lexicon):
+        # "Hoover downstairs in the morning and upstairs after lunch"
+        whole = says_where((before.object or "").lower(), lexicon)
+        return replace(before, object=None if whole else before.object, place=rest, manner=None)
+    led = rest.lower().split()[0]
+    if before.object is None:
+        # "Stop for a brew at ten and for lunch at noon"
+        return replace(before, place=rest) if [led] == (before.place or "").split()[:1] else None
+    # "Kids fed by six, in bed by eight"
+    there = before.due == MUST_BE and led in WHERE
+    return replace(before, verb=BE, lemma=BE, due=MUST, place=rest) if there else None
 
 
 def _is_led_later(sketch: Sketch, said: Span) -> bool:

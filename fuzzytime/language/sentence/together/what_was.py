@@ -16,6 +16,10 @@ def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
     """Whether a sentence tells what was: "her last turn was at six", "I fed the cat at seven"."""
     tree, closed = sketch.part.tree, lexicon.closed
     root = tree.root
+    due = sketch.operation is not None and sketch.operation.due is not None
+    if due and any(phrase.said.constraint is Constraint.BEFORE for phrase in sketch.phrases):
+        # "Dog walked by seven"
+        return False
     if root is None or tree.nodes[root].lemma in lexicon.wanting - {"be"}:
         return False
     node = tree.nodes[root]

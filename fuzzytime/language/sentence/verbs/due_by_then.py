@@ -1,0 +1,78 @@
+"""What must be so by a time, said without a verb: "cat fed by six", "kids in bed by eight"."""
+
+from collections.abc import Collection, Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+
+BE, MUST, MUST_BE = "be", "must", "must be"
+
+NOUNS = frozenset({"NN", "NNS", "NNP", "NNPS"})
+NAMING = NOUNS | {"JJ", "CD", "PRP$", "POS"}
+"""Tags of the words that name a thing."""
+
+PARTICIPLES = frozenset({"VBN", "VBD"})
+WHERE = frozenset({"in", "on", "out", "off", "at", "back", "home", "up", "down", "away"})
+"""Words with which begins where a thing is."""
+
+
+def due_by_then(
+    tree: Tree, due: Collection[int], timed: Collection[int], lexicon: Lexicon
+) -> Operation | None:
+    """Give what a thing must have become, or where it must be, by the deadline right behind that.
+
+    Nothing but times stands behind; ``due`` are the places of the deadline, ``timed`` those of all times.
+    """
+    nodes = tree.nodes
+    first = 1 if nodes and nodes[0].tag in DETERMINERS else 0
+    end = next((place for place in range(first, len(nodes)) if place in timed), len(nodes))
+    behind = (place for place in range(end, len(nodes)) if nodes[place].relation != "punct")
+    if end not in due or any(place not in timed for place in behind):
+        return None
+    state = _state(nodes[:end], lexicon)
+    if state <= first or _is_ordered(nodes[first:state], lexicon):
+        return None
+    thing = tree.text[nodes[0].start : nodes[state - 1].end]
+    said, span = tree.text[nodes[state].start : nodes[end - 1].end], (nodes[state].start, nodes[end - 1].end)
+    if nodes[state].tag in PARTICIPLES:
+        within = all(node.tag in NAMING | {"IN", "DT"} for node in nodes[first + 1 : state])
+        lemma = nodes[state].lemma
+        return Operation(verb=said, lemma=lemma, span=span, object=thing, due=MUST_BE) if within else None
+    named = all(node.tag in NAMING or node.tag in DETERMINERS for node in nodes[state + 1 : end])
+    ordered = nodes[first].may_act and nodes[first].lower == nodes[first].lemma
+    if not named or ordered or any(node.tag not in NAMING for node in nodes[first:state]):
+        # "Report on the sales by friday" may be an order.
+        return None
+    return Operation(verb=BE, lemma=BE, span=span, object=thing, place=said, due=MUST)
+
+
+def _state(nodes: Sequence[Node], lexicon: Lexicon) -> int:
+    """Give where it begins what is so by then: at what is done last, or else where it is; 0 for nothing."""
+    last = len(nodes) - 1
+    if last > 0 and _is_done(nodes[last], nodes[last - 1], lexicon):
+        both = last > 2 and nodes[last - 1].lower in {"and", "&"} and nodes[last - 2].tag in PARTICIPLES
+        # "Washed and hoovered"
+        return last - 2 if both else last
+    return next((place for place in range(1, len(nodes)) if nodes[place].lower in WHERE), 0)
+
+
+def _is_done(node: Node, before: Node, lexicon: Lexicon) -> bool:
+    """Whether a word is what is done with something: "fed"; but "mum arrived" by herself."""
+    comes = lexicon.intransitive | lexicon.doing.arriving | lexicon.doing.leaving
+    done = node.tag == "VBN" or (node.tag == "VBD" and node.lower != node.lemma)
+    # "Ann called by six" may tell what was.
+    done = done and not (node.tag == "VBD" and before.tag == "NNP")
+    return done and (node.lemma not in comes or before.lower in lexicon.animals)
+
+
+def _is_ordered(thing: Sequence[Node], lexicon: Lexicon) -> bool:
+    """Whether what stands in front is no thing, but to be done: "get fed", "bring the coats ironed".
+
+    A thing that is called like a verb may be taken for it where nothing stands between: "floor mopped".
+    """
+    named = thing[0].tag in NAMING and thing[-1].tag in NAMING
+    alone = len(thing) == 1 or thing[1].tag in {"CD", "IN"}
+    becoming = lexicon.causing | lexicon.letting | lexicon.wanting | lexicon.doing.being
+    return not (named or alone) or thing[0].lemma in becoming
