@@ -1,6 +1,7 @@
 """What stands right before and behind a reading and makes it no time, whatever kind of time it would be."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.cuts import Cuts
@@ -8,6 +9,7 @@ from fuzzytime.language.grammar.dining import Dining
 from fuzzytime.language.grammar.doses import Doses
 from fuzzytime.language.grammar.events import Events
 from fuzzytime.language.grammar.given_times import GivenTimes
+from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.no_times import NoTime
@@ -87,7 +89,28 @@ class Borders:
             or (piece.rule == CHANGED_LENGTH and not self.given.changes_length(piece))
             or self._is_from_the_past(piece)
             or self._is_asked(piece)
+            or self._counts_nothing(piece)
+            or self._is_way(piece)
         )
+
+    def _counts_nothing(self, piece: Piece) -> bool:
+        """Whether nothing says of what a number behind "in" is: "in around one", "order the shoes in 7"."""
+        first = piece.start if self.texts[piece.start] == "in" else piece.start - 1
+        if first < 0 or self.texts[first] != "in":
+            return False
+        said, one = piece.value, counts_one(piece.value)
+        if first == piece.start:
+            return one is not None and (one or self.around.before(piece) in self.beside.sized)
+        clock = said.time.clock if isinstance(said.time, Wall) and said.time.bare else None
+        # "Come in around one"
+        near = bool(said.hedges) or said.preposition == "around"
+        other = self.closed.first_person_objects | self.lexicon.particles.keys()
+        particle = self.texts[first - 1] not in other and self.particles.hold(replace(piece, start=first))
+        return clock is not None and clock.hour == 1 and near and not particle
+
+    def _is_way(self, piece: Piece) -> bool:
+        """Whether it begins with a way that somebody goes: "on the way after lunch"."""
+        return self.texts[piece.start] == "way" and self.around.before(piece) in self.beside.before_ways
 
     def _begins_order(self, piece: Piece) -> bool:
         """Whether its last word is an order behind a day: "tomorrow close the blinds"."""

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings import Surroundings
@@ -66,6 +67,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     yield from _dates(scanned, explained, around)
     yield from _counted_from_zero(scanned, explained)
     yield from _halves(scanned, explained, lexicon)
+    yield from _ones(scanned, explained, around)
     for start, cell in enumerate(scanned.cells):
         for category in TELLING & cell.keys():
             for piece in cell[category].values():
@@ -167,6 +169,20 @@ def _is_rate(piece: Piece, around: Surroundings) -> bool:
     """Whether so much of something is in it: "10/min", "5 ml/min"."""
     stroke = around.texts[piece.start - 1] if piece.start else ""
     return stroke == "/" and around.words[piece.start].glued and around.words[piece.start - 1].glued
+
+
+def _ones(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of a one of which nothing says what it counts: "in around one"."""
+    for piece in scanned.pieces("said"):
+        span = (scanned.words[piece.start].start, scanned.words[piece.end - 1].end)
+        known = any(first < span[1] and span[0] < end for first, end in explained)
+        if (
+            around.texts[piece.start] == "in"
+            and not known
+            and counts_one(piece.value)
+            and around.may_end(piece)
+        ):
+            yield from range(piece.start, piece.end)
 
 
 def _binds(around: Surroundings, place: int) -> bool:

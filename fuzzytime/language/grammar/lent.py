@@ -38,6 +38,13 @@ def lacks_unit(said: Said) -> bool:
     return after and bare and isinstance(length, Duration) and length.until is None
 
 
+def counts_one(said: Said) -> bool | None:
+    """Whether it is one of nothing that is said, as in "in around one"; None where it is no bare number."""
+    time = said.time
+    bare = isinstance(time, Duration) and time.bare_end and len(time.terms) == 1
+    return time.terms[0][0] == 1 if bare and isinstance(time, Duration) else None
+
+
 def lasts_minutes(before: Sequence[str], lexicon: Lexicon) -> bool:
     """Whether what stands right before "for" and a number goes on for minutes: "grill", "warm up"."""
     verb, *particle = before[-2:] or [""]

@@ -212,6 +212,8 @@ class BesideTimes:
     degrees: Words
     mixing: Words
     reasons_in_front: Words
+    sized: Words
+    before_ways: Words
     each_time: Words
     at_the_same_time: Words
     behind_same_time: Words
