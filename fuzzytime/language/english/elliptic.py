@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.counted import so_far_in
+from fuzzytime.language.english.counted import for_another, so_far_in
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
@@ -215,3 +215,9 @@ def before_then() -> Said:
 def from_then_on() -> Said:
     """From then on: after that which was said before."""
     return Said(TimeWord("afterwards", Constraint.VAGUE), None, "after")
+
+
+@grammar.rule("said", "another <integer>", "<integer> more", weight=0.1)
+def another_alone(number: Integer) -> Said:
+    """(Bake it for twenty minutes, then) another ten: minutes, too."""
+    return for_another(number)

@@ -38,6 +38,9 @@ OF_HOURS = frozenset(
 )
 """Prepositions of minutes past an hour that is not said: "at half past"."""
 
+ANOTHER = "elliptic.another_alone"
+"""The rule of a number that goes on with a length: "then another ten"."""
+
 SAME_TIME = ["same", "time"]
 
 EACH_TIME = (["each", "time"], ["every", "time"])
@@ -65,6 +68,8 @@ class Judge:
         if self.borders.refuse(piece) or self.measures.is_level(piece):
             return False
         time = said.time
+        if piece.rule == ANOTHER:
+            return self._goes_on(piece)
         if self._counts_from_thing(piece, time) or self.ranges.heads_meal(piece, time):
             return False
         if self._is_whole(piece):
@@ -99,6 +104,12 @@ class Judge:
             set_to = self.around.before(piece) in self.lexicon.appointing
             return not set_to and self.around.follower(piece) in ({""} | self.beside.behind_gone_on)
         return self._accepts_other(piece, said)
+
+    def _goes_on(self, piece: Piece) -> bool:
+        """Whether a number goes on with what was said to last: "for 20 minutes, then another ten"."""
+        lent = any(self.around.is_unit(place) for place in range(piece.start))
+        step = self.around.before(piece) in self.beside.before_another
+        return lent and step and self.around.follower(piece) in self.beside.behind_another | {""}
 
     def _tells_time(self, piece: Piece) -> bool:
         """Whether "for" and a number are a time: "rotate for two seconds and wait for one"."""

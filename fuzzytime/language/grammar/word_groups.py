@@ -212,6 +212,8 @@ class BesideTimes:
     degrees: Words
     mixing: Words
     reasons_in_front: Words
+    before_another: Words
+    behind_another: Words
     sized: Words
     before_ways: Words
     each_time: Words
