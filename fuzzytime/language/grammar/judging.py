@@ -99,10 +99,6 @@ class Judge:
             return self.lengths.accept(piece, said, time)
         if isinstance(time, Wall):
             return self.walls.accept(piece, said, time)
-        if said.preposition == INTO:
-            # "Set the timer at 20 minutes", "at 8 and 20 minutes later"
-            set_to = self.around.before(piece) in self.lexicon.appointing
-            return not set_to and self.around.follower(piece) in ({""} | self.beside.behind_gone_on)
         return self._accepts_other(piece, said)
 
     def _goes_on(self, piece: Piece) -> bool:
@@ -118,11 +114,14 @@ class Judge:
         return lent or appointed or self.lent.times(piece) or is_due(self.texts, piece.start, self.lexicon)
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
+        if said.preposition == INTO:
+            # "Set the timer at 20 minutes", "at 8 and 20 minutes later"
+            set_to = self.around.before(piece) in self.lexicon.appointing
+            return not set_to and self.around.follower(piece) in ({""} | self.beside.behind_gone_on)
         time = said.time
-        if isinstance(time, TimeWord) and self.around.before(piece) in {"between", "from"}:
+        between = self.around.before(piece) in {"between", "from"}
+        if isinstance(time, TimeWord) and (between or self._is_more(piece)):
             # "Between now and the concert"
-            return False
-        if isinstance(time, TimeWord) and self._is_more(piece):
             return False
         if isinstance(time, TimeWord) and self.texts[piece.start : piece.end] == ["then"]:
             # "Call me then"; "then call me" is a step behind another.

@@ -84,8 +84,8 @@ class OnHebrewDate(Observance):
 
     @property
     def years(self) -> range:
-        """All but the last."""
-        return range(1, MAXYEAR)
+        """All that have another two before and behind them, from which they are counted."""
+        return range(3, MAXYEAR - 1)
 
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give its days."""
