@@ -66,6 +66,7 @@ class Borders:
         # "Twenty minutes earlier than usual"
         return (
             compared
+            or self._takes_full_stop(piece)
             or self._is_excepted(piece)
             or self.particles.hold(piece)
             or self.events.named(piece)
@@ -92,6 +93,11 @@ class Borders:
             or self._counts_nothing(piece)
             or self._is_way(piece)
         )
+
+    def _takes_full_stop(self, piece: Piece) -> bool:
+        """Whether its dot ends the sentence, as what stands before it is a time word: "in half a mo."."""
+        words = (one for one in self.around.pieces(piece.start) if one.category == "word")
+        return self.texts[piece.end - 1] == "." and any(one.end == piece.end - 1 for one in words)
 
     def _counts_nothing(self, piece: Piece) -> bool:
         """Whether nothing says of what a number behind "in" is: "in around one", "order the shoes in 7"."""
