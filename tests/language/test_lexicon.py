@@ -199,27 +199,92 @@ def test_every_group_of_words_is_asked_for_by_a_rule_or_another_group() -> None:
         (
             "  epiphany:          {date: 01-06",
             "  epiphany:          {date: 13-06",
-            r"holidays\.epiphany\.date: a day of the year must look like 12-24",
+            r"holidays\.epiphany\.date: month and day must .* be in every year, got '13-06'",
         ),
         (
             "  vaisakhi:          {hindu sun: 0, at: midnight",
             "  vaisakhi:          {date: 04-14, at: midnight",
-            r"holidays\.vaisakhi\.at: 'at' is for Hindu feasts, got 'date'",
+            r"holidays\.vaisakhi\.at: 'at' goes with 'hindu' or 'hindu sun', got 'date'",
         ),
         (
             "  yom kippur:        {hebrew: 07-10",
             "  yom kippur:        {hebrew: 17-10",
-            r"holidays\.yom kippur\.hebrew: month and day must look like 12-24, got '17-10'",
+            r"holidays\.yom kippur\.hebrew: month and day must look like 12-24, .*, got '17-10'",
         ),
         (
             "  ramadan:           {islamic: 09-01, until: eid al-fitr",
             "  ramadan:           {islamic: 09-01, until: diwali",
-            r"holidays\.ramadan\.until: must be one of the known words, got 'diwali'",
+            r"holidays\.ramadan\.until: must be a holiday that stands above, got 'diwali'",
         ),
         (
             "  holy week:         {easter: -7, lasts: 7}",
             "  holy week:         {lasts: 7}",
-            r"holidays\.holy week: a holiday needs one of 'date', 'nth', .*, got none",
+            r"holidays\.holy week: must have one of 'date', 'nth', .*",
+        ),
+        (
+            "  holy week:         {easter: -7, lasts: 7}",
+            "  holy week:         {}",
+            r"holidays\.holy week: must have one of 'date', 'nth', .*",
+        ),
+        (
+            "  holy week:         {easter: -7, lasts: 7}",
+            "  holy week:         {easter: -7, date: 04-01}",
+            r"holidays\.holy week\.\w+: must have one of .*, got '\w+' as well",
+        ),
+        (
+            "  holy week:         {easter: -7, lasts: 7}",
+            "  holy week:         {easter: -7, lasts: 7, until: easter}",
+            r"holidays\.holy week\.until: a holiday has one of 'lasts' and 'until', got both",
+        ),
+        (
+            "  epiphany:          {date: 01-06",
+            "  epiphany:          {date: 04-31",
+            r"holidays\.epiphany\.date: month and day must .* be in every year, got '04-31'",
+        ),
+        (
+            "  yom kippur:        {hebrew: 07-10",
+            "  yom kippur:        {hebrew: 07-31",
+            r"holidays\.yom kippur\.hebrew: month and day must .* be in every year, got '07-31'",
+        ),
+        (
+            "  yalda night:       {persian: 09-30",
+            "  yalda night:       {persian: 09-31",
+            r"holidays\.yalda night\.persian: month and day must .* be in every year, got '09-31'",
+        ),
+        (
+            "  vaisakhi:          {hindu sun: 0, at: midnight",
+            "  vaisakhi:          {hindu sun: 0, later: true",
+            r"holidays\.vaisakhi\.later: 'later' goes with 'hindu', got 'hindu sun'",
+        ),
+        (
+            "  vaisakhi:          {hindu sun: 0, at: midnight",
+            "  vaisakhi:          {hindu sun: 0, at: [dawn, dusk]",
+            r"holidays\.vaisakhi\.at: must be a text, got a list",
+        ),
+        (
+            "  maha shivaratri:   {hindu: 11-29, at: midnight",
+            "  maha shivaratri:   {hindu: 11-29, at: []",
+            r"holidays\.maha shivaratri\.at: must not be empty",
+        ),
+        (
+            "  eid:               {one of: [eid al-fitr, eid al-adha]",
+            "  eid:               {one of: []",
+            r"holidays\.eid\.one of: must not be empty",
+        ),
+        (
+            "  eid:               {one of: [eid al-fitr, eid al-adha]",
+            "  eid:               {one of: [eid al-fitr, eid al-adh]",
+            r"holidays\.eid\.one of\[1\]: must be one of the known words, got 'eid al-adh'",
+        ),
+        (
+            "  labor day:         {nth: [1, monday, september]}",
+            "  labor day:         {nth: [0, monday, september]}",
+            r"holidays\.labor day\.nth\[0\]: must be one of the known words, got '0'",
+        ),
+        (
+            "  0: [monday, mon]",
+            "  first: [monday, mon]",
+            r"weekdays\.first: must be a whole number, got 'first'",
         ),
         (
             "  labor day:         {nth: [1, monday, september]}",

@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from fuzzytime.language.grammar.word_tables.tables import Tables
+from fuzzytime.language.grammar.word_tables.tables import Tables, numbered
 from fuzzytime.language.meaning.calendars.east_asian import (
     CHINA,
     KOREA,
@@ -20,20 +20,27 @@ from fuzzytime.language.meaning.calendars.islamic import OnIslamicDate
 from fuzzytime.language.meaning.calendars.observance import Observance, OnDate, OnWeekday
 from fuzzytime.language.meaning.calendars.persian import OnPersianDate
 from fuzzytime.language.meaning.feasts import Feast, OneOf, Season
-from fuzzytime.yaml_nodes import Node
+from fuzzytime.yaml_nodes import Node, Scalar, Sequence
 
 MOST_DAYS = 366
 """How far a feast is from another, and how long it lasts, at most."""
 
+NTHS = ("-4", "-3", "-2", "-1", "1", "2", "3", "4")
+"""Which weekday of a month there is in every one, from its end where negative."""
+
 FROM_EVENING = frozenset({"hebrew", "islamic"})
 """Calendars whose days begin in the evening before."""
 
-OF_LUNAR_DAYS = frozenset({"at", "later"})
-"""What is said of Hindu feasts only."""
+OF_SOME = {"at": ("hindu", "hindu sun"), "later": ("hindu",)}
+"""What is said of the feasts of some calendars only."""
 
-MOST_MONTHS, MOST_DAYS_OF_MONTH = 12, 31
+GREGORIAN_MONTHS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
+LUNAR_MONTHS = (30,) * 12
+PERSIAN_MONTHS = (31,) * 6 + (30,) * 5 + (29,)
+"""Days of months: of the sun, those that every year has; of the moon, the most that there may be."""
 
 Read = Callable[[Node, str], Observance]
+OnDay = Callable[[int, int], Observance]
 
 
 def read_feasts(tables: Tables) -> None:
@@ -53,22 +60,23 @@ class _Feasts:
     def __init__(self, tables: Tables) -> None:
         self.tables = tables
         self.reader = tables.reader
-        self.weekdays = self._numbers("weekdays")
-        self.months = self._numbers("months")
+        self.weekdays = numbered(tables, "weekdays")
+        self.months = numbered(tables, "months")
+        self.names = {name.text for name, _ in tables.rows("holidays")}
         self.found: dict[str, Feast] = {}
         self.calendars: dict[str, Read] = {
-            "date": self._date,
+            "date": partial(self._on_day, kind=OnDate, months=GREGORIAN_MONTHS),
             "nth": self._nth,
             "easter": partial(self._easter, orthodox=False),
             "orthodox easter": partial(self._easter, orthodox=True),
-            "hebrew": partial(self._lunar, kind=OnHebrewDate),
-            "islamic": partial(self._lunar, kind=OnIslamicDate),
-            "chinese": partial(self._lunar, kind=partial(OnEastAsianDate, hours=CHINA)),
-            "korean": partial(self._lunar, kind=partial(OnEastAsianDate, hours=KOREA)),
-            "vietnamese": partial(self._lunar, kind=partial(OnEastAsianDate, hours=VIETNAM)),
+            "hebrew": partial(self._on_day, kind=OnHebrewDate),
+            "islamic": partial(self._on_day, kind=OnIslamicDate),
+            "chinese": partial(self._on_day, kind=partial(OnEastAsianDate, hours=CHINA)),
+            "korean": partial(self._on_day, kind=partial(OnEastAsianDate, hours=KOREA)),
+            "vietnamese": partial(self._on_day, kind=partial(OnEastAsianDate, hours=VIETNAM)),
             "solar term": self._solar_term,
-            "persian": partial(self._lunar, kind=OnPersianDate),
-            "hindu": self._lunar_day,
+            "persian": partial(self._on_day, kind=OnPersianDate, months=PERSIAN_MONTHS),
+            "hindu": partial(self._on_day, kind=OnLunarDay),
             "hindu sun": self._suns_entry,
             "hindu star": self._star,
             "one of": self._one_of,
@@ -76,38 +84,31 @@ class _Feasts:
 
     def read(self) -> None:
         """Add them."""
-        others = ("days", "moves", "lasts", "until", "doubtful", *OF_LUNAR_DAYS)
-        self.tables.table("holidays", dict.fromkeys((*self.calendars, *others), False), self._feast)
-
-    def _numbers(self, section: str) -> dict[str, int]:
-        rows = self.tables.rows(section)
-        return {form[0]: int(name.text) for name, node in rows for form in self.tables.forms(node, "")}
+        others = ("days", "moves", "lasts", "until", "doubtful", *OF_SOME)
+        allowed = dict.fromkeys((*self.calendars, *others), False)
+        self.tables.table("holidays", allowed, self._feast, one_of=self.calendars)
 
     def _feast(self, name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
         key = f"holidays.{name}"
-        named = [calendar for calendar in self.calendars if calendar in fields]
-        if len(named) != 1:
-            if fields:
-                at, known = next(iter(fields.values())), ", ".join(map(repr, self.calendars))
-                self.reader.mistake(at, key, f"a holiday needs one of {known}, got {len(named) or 'none'}")
-            return []
-        (calendar,) = named
+        calendar = next(calendar for calendar in self.calendars if calendar in fields)
         kept = self.calendars[calendar](fields[calendar], f"{key}.{calendar}")
-        if isinstance(kept, (OnLunarDay, OnSunsEntry)):
-            kept = self._at(kept, key, fields)
-        else:
-            for field in OF_LUNAR_DAYS & fields.keys():
-                message = f"{field!r} is for Hindu feasts, got {calendar!r}"
+        for field, of in OF_SOME.items():
+            if field in fields and calendar not in of:
+                message = f"{field!r} goes with {' or '.join(map(repr, of))}, got {calendar!r}"
                 self.reader.mistake(fields[field], f"{key}.{field}", message)
+        if isinstance(kept, OnSunsEntry):
+            kept = self._behind(kept, key, fields)
+        elif isinstance(kept, OnLunarDay):
+            kept = self._prevailing(kept, key, fields)
         feast = Feast(
             name,
             kept,
-            self._whole(fields, key, "days", -MOST_DAYS, 0),
-            self._moves(fields, key),
-            self._whole(fields, key, "lasts", 1, 1),
-            self._until(fields, key),
-            calendar in FROM_EVENING,
-            "doubtful" in fields and self.reader.boolean(fields["doubtful"], f"{key}.doubtful"),
+            days=self._whole(fields, key, "days", -MOST_DAYS, 0),
+            moves=self._moves(fields, key),
+            lasts=self._whole(fields, key, "lasts", 1, 1),
+            until=self._until(fields, key),
+            from_evening=calendar in FROM_EVENING,
+            doubtful="doubtful" in fields and self.reader.boolean(fields["doubtful"], f"{key}.doubtful"),
         )
         self.found[name] = feast
         return [("feast", feast)]
@@ -127,23 +128,21 @@ class _Feasts:
     def _until(self, fields: dict[str, Node], key: str) -> Feast | None:
         if "until" not in fields:
             return None
-        # A feast that stands above.
-        return self.found.get(self.reader.choice(fields["until"], f"{key}.until", self.found))
+        if "lasts" in fields:
+            message = "a holiday has one of 'lasts' and 'until', got both"
+            self.reader.mistake(fields["until"], f"{key}.until", message)
+        return self._above(fields["until"], f"{key}.until")
 
     # -- calendars --------------------------------------------------------------------------------------
-
-    def _date(self, node: Node, key: str) -> Observance:
-        return OnDate(*_month_day(self.tables, node, key))
 
     def _nth(self, node: Node, key: str) -> Observance:
         items = self.reader.sequence(node, key, 3)
         if not items:
             return OnWeekday(1, 0, 1)
-        nth = self.reader.whole(items[0], f"{key}[0]", -4, 4) or 1
+        nth = int(self.reader.choice(items[0], f"{key}[0]", NTHS) or 1)
         weekday = self.weekdays.get(self.reader.choice(items[1], f"{key}[1]", self.weekdays), 0)
-        return OnWeekday(
-            nth, weekday, self.months.get(self.reader.choice(items[2], f"{key}[2]", self.months), 1)
-        )
+        month = self.months.get(self.reader.choice(items[2], f"{key}[2]", self.months), 1)
+        return OnWeekday(nth, weekday, month)
 
     def _easter(self, node: Node, key: str, *, orthodox: bool) -> Observance:
         return FromEaster(self.reader.whole(node, key, -MOST_DAYS, MOST_DAYS), orthodox)
@@ -151,12 +150,11 @@ class _Feasts:
     def _solar_term(self, node: Node, key: str) -> Observance:
         return OnSolarTerm(self.reader.whole(node, key, 0, 359))
 
-    def _lunar(self, node: Node, key: str, *, kind: Callable[[int, int], Observance]) -> Observance:
-        """Read month and day of a calendar with other months."""
-        return kind(*_month_day(self.tables, node, key, other=True))
-
-    def _lunar_day(self, node: Node, key: str) -> Observance:
-        return OnLunarDay(*_month_day(self.tables, node, key, other=True))
+    def _on_day(
+        self, node: Node, key: str, *, kind: OnDay, months: tuple[int, ...] = LUNAR_MONTHS
+    ) -> Observance:
+        """Read month and day."""
+        return kind(*_month_day(self.tables, node, key, months))
 
     def _suns_entry(self, node: Node, key: str) -> Observance:
         return OnSunsEntry(self.reader.whole(node, key, 0, 359))
@@ -168,28 +166,48 @@ class _Feasts:
         sign = self.reader.whole(items[0], f"{key}[0]", 0, 11)
         return OnStar(sign, self.reader.whole(items[1], f"{key}[1]", 1, 27))
 
-    def _at(self, kept: OnLunarDay | OnSunsEntry, key: str, fields: dict[str, Node]) -> Observance:
-        """Read at which time of the day it is to prevail, and which of two such days it is."""
-        said = self.reader.choices(fields["at"], f"{key}.at", list(At)) if "at" in fields else ()
-        times = tuple(At(time) for time in said if time)
-        if isinstance(kept, OnSunsEntry):
-            return replace(kept, at=times[0]) if times else kept
+    def _behind(self, kept: OnSunsEntry, key: str, fields: dict[str, Node]) -> Observance:
+        """Read behind which time of the day it is on the next."""
+        time = self.reader.choice(fields["at"], f"{key}.at", list(At)) if "at" in fields else ""
+        return replace(kept, at=At(time)) if time else kept
+
+    def _prevailing(self, kept: OnLunarDay, key: str, fields: dict[str, Node]) -> Observance:
+        """Read at which times of the day it is to prevail, and which of two such days it is."""
+        items = self._items(fields["at"], f"{key}.at") if "at" in fields else ()
+        said = (self.reader.choice(item, path, list(At)) for item, path in items)
         later = "later" in fields and self.reader.boolean(fields["later"], f"{key}.later")
-        return replace(kept, at=times or kept.at, later=later)
+        return replace(kept, at=tuple(At(time) for time in said if time) or kept.at, later=later)
 
     def _one_of(self, node: Node, key: str) -> Observance:
         """Read feasts that stand above, on the days of any of which it is."""
-        names = self.reader.choices(node, key, self.found)
-        return OneOf(tuple(self.found[name] for name in names if name in self.found))
+        feasts = (self._above(item, path) for item, path in self._items(node, key))
+        return OneOf(tuple(feast for feast in feasts if feast is not None))
+
+    def _above(self, node: Node, key: str) -> Feast | None:
+        """Read the name of a feast that stands above."""
+        if isinstance(node, Scalar) and node.text in self.names and node.text not in self.found:
+            self.reader.mistake(node, key, f"must be a holiday that stands above, got {node.text!r}")
+            return None
+        return self.found.get(self.reader.choice(node, key, self.found))
+
+    def _items(self, node: Node, key: str) -> list[tuple[Node, str]]:
+        """Give one value, or those of a list, each with its path."""
+        if isinstance(node, Sequence) and not node.items:
+            self.reader.mistake(node, key, "must not be empty")
+        return self.reader.one_or_more(node, key)
 
 
-def _month_day(tables: Tables, node: Node, key: str, *, other: bool = False) -> tuple[int, int]:
-    text = tables.reader.string(node, key)
-    month, _, day = text.partition("-")
-    if month.isdecimal() and day.isdecimal() and 1 <= int(month) <= MOST_MONTHS:
-        longest = MOST_DAYS_OF_MONTH if other else 28 + 3 * (int(month) != 2)
-        if 1 <= int(day) <= longest:
-            return int(month), int(day)
-    shown = "month and day must look like 12-24" if other else "a day of the year must look like 12-24"
-    tables.reader.mistake(node, key, f"{shown}, got {text!r}")
+def _month_day(
+    tables: Tables, node: Node, key: str, months: tuple[int, ...] = GREGORIAN_MONTHS
+) -> tuple[int, int]:
+    """Read month and day of a calendar, given the days of its months."""
+    if not isinstance(node, Scalar):
+        tables.reader.string(node, key)
+        return 1, 1
+    month, _, day = node.text.partition("-")
+    known = month.isdecimal() and day.isdecimal() and 1 <= int(month) <= len(months)
+    if known and 1 <= int(day) <= months[int(month) - 1]:
+        return int(month), int(day)
+    message = f"month and day must look like 12-24, and be in every year, got {node.text!r}"
+    tables.reader.mistake(node, key, message)
     return 1, 1

@@ -3,7 +3,7 @@
 from datetime import time
 
 from fuzzytime.language.grammar.lexicon import form_of
-from fuzzytime.language.grammar.word_tables.tables import Form, Tables
+from fuzzytime.language.grammar.word_tables.tables import Form, Tables, numbered
 from fuzzytime.language.policy import DateOrder, Hours, Midnight, Policy, SameWeekday
 from fuzzytime.yaml_nodes import Node
 
@@ -56,7 +56,7 @@ def read_policy(tables: Tables) -> Policy:
     fields = reader.mapping(node, "policy", names, names)
     if len(fields) < len(names):
         return Policy()
-    weekdays = {f[0]: int(n.text) for n, rows in tables.rows("weekdays") for f in tables.forms(rows, "")}
+    weekdays = numbered(tables, "weekdays")
     plausible = reader.mapping(fields["plausible"], "policy.plausible", ("from", "to"), ("from", "to"))
     night = reader.mapping(fields["night"], "policy.night", NIGHT, NIGHT)
     weekend = reader.mapping(fields["weekend"], "policy.weekend", ("from", "days"), ("from", "days"))

@@ -77,16 +77,20 @@ class Tables:
         section: str,
         allowed: dict[str, bool],
         make: Callable[[str, dict[str, Node]], Iterable[tuple[str, Any]]],
+        one_of: Collection[str] = (),
     ) -> None:
         """Add the entries of a section whose rows are mappings: ``make`` gives categories and meanings.
 
-        ``allowed`` says which keys a row may have, and which it must.
+        ``allowed`` says which keys a row may have, and which it must; it must also have ``one_of`` some.
         """
+        message = f"must have one of {', '.join(map(repr, one_of))}"
         for name, node in self.rows(section):
             key = f"{section}.{name.text}"
             required = [field for field, must in allowed.items() if must]
             fields = self.reader.mapping(node, key, (*allowed, "also"), required)
             if any(field not in fields for field in required):
+                continue
+            if one_of and self.reader.one_of(node, key, one_of, message) is None:
                 continue
             said = [form_of(name.text)]
             if "also" in fields:
@@ -149,6 +153,12 @@ def numbers(tables: Tables, section: str) -> dict[str, int]:
             if len(form) == 1:
                 found[form[0]] = tables.reader.whole(name, f"{section}.{name.text}", 0, 99)
     return found
+
+
+def numbered(tables: Tables, section: str) -> dict[str, int]:
+    """Give the numbers of weekdays, or of months, by their words; a key that is none is told elsewhere."""
+    rows = ((name.text, tables.forms(node, f"{section}.{name.text}")) for name, node in tables.rows(section))
+    return {form[0]: int(number) for number, forms in rows if number.isdecimal() for form in forms}
 
 
 def by_form(tables: Tables, section: str) -> dict[Form, str]:
