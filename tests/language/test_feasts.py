@@ -1,6 +1,7 @@
 """Feasts fall on the days on which they were kept, and their calendars are calendars."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import date, timedelta
 from functools import cache
 from itertools import islice, pairwise
@@ -10,19 +11,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.language.finding import shipped_lexicon
-from fuzzytime.language.meaning.calendar import Today
-from fuzzytime.language.meaning.calendars.astronomy import moon, new_moon, new_moon_near, sun
-from fuzzytime.language.meaning.calendars.east_asian import (
-    CHINA,
-    KOREA,
-    VIETNAM,
-    month_starts,
-    sun_reaches,
-)
+from fuzzytime.language.meaning.calendar import Days, Today
+from fuzzytime.language.meaning.calendars.astronomy import moon, new_moon, new_moon_near, sun, sun_reaches
+from fuzzytime.language.meaning.calendars.east_asian import CHINA, KOREA, VIETNAM, month_starts
 from fuzzytime.language.meaning.calendars.easter import easter, orthodox_easter
 from fuzzytime.language.meaning.calendars.hebrew import gregorian, is_leap, month_lengths, new_year
 from fuzzytime.language.meaning.calendars.hindu import months_of
 from fuzzytime.language.meaning.calendars.islamic import month_start
+from fuzzytime.language.meaning.calendars.observance import OnDate
 from fuzzytime.language.meaning.feasts import Feast, OfYear
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.language.policy import Policy
@@ -256,6 +252,18 @@ def test_a_feast_comes_every_year_or_where_the_moon_rules_alone_in_the_end(year:
 def test_a_year_for_which_no_moon_is_computed_is_refused() -> None:
     with pytest.raises(UngroundedError, match="known for the years 1900 to 2199, not for 2300"):
         next(OfYear(feasts()["ramadan"], 2300).upcoming(TODAY, TODAY.day))
+
+
+def test_a_feast_has_its_days_in_the_first_and_the_last_year_in_which_it_is_known() -> None:
+    for name, feast in feasts().items():
+        for year in (feast.years[0], feast.years[-1]):
+            assert all(days.first < days.end for days in feast.of_year(year)), name
+
+
+def test_a_feast_is_known_where_the_one_that_it_lasts_until_is_known() -> None:
+    feast = Feast("winter feast", OnDate(12, 1), until=feasts()["orthodox christmas"])
+    assert feast.of_year(2026) == (Days(date(2026, 12, 1), date(2027, 1, 7)),)
+    assert replace(feast, until=feasts()["diwali"]).years == range(1900, 2200)
 
 
 def test_a_feast_of_several_days_ends_where_another_begins() -> None:

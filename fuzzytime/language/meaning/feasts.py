@@ -3,10 +3,11 @@
 from abc import abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
-from datetime import MAXYEAR, date, timedelta
+from datetime import date, timedelta
+from functools import reduce
 
 from fuzzytime.language.meaning.calendar import SEARCHED_YEARS, Calendar, Days, Today
-from fuzzytime.language.meaning.calendars.observance import Observance
+from fuzzytime.language.meaning.calendars.observance import KNOWN_YEARS, Observance
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Unit
 
@@ -19,7 +20,7 @@ class Yearly(Calendar):
     @property
     def years(self) -> range:
         """The years in which it is known."""
-        return range(1, MAXYEAR)
+        return KNOWN_YEARS
 
     @abstractmethod
     def of_year(self, year: int) -> tuple[Days, ...]:
@@ -126,8 +127,8 @@ class Feast(Yearly):
 
     @property
     def years(self) -> range:
-        """The years in which its days are known."""
-        return self.kept.years
+        """The years in which its days, and the one that it lasts until, are known."""
+        return self.kept.years if self.until is None else _common(self.kept.years, self.until.years)
 
     def of_year(self, year: int) -> tuple[Days, ...]:
         """Give its days in a year."""
@@ -146,6 +147,11 @@ class Feast(Yearly):
         return next(end for end in ends if end > first)
 
 
+def _common(first: range, second: range) -> range:
+    """Give the years of both."""
+    return range(max(first.start, second.start), min(first.stop, second.stop))
+
+
 @dataclass(frozen=True, slots=True)
 class OneOf(Observance):
     """On the days of several feasts: an eid is either of two."""
@@ -155,8 +161,7 @@ class OneOf(Observance):
     @property
     def years(self) -> range:
         """Those in which all are known."""
-        known = [feast.years for feast in self.feasts]
-        return range(max(years.start for years in known), min(years.stop for years in known))
+        return reduce(_common, (feast.years for feast in self.feasts))
 
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give the days of all."""

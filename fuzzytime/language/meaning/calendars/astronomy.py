@@ -9,6 +9,7 @@ chapter 47, as are the times of rising and setting, chapters 12, 13, 15 and 28.
 from bisect import bisect
 from collections.abc import Callable
 from dataclasses import dataclass
+from datetime import date
 from functools import cache
 from math import acos, asin, atan2, cos, degrees, radians, sin
 
@@ -22,6 +23,9 @@ SYNODIC_MONTH = 29.530588861
 """Days from new moon to new moon, on average."""
 
 TROPICAL_YEAR = 365.24219
+SUN_AT_NEW_YEAR = 280
+"""Longitude of the sun on the first of January, about."""
+
 FIRST_NEW_MOON = 730_125.59766
 """The mean new moon of January 2000, from which new moons are counted."""
 
@@ -117,6 +121,18 @@ def moment_of(angle: Callable[[float], float], wanted: float, near: float, perio
         if abs(miss) < 1e-5:
             break
     return moment
+
+
+def moment_in_year(angle: Callable[[float], float], wanted: float, begins: float, year: int) -> float:
+    """Give the moment of a year at which an angle of the sun is as wanted, that ``begins`` it about there."""
+    days = (wanted - begins) % 360 / 360 * TROPICAL_YEAR
+    return moment_of(angle, wanted, date(year, 1, 1).toordinal() + days, TROPICAL_YEAR)
+
+
+@cache
+def sun_reaches(longitude: int, year: int) -> float:
+    """Give the moment of a year at which the sun reaches a longitude."""
+    return moment_in_year(sun, longitude, SUN_AT_NEW_YEAR, year)
 
 
 @cache

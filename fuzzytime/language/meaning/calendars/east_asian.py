@@ -11,13 +11,12 @@ from functools import cache
 from math import floor
 
 from fuzzytime.language.meaning.calendars.astronomy import (
-    TROPICAL_YEAR,
-    moment_of,
     new_moon,
     new_moon_before,
     sun,
+    sun_reaches,
 )
-from fuzzytime.language.meaning.calendars.observance import COMPUTED_YEARS, Observance
+from fuzzytime.language.meaning.calendars.observance import BySky
 
 CHINA, KOREA, VIETNAM = 8, 9, 7
 """Hours by which their clocks are ahead of universal time."""
@@ -25,16 +24,6 @@ CHINA, KOREA, VIETNAM = 8, 9, 7
 ELEVENTH = 11
 LONGEST = 13
 """Months of a year that has a leap month."""
-
-NEW_YEARS_SUN = 280
-"""Where the sun stands on the first of January, about."""
-
-
-@cache
-def sun_reaches(longitude: int, year: int) -> float:
-    """Give the moment of a year at which the sun reaches a longitude."""
-    days = (longitude - NEW_YEARS_SUN) % 360 / 360 * TROPICAL_YEAR
-    return moment_of(sun, longitude, date(year, 1, 1).toordinal() + days, TROPICAL_YEAR)
 
 
 def _eleventh_month(year: int, hours: int) -> int:
@@ -57,17 +46,12 @@ def month_starts(year: int, hours: int) -> dict[int, int]:
 
 
 @dataclass(frozen=True, slots=True)
-class OnEastAsianDate(Observance):
+class OnEastAsianDate(BySky):
     """On a day of a lunisolar calendar, by the clocks of its country."""
 
     month: int
     day: int
     hours: int = CHINA
-
-    @property
-    def years(self) -> range:
-        """Those for which the moon is computed."""
-        return COMPUTED_YEARS
 
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give its days."""
@@ -78,15 +62,10 @@ class OnEastAsianDate(Observance):
 
 
 @dataclass(frozen=True, slots=True)
-class OnSolarTerm(Observance):
+class OnSolarTerm(BySky):
     """On the day on which the sun reaches a longitude, by the clocks of China."""
 
     longitude: int
-
-    @property
-    def years(self) -> range:
-        """Those for which the sun is computed."""
-        return COMPUTED_YEARS
 
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give its day."""

@@ -1,9 +1,9 @@
 """Easter of the western and of the eastern churches."""
 
 from dataclasses import dataclass
-from datetime import MAXYEAR, date, timedelta
+from datetime import date, timedelta
 
-from fuzzytime.language.meaning.calendars.observance import Observance
+from fuzzytime.language.meaning.calendars.observance import KNOWN_YEARS, Observance
 
 FIRST_YEAR = 326
 """The year after the council that set the rule of Easter."""
@@ -54,7 +54,7 @@ class FromEaster(Observance):
     @property
     def years(self) -> range:
         """Those that the rule of Easter is kept in."""
-        return range(FIRST_YEAR, MAXYEAR)
+        return range(FIRST_YEAR, KNOWN_YEARS.stop)
 
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give its day."""

@@ -5,7 +5,7 @@ Dershowitz and Reingold, Calendrical Calculations, tell it, and Maimonides befor
 """
 
 from dataclasses import dataclass
-from datetime import MAXYEAR, date
+from datetime import date
 from functools import cache
 
 from fuzzytime.language.meaning.calendars.observance import Observance
@@ -82,13 +82,8 @@ class OnHebrewDate(Observance):
     month: int
     day: int
 
-    @property
-    def years(self) -> range:
-        """All that have another two before and behind them, from which they are counted."""
-        return range(3, MAXYEAR - 1)
-
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give its days."""
-        near = range(year + YEARS_AHEAD - 1, year + YEARS_AHEAD + 3)
+        near = (year + YEARS_AHEAD, year + YEARS_AHEAD + 1)
         found = (gregorian(hebrew, self.month, self.day) for hebrew in near)
         return tuple(day for day in found if day.year == year)

@@ -17,18 +17,18 @@ from math import floor
 
 from fuzzytime.language.meaning.calendars.astronomy import (
     SYNODIC_MONTH,
-    TROPICAL_YEAR,
     Place,
     centuries,
     daylight,
     elongation,
+    moment_in_year,
     moment_of,
     moon,
     new_moon,
     new_moon_near,
     sun,
 )
-from fuzzytime.language.meaning.calendars.observance import COMPUTED_YEARS, Observance
+from fuzzytime.language.meaning.calendars.observance import BySky
 
 UJJAIN = Place(23.18, 75.77, 5.5)
 
@@ -38,8 +38,11 @@ LUNAR_DAY = 12
 STAR = 360 / 27
 """Degrees of a star of the moon."""
 
-SIGNS_AT_NEW_YEAR = 255
-"""Where the sun stands among the stars on the first of January, about."""
+SUN_AT_NEW_YEAR = 255
+"""Longitude of the sun among the stars on the first of January, about."""
+
+ZERO_POINT, PRECESSION = 23.8531, 1.39697
+"""Degrees from the point of spring to Lahiri's zero point of the stars in 2000, and more in a century."""
 
 
 class At(StrEnum):
@@ -77,7 +80,7 @@ _SHARES = {
 
 
 def _among_stars(body: Callable[[float], float], moment: float) -> float:
-    return (body(moment) - 23.8531 - 1.39697 * centuries(moment)) % 360
+    return (body(moment) - ZERO_POINT - PRECESSION * centuries(moment)) % 360
 
 
 def _sun_among_stars(moment: float) -> float:
@@ -112,7 +115,7 @@ def lunar_day(number: int, day: int) -> tuple[float, float]:
 
 
 @dataclass(frozen=True, slots=True)
-class OnLunarDay(Observance):
+class OnLunarDay(BySky):
     """On the day on which a lunar day prevails at a time; of several times, the first at which it ever does.
 
     Of two such days, it is the first, or the ``later``; where there is none, that in which it begins.
@@ -122,11 +125,6 @@ class OnLunarDay(Observance):
     day: int
     at: tuple[At, ...] = (At.SUNRISE,)
     later: bool = False
-
-    @property
-    def years(self) -> range:
-        """Those for which the moon is computed."""
-        return COMPUTED_YEARS
 
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give its days."""
@@ -147,16 +145,11 @@ class OnLunarDay(Observance):
 
 
 @dataclass(frozen=True, slots=True)
-class OnSunsEntry(Observance):
+class OnSunsEntry(BySky):
     """On the day on which the sun reaches a longitude among the stars; behind a time of it, on the next."""
 
     longitude: int
     at: At = At.SUNSET
-
-    @property
-    def years(self) -> range:
-        """Those for which the sun is computed."""
-        return COMPUTED_YEARS
 
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give its day."""
@@ -167,21 +160,16 @@ class OnSunsEntry(Observance):
 
 @cache
 def _sun_enters(longitude: int, year: int) -> float:
-    days = (longitude - SIGNS_AT_NEW_YEAR) % 360 / 360 * TROPICAL_YEAR
-    return moment_of(_sun_among_stars, longitude, date(year, 1, 1).toordinal() + days, TROPICAL_YEAR)
+    """Give the moment of a year at which the sun reaches a longitude among the stars."""
+    return moment_in_year(_sun_among_stars, longitude, SUN_AT_NEW_YEAR, year)
 
 
 @dataclass(frozen=True, slots=True)
-class OnStar(Observance):
+class OnStar(BySky):
     """On the last day of a month of the sun at whose sunrise the moon is with a star, of 27."""
 
     sign: int
     star: int
-
-    @property
-    def years(self) -> range:
-        """Those for which the moon is computed."""
-        return COMPUTED_YEARS
 
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give its day."""

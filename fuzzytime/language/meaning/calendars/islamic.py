@@ -18,7 +18,7 @@ from fuzzytime.language.meaning.calendars.astronomy import (
     new_moon,
     new_moon_near,
 )
-from fuzzytime.language.meaning.calendars.observance import COMPUTED_YEARS, Observance
+from fuzzytime.language.meaning.calendars.observance import BySky
 
 MECCA = Place(21.4225, 39.8262, 3)
 MUHARRAM_1421 = 3
@@ -36,16 +36,11 @@ def month_start(number: int) -> int:
 
 
 @dataclass(frozen=True, slots=True)
-class OnIslamicDate(Observance):
+class OnIslamicDate(BySky):
     """On a day of the Islamic calendar; months from Muharram on."""
 
     month: int
     day: int
-
-    @property
-    def years(self) -> range:
-        """Those for which the moon is computed."""
-        return COMPUTED_YEARS
 
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give its days."""

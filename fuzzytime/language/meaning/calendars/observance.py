@@ -5,6 +5,9 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from datetime import MAXYEAR, date
 
+KNOWN_YEARS = range(2, MAXYEAR)
+"""All years but the first and the last: what is moved, or lasts, may lie in the year before, or behind."""
+
 COMPUTED_YEARS = range(1900, 2200)
 """The years for which the sun and the moon are computed: there the formulas hold."""
 
@@ -17,11 +20,22 @@ class Observance(ABC):
     @property
     def years(self) -> range:
         """The Gregorian years in which its days are known."""
-        return range(1, MAXYEAR + 1)
+        return KNOWN_YEARS
 
     @abstractmethod
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give the days of a Gregorian year on which it begins, ascending: one, or none, or two."""
+
+
+class BySky(Observance):
+    """How a feast finds its days by the sun or the moon."""
+
+    __slots__ = ()
+
+    @property
+    def years(self) -> range:
+        """Those for which the sun and the moon are computed."""
+        return COMPUTED_YEARS
 
 
 @dataclass(frozen=True, slots=True)

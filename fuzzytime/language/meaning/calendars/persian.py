@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from datetime import date, timedelta
 from math import ceil
 
-from fuzzytime.language.meaning.calendars.east_asian import sun_reaches
-from fuzzytime.language.meaning.calendars.observance import COMPUTED_YEARS, Observance
+from fuzzytime.language.meaning.calendars.astronomy import sun_reaches
+from fuzzytime.language.meaning.calendars.observance import BySky
 
 TEHRAN_HOURS = 3.5
 LONG_MONTHS = 6
@@ -13,16 +13,11 @@ LONG_MONTHS = 6
 
 
 @dataclass(frozen=True, slots=True)
-class OnPersianDate(Observance):
+class OnPersianDate(BySky):
     """On a day of the Persian calendar; months from Farvardin on."""
 
     month: int
     day: int
-
-    @property
-    def years(self) -> range:
-        """Those for which the sun is computed."""
-        return COMPUTED_YEARS
 
     def in_year(self, year: int) -> tuple[date, ...]:
         """Give its days."""
