@@ -70,6 +70,15 @@ def denies(text: str) -> bool:
     return _DENIALS.search(text.lower().replace("\u2019", "'")) is not None
 
 
+def looks_plural(word: str) -> bool:
+    """Whether a word is as it is of more than one thing, by its ending.
+
+    >>> looks_plural("eggs"), looks_plural("glass")
+    (True, False)
+    """
+    return word.endswith("s") and not word.endswith("ss")
+
+
 def singular(word: str) -> str:
     """Give a word as it is of one thing, by its ending.
 
@@ -80,7 +89,7 @@ def singular(word: str) -> str:
         return word[:-3] + "y"
     if word.endswith("oes"):
         return word[:-2]
-    return word[:-1] if word.endswith("s") and not word.endswith("ss") and len(word) > 3 else word
+    return word[:-1] if looks_plural(word) and len(word) > 3 else word
 
 
 def singular_forms(word: str) -> list[str]:

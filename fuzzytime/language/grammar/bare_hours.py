@@ -4,10 +4,10 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.timetables import (
     counts_nothing,
+    has_time,
     in_timetable,
     is_hour_of,
     leads_entry,
-    timed_words,
 )
 from fuzzytime.language.grammar.words import joins
 from fuzzytime.language.meaning.expressions import Said, Wall
@@ -113,10 +113,14 @@ class BareHours(Standing):
         """Whether two typed numbers stand in front of what is then: "14.30 tea"; but "2.50 coffee"."""
         clock = piece.value.time.clock
         typed = clock is not None and self.words[piece.start].is_digits
-        begins = all(text in LINE_STARTS for text in self.texts[max(0, piece.start - 1) : piece.start])
-        if not typed or not begins or not counts_nothing(self.words, piece.end, self.lexicon):
+        leads = self._begins_line(piece) and counts_nothing(self.words, piece.end, self.lexicon)
+        if not typed or not leads:
             return False
         return clock.hour >= self.lexicon.policy.bare_pair_from or clock.minute in QUARTERS
+
+    def _begins_line(self, piece: Piece) -> bool:
+        """Whether it stands at the start of a text, or of an entry."""
+        return not piece.start or self.texts[piece.start - 1] in LINE_STARTS
 
     def _ends_order(self, piece: Piece) -> bool:
         """Whether nothing more is said of what is to be done behind it."""
@@ -133,11 +137,10 @@ class BareHours(Standing):
 
     def _opens_line(self, piece: Piece, said: Said) -> bool:
         """Whether it stands in front of what is then, and counts nothing: "1430 tea", "@9 standup"."""
-        begins = all(text in LINE_STARTS for text in self.texts[max(0, piece.start - 1) : piece.start])
-        if not begins:
+        if not self._begins_line(piece):
             return False
         first, number = self.texts[piece.start], self.texts[piece.end - 1]
-        behind = piece.end + (self.texts[piece.end : piece.end + 1] in ([":"], ["-"]))
+        behind = piece.end + (self.around.follower(piece) in {":", "-"})
         if said.preposition is None and is_hour_of(self.words, piece.start, piece.end, self.lexicon):
             # "12 lunch", "9 market"
             return True
@@ -150,9 +153,8 @@ class BareHours(Standing):
         if said.preposition is not None or not whole or number in YEARS:
             return False
         # "1000 piece puzzle", but "1000 briefing"
-        known = self.around.follower(piece) in timed_words(self.lexicon) or self.around.is_part_or_meal(
-            piece.end
-        )
+        known = has_time(self.around.follower(piece), self.lexicon)
+        known = known or self.around.is_part_or_meal(piece.end)
         return known or number.startswith("0") or not number.endswith("00")
 
     def _leads_to_distance(self, piece: Piece) -> bool:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Edge, Phrase, Wall
@@ -32,7 +33,7 @@ def is_due(texts: Sequence[str], place: int, lexicon: Lexicon) -> bool:
     if before in beside.there:
         return True
     what = clause[verb + 1 : verb + 2]
-    several = what[0].endswith("s") and not what[0].endswith("ss") if what else False
+    several = bool(what) and looks_plural(what[0])
     if clause[verb] == GET and (several or not lexicon.closed.indefinite_determiners.isdisjoint(what)):
         # "Get tickets to the show for two", "get a room at the inn for two"
         return False

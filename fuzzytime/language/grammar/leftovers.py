@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.language.meaning.relations import Relative, Which
@@ -32,16 +33,17 @@ ZEROS = frozenset({"t", "h", "d", "l"})
 MOMENTS = frozenset({"t", "h"})
 """Those of them that hardly number a thing: "vitamin D-3"."""
 
-HALVES = frozenset({"am", "pm"})
-"""Halves of the day."""
+HALF = "day_half"
+"""The category of halves of the day: "pm"."""
 
 BOTH = frozenset({"&", "/", "+"})
-"""Marks between two of them that are both meant."""
+"""Marks between two halves of the day that are both meant."""
 
 LONGEST_COUNT = 3
 """Digits of such a number at most."""
 
 SIGNS = frozenset({"-", "+"})
+"""Marks between such a letter and the number: before it, and behind."""
 
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
@@ -72,8 +74,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
         for category in TELLING & cell.keys():
             for piece in cell[category].values():
                 words = scanned.words[piece.start : piece.end]
-                span = (words[0].start, words[-1].end)
-                if any(first < span[1] and span[0] < end for first, end in explained):
+                if _meets(explained, words[0], words[-1]):
                     continue
                 counted = start > 0 and "integer" in scanned.cells[start - 1]
                 doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
@@ -98,17 +99,20 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
         for piece in cell.get("feast", {}).values():
             # "On orthodox easter"
             other = start > 0 and around.texts[start - 1] in lexicon.other_calendars
-            first = scanned.words[piece.start].start
-            other = other and not any(begin <= first < end for begin, end in explained)
-            if other and around.may_end(piece):
+            word = scanned.words[piece.start]
+            if other and around.may_end(piece) and not _meets(explained, word, word):
                 yield from range(start - 1, piece.end)
+
+
+def _meets(explained: Sequence[Span], first: Word, last: Word) -> bool:
+    """Whether some of the words from one to another were understood."""
+    return any(begin < last.end and first.start < end for begin, end in explained)
 
 
 def _weekends(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
     """Give the places of weekends that are not known: "over the bank holiday weekend"."""
     for place, word in enumerate(scanned.words):
-        known = any(first < word.end and word.start < end for first, end in explained)
-        if word.text != WEEKEND or known:
+        if word.text != WEEKEND or _meets(explained, word, word):
             continue
         led = next(
             (p for p in range(place - 2, max(-1, place - LONGEST_WEEKEND), -1) if _binds(around, p)), None
@@ -124,7 +128,7 @@ def _dates(scanned: Scanned, explained: Sequence[Span], around: Surroundings) ->
         ends = around.texts[place + 2 : place + 3]
         typed = word.is_digits and not around.beside.ordinal_endings.isdisjoint(ends)
         led = around.texts[place] == "the" and around.texts[place - 1] in around.beside.dated
-        known = any(first < word.end and word.start < end for first, end in explained)
+        known = _meets(explained, word, word)
         behind = around.texts[place + 2 + typed : place + 3 + typed]
         named = any(text.isalpha() and text not in around.lexicon.function_words for text in behind)
         if led and not known and not named and (typed or word.text in around.lexicon.ordinals):
@@ -136,7 +140,6 @@ def _counted_from_zero(scanned: Scanned, explained: Sequence[Span]) -> Iterator[
     words = scanned.words
     for place in range(len(words) - 2):
         letter, sign, number = words[place : place + 3]
-        known = any(first < number.end and letter.start < end for first, end in explained)
         heads = not place or words[place - 1].text in {";", ",", "at", "@"}
         ends = place + 3 == len(words) or words[place + 3].text in {";", ",", "."}
         # "Vitamin D-3 at eight", "the T-1000"
@@ -144,7 +147,7 @@ def _counted_from_zero(scanned: Scanned, explained: Sequence[Span]) -> Iterator[
         whole = named and len(number.text) <= LONGEST_COUNT
         counts = sign.text in SIGNS and sign.glued and number.is_digits and number.glued
         signed = sign.text != "-" or letter.capital
-        if whole and counts and signed and not known:
+        if whole and counts and signed and not _meets(explained, letter, number):
             yield from range(place, place + 3)
 
 
@@ -152,17 +155,22 @@ def _halves(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> It
     """Give the places of halves of the day that stand alone: "am: laundry, pm: cook", "iron pm"."""
     words = scanned.words
     for place, word in enumerate(words):
-        if word.text not in HALVES or any(first < word.end and word.start < end for first, end in explained):
+        if not lexicon.means(word.text, HALF) or _meets(explained, word, word):
             continue
-        begins = not place or words[place - 1].text in {";", ","}
-        headed = begins and [one.text for one in words[place + 1 : place + 2]] == [":"]
-        ends = place + 1 == len(words) or words[place + 1].text in {";", ",", "."}
-        before = words[place - 1].text if place else ""
-        inside = lexicon.function_words | lexicon.closed.coordinators
-        alone = before[:1].isalpha() and before not in inside
-        alone = alone or (before in BOTH and place > 1 and words[place - 2].text in HALVES)
-        if headed or (ends and alone):
+        before, behind = words[max(0, place - 1) : place], words[place + 1 : place + 2]
+        begins = not before or before[0].text in {";", ","}
+        headed = begins and bool(behind) and behind[0].text == ":"
+        ends = not behind or behind[0].text in {";", ",", "."}
+        if headed or (ends and bool(before) and _is_left_over(words, place, lexicon)):
             yield place
+
+
+def _is_left_over(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a half of the day stands behind a thing, or behind the other: "iron pm", "am/pm"."""
+    before = words[place - 1].text
+    if before in BOTH:
+        return place > 1 and lexicon.means(words[place - 2].text, HALF)
+    return before[:1].isalpha() and before not in lexicon.function_words | lexicon.closed.coordinators
 
 
 def _is_rate(piece: Piece, around: Surroundings) -> bool:

@@ -17,9 +17,11 @@ DEGREES_DIGITS = 3
 """Digits of a temperature, and of no hour."""
 
 ENTRY_ENDS = frozenset({",", ";", "\n", "."})
-JOINTS = frozenset({"and", "then"})
+"""Marks behind the entries of a list."""
+
 SHORTEST_LIST = 2
 """Entries of a list at least."""
+
 LONGEST_ENTRY = 3
 """Words at most before the number of an entry."""
 
@@ -73,7 +75,7 @@ def is_timed_entry(texts: Sequence[str], first: int, end: int, lexicon: Lexicon)
         return False
     if end < len(texts) and texts[end] not in ENTRY_ENDS:
         return False
-    entries = list(_entries(texts))
+    entries = list(_entries(texts, lexicon))
     numbered = [entry for entry in entries if entry[-1].isdecimal()]
     # "Simmer 20 min, rest 5"
     long = [entry for entry in entries if entry not in numbered and _ends_in_length(entry, lexicon)]
@@ -81,7 +83,7 @@ def is_timed_entry(texts: Sequence[str], first: int, end: int, lexicon: Lexicon)
     return listed and all(_goes_on_for(entry, lexicon) for entry in numbered)
 
 
-def _entries(texts: Sequence[str]) -> Iterator[list[str]]:
+def _entries(texts: Sequence[str], lexicon: Lexicon) -> Iterator[list[str]]:
     """Give the entries of a list, without the words that join them."""
     entry: list[str] = []
     for text in (*texts, ","):
@@ -89,7 +91,7 @@ def _entries(texts: Sequence[str]) -> Iterator[list[str]]:
             if entry:
                 yield entry
             entry = []
-        elif entry or text not in JOINTS:
+        elif entry or text not in lexicon.closed.joints_of_instances:
             entry.append(text)
 
 
@@ -97,8 +99,7 @@ def _ends_in_length(entry: Sequence[str], lexicon: Lexicon) -> bool:
     """Whether an entry ends in minutes or another unit, and begins with what takes them."""
     if len(entry) < LONGEST_ENTRY or not entry[-2].isdecimal():
         return False
-    unit = any(found.category == "unit" for found in lexicon.entries.get(entry[-1], ()))
-    return unit and _goes_on_for(entry[:-1], lexicon)
+    return lexicon.means(entry[-1], "unit") and _goes_on_for(entry[:-1], lexicon)
 
 
 def _goes_on_for(entry: Sequence[str], lexicon: Lexicon) -> bool:

@@ -239,6 +239,11 @@ class Lexicon:
             if end and not (entry.category == "unit" and _ends_sentence(words, end)):
                 yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
 
+    def means(self, text: str, *categories: str) -> bool:
+        """Whether a word alone has a meaning of one of some categories: "friday" is a "weekday"."""
+        entries = self.entries.get(text, ())
+        return any(entry.category in categories and len(entry.words) == 1 for entry in entries)
+
 
 def _ends_sentence(words: Sequence[Word], end: int) -> bool:
     """Whether a full stop before a place is no abbreviation's: "for two min. Add the salt"."""

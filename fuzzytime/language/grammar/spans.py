@@ -86,7 +86,7 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
         if word.text in lexicon.fillers or _is_clipped(words, place + 1, lexicon):
             continue
         if _is_inside(words, place):
-            if word.text == "." and _is_month(words[place - 1].text, lexicon):
+            if word.text == "." and lexicon.means(words[place - 1].text, "month"):
                 # "September.16th"
                 continue
             if word.text == "~":
@@ -134,12 +134,6 @@ def _is_ellipsis(words: Sequence[Word], place: int) -> bool:
     around = words[first - 1 : first + 3] if first > 0 else ()
     points = [word.text for word in around[1:3]] == [".", "."]
     return points and len(around) == LONGEST_ELLIPSIS and around[0].is_digits and _is_inside(words, first + 1)
-
-
-def _is_month(text: str, lexicon: Lexicon) -> bool:
-    return any(
-        entry.category == "month" and entry.words == (text,) for entry in lexicon.entries.get(text, ())
-    )
 
 
 def _is_clipped(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
@@ -88,7 +89,7 @@ class Surroundings:
         """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
         behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
         follower = self.follower(piece)
-        plural = (follower.endswith("s") and not follower.endswith("ss")) or follower in self.beside.plurals
+        plural = looks_plural(follower) or follower in self.beside.plurals
         # "By five call mum": what more than one counts is a plural.
         counted = (
             self.texts[piece.end - 1] not in self.closed.singular_determiners and piece.end - piece.start > 1

@@ -3,10 +3,12 @@
 from collections.abc import Iterator, Sequence
 from itertools import takewhile
 
+from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 
 SEPARATORS = frozenset({",", ";", "\n"})
+"""Marks between entries."""
 JOINTS = frozenset({":", "."})
 """Marks between hour and minute."""
 STRETCHES = JOINTS | {"-"}
@@ -16,7 +18,8 @@ HALF_DAY = 12
 DAY = 24
 """Hours of a day, which one with minutes may name."""
 MINUTES = 60
-FOUR = 4
+"""Minutes of an hour."""
+TOGETHER = 4
 """Digits of hour and minute together: "1830"."""
 LONGEST_DAY = 2
 """Words of a day in front of a list at most: "fri:"."""
@@ -58,15 +61,11 @@ def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon)
     entries = [(_behind_day(words, first, last, lexicon), last) for first, last in _entries(words)]
     if not any((first == start) != (last == end) for first, last in entries):
         return False
-    named = [
-        word.text
-        for first, last in entries
-        for word in (_beside_stretch(words[first:last]),)
-        if word is not None and word.is_letters
-    ]
+    found = (_beside_stretch(words[first:last]) for first, last in entries)
+    named = [word.text for word in found if word is not None and word.is_letters]
     beside = words[start - 1] if any(last == end for _, last in entries) else words[end]
-    sure = not timed_words(lexicon).isdisjoint(named)
-    return sure and (beside.text in timed_words(lexicon) or len(named) > 1) and beside.is_letters
+    sure = any(has_time(text, lexicon) for text in named)
+    return sure and (has_time(beside.text, lexicon) or len(named) > 1) and beside.is_letters
 
 
 def _beside_stretch(entry: Sequence[Word]) -> Word | None:
@@ -80,10 +79,7 @@ def _beside_stretch(entry: Sequence[Word]) -> Word | None:
 
 def _behind_day(words: Sequence[Word], first: int, last: int, lexicon: Lexicon) -> int:
     """Give where an entry begins behind its day: "fri | 9 dentist"."""
-    day = first < last and any(
-        entry.category in {"weekday", "day"} and len(entry.words) == 1
-        for entry in lexicon.entries.get(words[first].text, ())
-    )
+    day = first < last and lexicon.means(words[first].text, "weekday", "day")
     place = first + day
     while day and place < last and words[place].text in {":", "-"}:
         place += 1
@@ -92,39 +88,34 @@ def _behind_day(words: Sequence[Word], first: int, last: int, lexicon: Lexicon) 
 
 def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon: Lexicon) -> bool:
     """Whether each entry ends in its hour."""
-    numbers = [_number_at_end(words[first:last], lexicon) for first, last in entries]
-    if any(length is None for length in numbers):
+    lengths = [_number_at_end(words[first:last], lexicon) for first, last in entries]
+    if not all(lengths):
         return False
-    named = [words[last - (length or 0) - 1].text for (_, last), length in zip(entries, numbers, strict=True)]
-    minutes = any((length or 0) > 1 for length in numbers)
-    minutes = minutes or any(words[last - 1].text.startswith("0") for _, last in entries)
+    named = [words[last - length - 1].text for (_, last), length in zip(entries, lengths, strict=True)]
+    exact = sum(length > 1 for length in lengths)
     goes_on = lexicon.timing | lexicon.timing_alone
-    # "Dough out 6am, shape 6:30, bake 7"; but "shape it 6:30, bake 40"
-    sure = sum((length or 0) > 1 for length in numbers)
     lasting = any(
         words[first].text in goes_on and length == 1
-        for (first, _), length in zip(entries, numbers, strict=True)
+        for (first, _), length in zip(entries, lengths, strict=True)
     )
-    return (not lasting or sure >= SURELY) and (
-        minutes or any(text in timed_words(lexicon) for text in named)
-    )
+    if lasting and exact < SURELY:
+        # "Shape it 6:30, bake 40"; but "dough out 6am, shape 6:30, bake 7"
+        return False
+    led = any(words[last - 1].text.startswith("0") for _, last in entries)
+    return exact > 0 or led or any(has_time(text, lexicon) for text in named)
 
 
 def _all_lead(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon: Lexicon) -> bool:
     """Whether each entry begins with its hour: "10am vet; 12 lunch"; but "2 eggs; 3 onions"."""
-    numbers = [_number_in_front(words[first:last], lexicon) for first, last in entries]
-    if any(length is None for length in numbers):
+    lengths = [_number_in_front(words[first:last], lexicon) for first, last in entries]
+    if not all(lengths):
         return False
-    named = [words[first + (length or 0)].text for (first, _), length in zip(entries, numbers, strict=True)]
-    surely = any((length or 0) > 1 for length in numbers) or any(
-        text in timed_words(lexicon) for text in named
-    )
-    surely = surely or all(words[first].text.startswith("0") for first, _ in entries[:1])
-    counted = any(
-        length == 1 and text.endswith("s") and text not in timed_words(lexicon)
-        for length, text in zip(numbers, named, strict=True)
-    )
-    return surely and not counted
+    named = [words[first + length].text for (first, _), length in zip(entries, lengths, strict=True)]
+    counted = (text for text, length in zip(named, lengths, strict=True) if length == 1)
+    if any(looks_plural(text) and not has_time(text, lexicon) for text in counted):
+        return False
+    exact = any(length > 1 for length in lengths) or words[entries[0][0]].text.startswith("0")
+    return exact or any(has_time(text, lexicon) for text in named)
 
 
 def is_hour_of(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
@@ -132,9 +123,9 @@ def is_hour_of(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) ->
     number, behind = words[start].text, [word.text for word in words[end : end + 2]]
     if end - start != 1 or not number.isdecimal() or not 1 < int(number) <= HALF_DAY or not behind:
         return False
-    several = behind[0].endswith("s") and not behind[0].endswith("ss")
-    ends = behind[1:] == [] or behind[1] in SEPARATORS or behind[1] in lexicon.function_words
-    return ends and not several and behind[0] in lexicon.happening | lexicon.taken
+    thing, *after = behind
+    ends = not after or after[0] in SEPARATORS or after[0] in lexicon.function_words
+    return ends and not looks_plural(thing) and thing in lexicon.happening | lexicon.taken
 
 
 def counts_nothing(words: Sequence[Word], place: int, lexicon: Lexicon, *, plural: bool = False) -> bool:
@@ -145,15 +136,15 @@ def counts_nothing(words: Sequence[Word], place: int, lexicon: Lexicon, *, plura
     if place >= len(words) or not words[place].is_letters:
         return False
     text = words[place].text
-    several = text.endswith("s") and not text.endswith("ss") and text not in timed_words(lexicon)
-    units = any(found.category == "unit" for found in lexicon.entries.get(text, ()))
-    inside = text in lexicon.function_words | lexicon.measure_nouns or len(text) == 1
-    return not ((several and not plural) or units or inside)
+    several = looks_plural(text) and not has_time(text, lexicon)
+    inside = text in lexicon.function_words or text in lexicon.measure_nouns or len(text) == 1
+    return not ((several and not plural) or inside or lexicon.means(text, "unit"))
 
 
-def timed_words(lexicon: Lexicon) -> frozenset[str]:
-    """Give what has a time, or somebody that is met."""
-    return lexicon.persons | lexicon.animals | lexicon.events | lexicon.happening | lexicon.taken
+def has_time(text: str, lexicon: Lexicon) -> bool:
+    """Whether a word names what has a time, or somebody that is met."""
+    known = (lexicon.persons, lexicon.animals, lexicon.events, lexicon.happening, lexicon.taken)
+    return any(text in words for words in known)
 
 
 def _entries(words: Sequence[Word]) -> Iterator[tuple[int, int]]:
@@ -168,36 +159,36 @@ def _entries(words: Sequence[Word]) -> Iterator[tuple[int, int]]:
         first = place + 1
 
 
-def _number_at_end(entry: Sequence[Word], lexicon: Lexicon) -> int | None:
-    """Give how many words the number is that an entry ends in; None where it is no hour, or all is number."""
+def _number_at_end(entry: Sequence[Word], lexicon: Lexicon) -> int:
+    """Give how many words the number is that an entry ends in; 0 where it is no hour, or all is number."""
     half = len(entry) > 1 and entry[-1].text in lexicon.beside.of_hours
     before = entry[: len(entry) - half]
     digits = [*takewhile(lambda word: word.is_digits or word.text in JOINTS, reversed(before))]
     if not digits:
         spelt = lexicon.numbers.get(entry[-1].text)
-        return 1 if spelt is not None and 0 < spelt <= HALF_DAY and len(entry) >= SHORTEST else None
+        return int(spelt is not None and 0 < spelt <= HALF_DAY and len(entry) >= SHORTEST)
     length = len(digits)
     named = len(before) > length and before[-length - 1].is_letters
-    return length + half if _is_hour(digits[::-1], half=half) and named else None
+    return length + half if _is_hour(digits[::-1], half=half) and named else 0
 
 
-def _number_in_front(entry: Sequence[Word], lexicon: Lexicon) -> int | None:
-    """Give how many words the number is that an entry begins with; None where it is no hour, or counts."""
+def _number_in_front(entry: Sequence[Word], lexicon: Lexicon) -> int:
+    """Give how many words the number is that an entry begins with; 0 where it is no hour, or counts."""
     led = entry[0].text == "@"
     digits = [*takewhile(lambda word: word.is_digits or word.text in JOINTS, entry[led:])]
     length = led + len(digits)
     half = any(word.text in lexicon.beside.of_hours for word in entry[length : length + 1])
     named = next(iter(entry[length + half :]), None)
     if not digits or named is None or not named.is_letters or named.text in lexicon.function_words:
-        return None
-    counts = any(found.category == "unit" for found in lexicon.entries.get(named.text, ()))
-    return length + half if not counts and _is_hour(digits, half=half) else None
+        return 0
+    counts = lexicon.means(named.text, "unit")
+    return length + half if not counts and _is_hour(digits, half=half) else 0
 
 
 def _is_hour(digits: Sequence[Word], *, half: bool) -> bool:
     """Whether digits, with minutes or without, are an hour that a number alone may name."""
     hour = digits[0].text
-    if len(digits) == 1 and len(hour) == FOUR:
+    if len(digits) == 1 and len(hour) == TOGETHER:
         return int(hour[:2]) < DAY and int(hour[2:]) < MINUTES and not half
     hours = HALF_DAY if len(digits) == 1 or half else DAY
     return len(digits) in {1, MINUTED} and hour.isdecimal() and 0 < int(hour) <= hours

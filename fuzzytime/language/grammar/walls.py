@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.naming import Naming
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.surroundings import Surroundings
-from fuzzytime.language.grammar.timetables import timed_words
+from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
@@ -88,7 +88,7 @@ class Walls(Standing):
 
     def _leads_event(self, piece: Piece) -> bool:
         """Whether what happens stands behind it, and no meal: "wed dentist 2:30"."""
-        known = self.around.follower(piece) in timed_words(self.lexicon)
+        known = has_time(self.around.follower(piece), self.lexicon)
         return known and not self.around.is_part_or_meal(piece.end)
 
     def _heads_entry(self, piece: Piece) -> bool:

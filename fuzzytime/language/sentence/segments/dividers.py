@@ -189,9 +189,7 @@ def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
 
 def _is_dated(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether a time is more than a part of the day, which is a time by the colon: "morning: laundry"."""
-    return _is_time(text, grammar, lexicon) and not any(
-        entry.category == "part" for entry in lexicon.entries.get(text.strip(" -*").lower(), ())
-    )
+    return _is_time(text, grammar, lexicon) and not lexicon.means(text.strip(" -*").lower(), "part")
 
 
 def _is_whole(item: str) -> bool:

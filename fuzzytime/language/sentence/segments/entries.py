@@ -6,6 +6,7 @@ from itertools import takewhile
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.requirement import Constraint
@@ -40,13 +41,11 @@ class Entry:
         """Whether it says when; a number alone does in a list, or beside what is known to have a time."""
         if self.times:
             return True
-        lexicon = self.lexicon
-        if not (self._number_in_front or self._number_at_end):
+        front, end = self._number_in_front, self._number_at_end
+        if not (front or end):
             return False
-        known = lexicon.persons | lexicon.animals | lexicon.events | lexicon.happening | lexicon.taken
-        front = self._number_in_front
-        beside = self.words[front] if front else self.words[-self._number_at_end - 1]
-        return listed or beside.text in known
+        beside = self.words[front] if front else self.words[-end - 1]
+        return listed or has_time(beside.text, self.lexicon)
 
     @property
     def named(self) -> tuple[int, ...]:
@@ -114,4 +113,4 @@ def is_when(phrase: Phrase) -> bool:
 
 def names_day(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word is the name of a weekday."""
-    return any(entry.category == "weekday" for entry in lexicon.entries.get(word.text, ()))
+    return lexicon.means(word.text, "weekday")

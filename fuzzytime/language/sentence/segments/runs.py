@@ -91,18 +91,13 @@ def _names(thing: str, lexicon: Lexicon, *, leads: bool) -> bool:
     own = beside.is_letters and beside.text not in lexicon.function_words
     # As in "walk the dog and | 8:00".
     open_ended = words[-1].text in lexicon.function_words - lexicon.places
-    return own and not open_ended and not _is_unit(beside.text, lexicon)
+    return own and not open_ended and not lexicon.means(beside.text, "unit", "preposition_before")
 
 
 def _is_somebody(thing: str, lexicon: Lexicon) -> bool:
     """Whether one word names a person."""
     words = words_of(thing)
     return len(words) == 1 and (words[0].capital or words[0].text in lexicon.persons)
-
-
-def _is_unit(text: str, lexicon: Lexicon) -> bool:
-    counting = (found for found in lexicon.entries.get(text, ()) if len(found.words) == 1)
-    return any(found.category in {"unit", "preposition_before"} for found in counting)
 
 
 def _is_hour(text: str, found: re.Match[str], lexicon: Lexicon) -> bool:

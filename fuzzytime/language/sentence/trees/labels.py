@@ -89,7 +89,7 @@ def strict_reading(tree: Tree, lexicon: Lexicon) -> tuple[tuple[Token, ...], Str
 
 def is_timely(word: str, lexicon: Lexicon) -> bool:
     """Whether a word alone is about time."""
-    return any(entry.category in _TIMELY and len(entry.words) == 1 for entry in lexicon.entries.get(word, ()))
+    return lexicon.means(word, *_TIMELY)
 
 
 def _below(tokens: tuple[Token, ...], place: int) -> list[int]:
