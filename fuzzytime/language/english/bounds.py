@@ -45,7 +45,7 @@ def deadline(preposition: Preposition, goal: Goal) -> Said | None:
         return None
     if isinstance(goal.time, Coming):
         return replace(coming_deadline(goal), preposition=preposition.name)
-    edge = Edge.START if preposition.name == "by" and _is_celebrated(goal) else preposition.edge
+    edge = Edge.START if preposition.name == "by" and _is_prepared_for(goal) else preposition.edge
     return said_of(_as_clock(goal), preposition.name, Constraint.BEFORE, edge)
 
 
@@ -55,8 +55,8 @@ def due(goal: Goal) -> Said | None:
     return said_of(_as_clock(goal), "by", Constraint.BEFORE, Edge.LAST)
 
 
-def _is_celebrated(goal: Goal) -> bool:
-    """Whether it is days for which something is done before: "by the weekend", "by passover"."""
+def _is_prepared_for(goal: Goal) -> bool:
+    """Whether it is a weekend, or a feast, by whose first day something is done: "by passover"."""
     days = goal.time.days if isinstance(goal.time, Wall) and goal.time.part is None else None
     feast = feast_in(days)
     if feast is not None:

@@ -89,11 +89,8 @@ def typed(numbers: Typed) -> Clock | None:
 @grammar.rule("clock", "<hh:mm:ss>", weight=0.1)
 def typed_to_the_second(numbers: Typed) -> Clock | None:
     """8:30:15."""
-    hour, minute, second = numbers[0], numbers[1], numbers[2]
-    if hour > 24 or minute >= 60 or second >= 60:
-        return None
-    whole = typed(Typed(numbers.parts[:2]))
-    return None if whole is None else replace(whole, second=second, grain=Unit.SECOND)
+    whole, second = typed(Typed(numbers.parts[:2])), numbers[2]
+    return None if whole is None or second >= 60 else replace(whole, second=second, grain=Unit.SECOND)
 
 
 @grammar.rule("clock", "<15h30>")

@@ -1,7 +1,6 @@
 """Days, weekdays, weeks and stretches of them: "tomorrow", "next tuesday", "the weekend", "in three days"."""
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Coming, Duration, Quantity, UnitWord, Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
@@ -157,32 +156,6 @@ def weekday_of(which: Which, series: Calendar, number: int) -> Calendar | None:
 def days_from_now(duration: Duration) -> Calendar | None:
     """Three days from now, beside a time of that day."""
     return days_away(duration, Relative(0), 1) if not duration.hedges else None
-
-
-@grammar.rule(
-    "days",
-    "<integer> <weekdays>|<weekday> from now|today",
-    "<integer> <weekdays>|<weekday> hence",
-    "in <integer> <weekdays>",
-    "in <integer> <weekdays> '|'s time",
-    weight=0.5,
-)
-def weekdays_from_now(number: Integer, weekday: int) -> Calendar | None:
-    """Three fridays from now, in two sundays."""
-    return Following(number.value, Fields(weekday=weekday), Relative(0)) if 0 < number.value < 100 else None
-
-
-@grammar.rule("days", "<integer> <weekdays>|<weekday> later|afterwards", weight=0.5)
-def weekdays_later(number: Integer, weekday: int) -> Calendar | None:
-    """(sow it today, and plant it) two mondays later: behind the day that was said."""
-    later = Relative(0, onward=True)
-    return Following(number.value, Fields(weekday=weekday), later) if 0 < number.value < 100 else None
-
-
-@grammar.rule("days", "<integer> <weekdays>|<weekday> ago", weight=0.5)
-def weekdays_ago(number: Integer, weekday: int) -> Calendar | None:
-    """Two thursdays ago."""
-    return Following(-number.value, Fields(weekday=weekday), Relative(0)) if 0 < number.value < 100 else None
 
 
 @grammar.rule(

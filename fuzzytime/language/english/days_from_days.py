@@ -17,8 +17,10 @@ grammar = Grammar()
 BACK = frozenset({"ago", "earlier"})
 """Prepositions of distances back from now."""
 
-MOST = 100
-"""Weekdays and weekends that are counted, at most."""
+TODAY = Relative(0)
+
+MOST_COUNTED = 100
+"""Weekdays and weekends are counted to fewer than these."""
 
 LONGEST_AGE = 60
 """Years that a feast is named by how far away it is, at most: as far as is searched."""
@@ -116,37 +118,69 @@ def which_date(which: Which, date: Calendar) -> Calendar | None:
     return Deictic(which, date) if dated and date.grain is Unit.DAY and which is not Which.THIS else None
 
 
+@grammar.rule(
+    "days",
+    "<integer> <weekdays>|<weekday> from now|today",
+    "<integer> <weekdays>|<weekday> hence",
+    "in <integer> <weekdays>",
+    "in <integer> <weekdays> '|'s time",
+    weight=0.5,
+)
+def weekdays_from_now(number: Integer, weekday: int) -> Calendar | None:
+    """Three fridays from now, in two sundays."""
+    return _counted(number, Fields(weekday=weekday))
+
+
+@grammar.rule("days", "<integer> <weekdays>|<weekday> later|afterwards", weight=0.5)
+def weekdays_later(number: Integer, weekday: int) -> Calendar | None:
+    """(sow it today, and plant it) two mondays later: behind the day that was said."""
+    return _counted(number, Fields(weekday=weekday), Relative(0, onward=True))
+
+
+@grammar.rule("days", "<integer> <weekdays>|<weekday> ago", weight=0.5)
+def weekdays_ago(number: Integer, weekday: int) -> Calendar | None:
+    """Two thursdays ago."""
+    return _counted(number, Fields(weekday=weekday), back=True)
+
+
 @grammar.rule("days", "<integer> weekends|weekend from now|today", "<integer> weekends hence", weight=0.5)
 @grammar.rule("days", "in <integer> weekends", "in <integer> weekends '|'s time", weight=0.5)
 def weekends_from_now(number: Integer) -> Calendar | None:
     """Two weekends from now."""
-    return Following(number.value, Weekend(), Relative(0)) if 0 < number.value < MOST else None
+    return _counted(number, Weekend())
 
 
 @grammar.rule("days", "<integer> weekends|weekend ago", weight=0.5)
 def weekends_ago(number: Integer) -> Calendar | None:
     """Two weekends ago."""
-    return Following(-number.value, Weekend(), Relative(0)) if 0 < number.value < MOST else None
+    return _counted(number, Weekend(), back=True)
+
+
+def _counted(
+    number: Integer, series: Calendar, anchor: Calendar = TODAY, *, back: bool = False
+) -> Calendar | None:
+    """Give the nth of a series behind a day, or before it; None behind none, and behind too many."""
+    count = -number.value if back else number.value
+    counted = anchor.grain is Unit.DAY and 0 < number.value < MOST_COUNTED
+    return Following(count, series, anchor) if counted else None
 
 
 @grammar.rule("days", "the? <ordinal> <weekday> from now|today", "the? <ordinal> <weekday> hence", weight=0.6)
 def nth_weekday_from_now(number: int, weekday: int) -> Calendar | None:
     """The third friday from now."""
-    return Following(number, Fields(weekday=weekday), Relative(0)) if 0 < number < MOST else None
+    return Following(number, Fields(weekday=weekday), Relative(0)) if 0 < number < MOST_COUNTED else None
 
 
 @grammar.rule("days", "<integer> <weekdays> before <days>|<date>|<day of month>", weight=1.0)
 def weekdays_before(number: Integer, weekday: int, anchor: Calendar) -> Calendar | None:
     """Two fridays before easter."""
-    day = anchor.grain is Unit.DAY and 0 < number.value < MOST
-    return Following(-number.value, Fields(weekday=weekday), anchor) if day else None
+    return _counted(number, Fields(weekday=weekday), anchor, back=True)
 
 
 @grammar.rule("days", "<integer> <weekdays> after <days>|<date>|<day of month>", weight=1.0)
 def weekdays_after(number: Integer, weekday: int, anchor: Calendar) -> Calendar | None:
     """Two fridays after easter."""
-    day = anchor.grain is Unit.DAY and 0 < number.value < MOST
-    return Following(number.value, Fields(weekday=weekday), anchor) if day else None
+    return _counted(number, Fields(weekday=weekday), anchor)
 
 
 @grammar.rule("days", "the? <series> after this|that one", weight=0.6)

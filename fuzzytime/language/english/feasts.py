@@ -57,7 +57,7 @@ def _weekend_about(days: Calendar) -> Calendar:
 
 
 @grammar.rule("date", "<feast> week", "<feast> <year> week", weight=0.3)
-def feast_week(feast: Feast, number: int | None = None) -> Calendar | None:
+def feast_week(feast: Yearly, number: int | None = None) -> Calendar:
     """Christmas week, diwali week."""
     return WeekOf(feast if number is None else OfYear(feast, number))
 

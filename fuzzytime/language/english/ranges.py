@@ -2,13 +2,13 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.clocks import number
+from fuzzytime.language.english.clocks import number, typed
 from fuzzytime.language.english.minutes_past import moved
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.beside import in_hour_of, lasts_then, refined
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Ending,
@@ -21,7 +21,6 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
-from fuzzytime.language.meaning.nested import Nth
 from fuzzytime.language.meaning.range_ends import closes, comparable, is_meal, is_one, lent
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
@@ -107,39 +106,6 @@ def until_past(first: Clock, minutes: float) -> Said | None:
         return None
     last = replace(first, minute=int(minutes), shift=0, grain=Unit.MINUTE, bare=False)
     return _range(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
-
-
-@grammar.rule(
-    "said",
-    "between <month day> and|-|& <month day> of|in? <days>|<weak date>|<date>",
-    "from? <month day> to|-|until|till|through|thru <month day> of|in? <days>|<weak date>|<date>",
-    "from? <weak date>|<date> <month day> to|-|until|till|through|thru <month day>",
-    "from? <month day> .? -|to|until <month day> . <weak date>",
-    "between <weak date>|<date> <month day> and|& <month day>",
-    "in? <days>|<weak date> ,? between <month day> and|- <month day>",
-    "in? <days>|<weak date> ,? from <month day> to|-|until|till|through <month day>",
-    weight=1.3,
-)
-def days_of_month(*said: int | Calendar) -> Said | None:
-    """Between the 4th and the 22nd of this month, next month from the 4th to the 10th."""
-    first, last = (part for part in said if isinstance(part, int))
-    month = next(part for part in said if isinstance(part, Calendar))
-    if month.grain is not Unit.MONTH or first >= last:
-        return None
-    ends = (Wall(Nth(number, Cycle(Unit.DAY), month)) for number in (first, last))
-    return Said(Range(*ends), Constraint.BETWEEN, "between")
-
-
-@grammar.rule(
-    "said",
-    "from? <month> <month day> to|-|until|till|through|thru <month day> ,? of? <year>",
-    "between <month> <month day> and|& <month day> ,? of? <year>",
-    "in? <month> ,? between <month day> and|- <month day> ,? of? <year>",
-    weight=1.9,
-)
-def days_of_month_of_year(month: int, first: int, last: int, number: int) -> Said | None:
-    """Feb 2-7 2018, february between the 2nd and the 7th of 2018."""
-    return days_of_month(first, last, Fields(number, month))
 
 
 @grammar.rule("minutes past", "<minutes of clock>|<bare minutes of clock> past")
@@ -246,9 +212,9 @@ def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
 @grammar.rule("said", "<wall> <hh.mm> - <hh.mm>", weight=1.6)
 def minutes_of_day(wall: Wall, first: Typed, last: Typed) -> Said | None:
     """Thu 9.30-10.30, which is no date."""
-    if wall.clock is not None or wall.weak or any(n[0] > 24 or n[1] >= 60 for n in (first, last)):
+    begin, end = typed(first), typed(last)
+    if wall.clock is not None or wall.weak or begin is None or end is None:
         return None
-    begin, end = (Clock(n[0] % 24, n[1], grain=Unit.MINUTE, full_day=n[0] > NOON) for n in (first, last))
     said = _range(Goal(Wall(clock=begin)), Goal(Wall(clock=end)), "between")
     return None if said is None else refined(said, wall)
 

@@ -7,6 +7,7 @@ from fuzzytime.language.english.dates import century, month_first
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.distances import LOWER, UPPER
 from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Said, Wall
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
@@ -15,8 +16,8 @@ grammar = Grammar()
 
 LONGEST_MONTH, MONTHS = 31, 12
 
-FRACTION = 3
-"""Digits of the thousandths of a second."""
+FRACTIONS = frozenset({3, 6})
+"""Digits of the thousandths of a second, and of its millionths."""
 
 FEW_HOURS = 3
 """Hours between two that something is around, at most."""
@@ -64,7 +65,7 @@ def ended(numbers: Typed, last: Wall) -> Said | None:
 @grammar.rule("clock", "<hh:mm:ss> . <integer>", weight=0.4)
 def with_fraction(numbers: Typed, fraction: Integer) -> Clock | None:
     """17:00:00.000: the fraction of the second is left out."""
-    return typed_to_the_second(numbers) if len(fraction.digits) == FRACTION else None
+    return typed_to_the_second(numbers) if len(fraction.digits) in FRACTIONS else None
 
 
 @grammar.rule("wall", "<date> t <integer> z?", weight=0.5)
@@ -88,34 +89,13 @@ def days_of_typed_month(first: Integer, last: Typed) -> Said | None:
     return None
 
 
-@grammar.rule(
-    "said",
-    "from? <weekday> <month day> -|to|until|till|through <weekday> <month day> of? <month>",
-    weight=2.0,
-)
-def weekdays_of_month(weekday: int, first: int, again: int, last: int, month: int) -> Said | None:
-    """Thu 5 - sat 7 march."""
-    if first >= last:
-        return None
-    ends = (Wall(Fields(month=month, day=day, weekday=on)) for day, on in ((first, weekday), (last, again)))
-    return Said(Range(*ends), Constraint.BETWEEN, "between")
-
-
-@grammar.rule(
-    "said", "from? <weekday> <month> <month day> -|to|until|till|through <weekday> <month day>", weight=2.0
-)
-def weekdays_of_month_before(weekday: int, month: int, first: int, again: int, last: int) -> Said | None:
-    """Thu march 5 - sat 7."""
-    return weekdays_of_month(weekday, first, again, last, month)
-
-
-@grammar.rule("said", "around|about|roughly <integer> - <integer>", weight=1.0)
-def around_hours(first: Integer, last: Integer) -> Said | None:
+@grammar.rule("said", "<hedge> <integer> - <integer>", weight=1.0)
+def around_hours(hedge: str, first: Integer, last: Integer) -> Said | None:
     """(call) around 3-4: hours, and no date."""
     clocks = [number(one) for one in (first, last)]
-    if None in clocks or not 1 <= last.value - first.value <= FEW_HOURS:
+    if None in clocks or not 1 <= last.value - first.value <= FEW_HOURS or hedge in UPPER | LOWER:
         return None
-    return Said(Range(*(Wall(clock=clock) for clock in clocks)), Constraint.BETWEEN, "between", ("about",))
+    return Said(Range(*(Wall(clock=clock) for clock in clocks)), Constraint.BETWEEN, "between", (hedge,))
 
 
 @grammar.rule("date", "<month day> <month> <integer>", weight=0.9)

@@ -148,9 +148,9 @@ def refined(said: Said, wall: Wall) -> Said | None:
             # "Next week between wednesday and friday"
             last = joined(last, wall) or last
             return replace(said, time=Range(first, last))
-        apart = said.time.first.days is not None and (wall.days is None or wall.days.grain is Unit.DAY)
-        if first is None or apart or (said.time.first.days is not None and last.days is not None):
-            # "First monday 1 pm to 3 pm of next month" is one of its days; two days are their own.
+        # "First monday 1 pm to 3 pm of next month" is one of its days; two days are their own.
+        period = wall.days is not None and wall.days.grain is not Unit.DAY and last.days is None
+        if first is None or (said.time.first.days is not None and not period):
             return None
         if wall.part is not None and last.part is None and last.clock is not None:
             last = replace(last, part=wall.part)

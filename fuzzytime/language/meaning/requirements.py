@@ -153,12 +153,10 @@ class _Grounder:
     ) -> TimeRequirement:
         """Give a time by its distance from now; "at most" makes it a deadline, "at least" a release."""
         said = self.said.hedges if hedges is None else hedges
-        # "More than two weeks ago" is before that.
-        nearer, farther = (Constraint.BEFORE, Constraint.AFTER)[::direction]
-        if constraint is Constraint.AT and UPPER & set(said):
-            constraint = nearer
-        elif constraint is Constraint.AT and LOWER & set(said):
-            constraint = farther
+        if constraint is Constraint.AT and (UPPER | LOWER) & set(said):
+            # "More than two weeks ago" is before that.
+            earlier = bool(UPPER & set(said)) is (direction > 0)
+            constraint = Constraint.BEFORE if earlier else Constraint.AFTER
         near = self.moment.later(time, direction)
         far = near if time.until is None else self.moment.later(time.until, direction)
         if constraint is Constraint.BEFORE:
