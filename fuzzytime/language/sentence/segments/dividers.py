@@ -5,7 +5,7 @@ side tells two entries apart. So do bars, arrows, slashes and wide gaps; a bulle
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 
 from fuzzytime.language.grammar.chart import Grammar
@@ -59,19 +59,16 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon) -> str:
     """Give a text of the same length with a stop in place of each mark between entries."""
     text = LEADING.sub(lambda found: " " * len(found[0]), text)
     for line in LINE.finditer(text):
-        first, end = line.span()
-        bullets = [found.span() for found in BULLET.finditer(text, first, end)]
-        if bullets and _is_bulleted(text, line.span(), bullets, grammar, lexicon):
+        bullets = _found(BULLET, text, line)
+        if bullets and _is_bulleted(_between(text, line, bullets), grammar, lexicon):
             text = _with_stops(text, bullets)
-        commas = [found.span() for found in COMMA.finditer(text, first, end)]
-        if commas and any(
-            told(text, line.span(), commas, grammar, lexicon)
-            for told in (_head_entries, _last_so_long, _each_is_timed)
-        ):
+        commas = _found(COMMA, text, line)
+        items = _between(text, line, commas)
+        if commas and any(told(items, grammar, lexicon) for told in BY_COMMAS):
             text = _with_stops(text, commas)
         for kind in MARKS:
-            marks = [found.span() for found in kind.finditer(text, first, end)]
-            if marks and _divide(text, line.span(), marks, grammar, lexicon):
+            marks = _found(kind, text, line)
+            if marks and _divide(_between(text, line, marks), grammar, lexicon):
                 text = _with_stops(text, marks)
     for line in LINE.finditer(text):
         colon = COLON.search(text, *line.span())
@@ -80,30 +77,33 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon) -> str:
     return text
 
 
+def _found(mark: re.Pattern[str], text: str, line: re.Match[str]) -> list[Span]:
+    """Give where marks of a kind stand in a line."""
+    return [found.span() for found in mark.finditer(text, *line.span())]
+
+
 def _with_stops(text: str, marks: Sequence[Span]) -> str:
+    """Give a text with stops in place of marks; what begins it needs none."""
     for first, end in marks:
         stop = STOP if text[:first].strip() else " "
         text = text[:first] + stop.ljust(end - first) + text[end:]
     return text
 
 
-def _between(line: Span, marks: Sequence[Span]) -> Iterator[Span]:
-    """Give the stretches of a line around its marks."""
-    begin = line[0]
-    for first, end in (*marks, (line[1], line[1])):
-        yield begin, first
-        begin = end
+def _between(text: str, line: re.Match[str], marks: Sequence[Span]) -> list[str]:
+    """Give the texts of a line around its marks."""
+    begins = [line.start(), *(end for _, end in marks)]
+    ends = [*(first for first, _ in marks), line.end()]
+    return [text[begin:end] for begin, end in zip(begins, ends, strict=True)]
 
 
-def _is_bulleted(text: str, line: Span, bullets: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
+def _is_bulleted(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether each bullet of a line stands before something."""
-    items = [text[slice(*span)] for span in _between(line, bullets)]
     return all(Entry.of(item, grammar, lexicon).things for item in items if item.strip())
 
 
-def _divide(text: str, line: Span, marks: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
+def _divide(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether marks of one kind stand between entries: each side names something, and when."""
-    items = [text[slice(*span)] for span in _between(line, marks)]
     if not all(any(map(str.isalnum, item)) and _is_whole(item) for item in items):
         return False
     entries = [Entry.of(item, grammar, lexicon) for item in items]
@@ -118,13 +118,13 @@ def _divide(text: str, line: Span, marks: Sequence[Span], grammar: Grammar, lexi
     return alike or len(entries) >= LIST
 
 
-def _head_entries(text: str, line: Span, commas: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
+def _head_entries(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether commas stand between entries headed by days: "mon: gym, tue: swim", "mon gym, tue swim".
 
     Without a colon, each names one thing: what is done with several, on a day each, may be said once.
     """
     entries = []
-    for item in (text[slice(*span)] for span in _between(line, commas)):
+    for item in items:
         time, colon, said = item.partition(":")
         if colon and said[:1].isspace():
             heads = _is_time(time, grammar, lexicon) or time.strip().lower() in lexicon.beside.of_hours
@@ -140,39 +140,41 @@ def _head_entries(text: str, line: Span, commas: Sequence[Span], grammar: Gramma
     return all(entries) or not any(entries)
 
 
-def _last_so_long(text: str, line: Span, commas: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
-    """Whether commas stand between steps and how long they take: "mix 5 min, prove 1h, bake 40 min".
+def _last_so_long(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether commas stand between steps and how long they take: "mix 5 min, prove 1h, bake 40 min"."""
+    # Most lines are no such list, and to scan them costs time.
+    numbered = all(any(map(str.isdigit, item)) and item.strip()[:1].isalpha() for item in items)
+    return numbered and all(_is_timed_step(item, grammar, lexicon) for item in items)
 
-    Each is one word, or begins with what takes so long; but not "boil peas 5 min, carrots 10 min".
+
+def _is_timed_step(item: str, grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether a text is a step and how long it takes: "bake 40 min"; but not "boil peas 5 min".
+
+    It is one word, or begins with what takes so long.
     """
-    timed = lexicon.timing | lexicon.timing_alone | lexicon.doing.settling
-    entries = [text[slice(*span)] for span in _between(line, commas)]
-    if not all(any(map(str.isdigit, entry)) and entry.strip()[:1].isalpha() for entry in entries):
+    scanned = Scanned.of(item, grammar, lexicon)
+    lengths = (piece for piece in scanned.pieces("duration") if piece.end == len(scanned.words))
+    step = scanned.words[: min((piece.start for piece in lengths), default=0)]
+    if not 0 < len(step) <= LONGEST_STEP or not all(word.is_letters for word in step):
         return False
-    for entry in entries:
-        scanned = Scanned.of(entry, grammar, lexicon)
-        lengths = [piece for piece in scanned.pieces("duration") if piece.end == len(scanned.words)]
-        first = min((piece.start for piece in lengths), default=0)
-        said = scanned.words[:first]
-        if not 0 < first <= LONGEST_STEP or not all(word.is_letters for word in said):
-            return False
-        if said[-1].text in lexicon.function_words:
-            return False
-        if first > 1 and said[0].text not in timed:
-            return False
-    return True
+    timed = lexicon.timing | lexicon.timing_alone | lexicon.doing.settling
+    return step[-1].text not in lexicon.function_words and (len(step) == 1 or step[0].text in timed)
 
 
-def _each_is_timed(text: str, line: Span, commas: Sequence[Span], grammar: Grammar, lexicon: Lexicon) -> bool:
+def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether commas stand between things that each have a clock time: "obs 8:00, meds 8:30".
 
     The first is one word, so that nothing is done with it that may be done with the others, too.
     """
-    entries = (Entry.of(text[slice(*span)], grammar, lexicon) for span in _between(line, commas))
+    entries = (Entry.of(item, grammar, lexicon) for item in items)
     first = next(entries)
     if len(first.named) != 1 or not first.clocked:
         return False
     return all(entry.clocked and entry.named and entry.opens for entry in entries)
+
+
+BY_COMMAS = (_head_entries, _last_so_long, _each_is_timed)
+"""Lists whose entries commas tell apart."""
 
 
 def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
