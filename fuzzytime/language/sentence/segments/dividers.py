@@ -52,7 +52,10 @@ LONGEST_TIME = 8
 """Words of a time that heads an entry at most."""
 
 STOP = ";"
+"""What stands between two entries in place of such a mark."""
+
 BRACKETS = (("(", ")"), ("[", "]"))
+"""Marks that open, and that close."""
 
 
 def divided(text: str, grammar: Grammar, lexicon: Lexicon) -> str:

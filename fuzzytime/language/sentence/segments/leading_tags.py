@@ -1,7 +1,7 @@
 """Marks in front of a line of a list that say how urgent it is, or where it belongs: "!high", "(A)", "p1"."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
 
@@ -21,14 +21,14 @@ def leading_tags(text: str) -> list[Span]:
     return [found.span("tag") for found in TAG.finditer(text)]
 
 
-def without_tags(text: str, tags: list[Span]) -> str:
+def without_tags(text: str, tags: Sequence[Span]) -> str:
     """Give a text of the same length without them."""
     for first, end in tags:
         text = text[:first] + " " * (end - first) + text[end:]
     return text
 
 
-def remarks_of_tags(text: str, tags: list[Span]) -> Iterator[Remark]:
+def remarks_of_tags(text: str, tags: Sequence[Span]) -> Iterator[Remark]:
     """Say that they are not used."""
     for span in tags:
         yield Remark(RemarkKind.POLICY, span, f"{text[slice(*span)]!r} is not used")

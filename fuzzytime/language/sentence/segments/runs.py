@@ -5,26 +5,21 @@ what hardly has another is an entry too: "10am vet 12 lunch 3pm pick up car".
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.timetables import HALF_DAY
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Span
+from fuzzytime.language.sentence.segments.dividers import LINE, STOP
 
-LINE = re.compile(r"[^\n;]+")
 SHORTEST, LEAST = 3, 2
 """Entries at least, and where each time has its "@"."""
 
-HALF_DAY = 12
-"""Hours that a number alone may name."""
-
 LONGEST_WORD = 40
 """Characters behind a number that are looked at."""
-
-STOP = ";"
-"""What stands between two entries then."""
 
 
 @cache
@@ -64,13 +59,8 @@ def _pauses(text: str, line: Span, lexicon: Lexicon) -> Iterator[int]:
     tokens = [found for found in tokens if found["sure"] or (leads and _is_hour(text, found, lexicon))]
     if len(tokens) < LEAST or tokens[0]["sure"] is None:
         return
-    ends = [*(found.start() for found in tokens[1:]), line[1]]
-    begins = [line[0], *(found.end() for found in tokens[:-1])]
-    things = (
-        [text[found.end() : end] for found, end in zip(tokens, ends, strict=True)]
-        if leads
-        else [text[begin : found.start()] for begin, found in zip(begins, tokens, strict=True)]
-    )
+    bounds = [found.span() for found in tokens]
+    things = _behind(text, line, bounds) if leads else _in_front(text, line, bounds)
     if not all(_names(thing, lexicon, leads=leads) for thing in things):
         return
     if not leads and any(_is_somebody(thing, lexicon) for thing in things[1:]):
@@ -80,6 +70,18 @@ def _pauses(text: str, line: Span, lexicon: Lexicon) -> Iterator[int]:
         place = found.start() - 1 if leads else before.end()
         if text[place].isspace():
             yield place
+
+
+def _behind(text: str, line: Span, times: Sequence[Span]) -> list[str]:
+    """Give what stands behind each time of a line."""
+    ends = (*(first for first, _ in times[1:]), line[1])
+    return [text[time[1] : end] for time, end in zip(times, ends, strict=True)]
+
+
+def _in_front(text: str, line: Span, times: Sequence[Span]) -> list[str]:
+    """Give what stands in front of each time of a line."""
+    begins = (line[0], *(end for _, end in times[:-1]))
+    return [text[begin : time[0]] for begin, time in zip(begins, times, strict=True)]
 
 
 def _names(thing: str, lexicon: Lexicon, *, leads: bool) -> bool:
