@@ -6,19 +6,8 @@ from fuzzytime.language.english.counted import for_another, so_far_in
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.distances import far_off
-from fuzzytime.language.meaning.expressions import (
-    EARLIER,
-    HALFWAY,
-    LAST,
-    LEFT,
-    Duration,
-    Offset,
-    Repeat,
-    Said,
-    TimeWord,
-    UnitWord,
-)
+from fuzzytime.language.meaning.distances import EARLIER, HALFWAY, LAST, LEFT, far_off
+from fuzzytime.language.meaning.expressions import Duration, Offset, Repeat, Said, TimeWord, UnitWord
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit

@@ -6,7 +6,8 @@ from itertools import pairwise
 from fuzzytime.language.english.counted import in_duration
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.expressions import INTO, Duration, Edge, Offset, Said, UnitWord
+from fuzzytime.language.meaning.distances import INTO
+from fuzzytime.language.meaning.expressions import Duration, Edge, Offset, Said, UnitWord
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()

@@ -15,9 +15,8 @@ from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.walls import Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.distances import INTO, LAST
 from fuzzytime.language.meaning.expressions import (
-    INTO,
-    LAST,
     Coming,
     Duration,
     Ending,

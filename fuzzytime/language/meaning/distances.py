@@ -2,9 +2,24 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.meaning.expressions import EARLIER, LATER, Offset, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Said, Wall
 from fuzzytime.language.meaning.relations import Away
 from fuzzytime.requirement import Constraint
+
+HALFWAY = "halfway"
+"""The time word that counts from the start of what was said to last."""
+
+INTO = "into"
+"""The preposition of times that count from the start of the instruction before."""
+
+LATER, EARLIER = "later", "earlier"
+"""The prepositions of times that count from what was said before, on and back."""
+
+LEFT, LAST = "left", "last"
+"""The prepositions of times that count back from the end of what goes on, or of what is named behind them.
+
+"With ten minutes left", "for the last ten minutes of baking".
+"""
 
 UPPER = frozenset({"at most", "less than"})
 LOWER = frozenset({"at least", "more than"})
@@ -13,6 +28,11 @@ BEYOND = "more than"
 
 SIDES = {EARLIER: Constraint.BEFORE, LATER: Constraint.AFTER}
 """The prepositions of distances from what was just named, and the side of it that they are on."""
+
+
+def later_by(length: Duration, hedges: tuple[str, ...] = ()) -> Said:
+    """Give so long after what was said before, with the hedges of the length behind others."""
+    return Said(Offset(replace(length, hedges=())), None, LATER, (*hedges, *length.hedges))
 
 
 def far_off(named: Said, distance: Said) -> Said | None:

@@ -136,22 +136,6 @@ class Range:
     last: "Time"
 
 
-HALFWAY = "halfway"
-"""The time word that counts from the start of what was said to last."""
-
-INTO = "into"
-"""The preposition of times that count from the start of the instruction before."""
-
-LATER, EARLIER = "later", "earlier"
-"""The prepositions of times that count from what was said before, on and back."""
-
-LEFT, LAST = "left", "last"
-"""The prepositions of times that count back from the end of what goes on, or of what is named behind them.
-
-"With ten minutes left", "for the last ten minutes of baking".
-"""
-
-
 @dataclass(frozen=True, slots=True)
 class TimeWord:
     """A word that is a time by itself: "now", "soon"."""
@@ -291,11 +275,6 @@ class Said:
     def sure(self) -> "Said":
         """The same as a time whatever stands beside it: "on the 12th", where others are on that day."""
         return replace(self, time=replace(self.time, weak=False)) if isinstance(self.time, Wall) else self
-
-
-def later_by(length: Duration, hedges: tuple[str, ...] = ()) -> Said:
-    """Give so long after what was said before, with the hedges of the length behind others."""
-    return Said(Offset(replace(length, hedges=())), None, LATER, (*hedges, *length.hedges))
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,13 +2,8 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.meaning.distances import EARLIER, HALFWAY, INTO, LAST, LATER, LEFT
 from fuzzytime.language.meaning.expressions import (
-    EARLIER,
-    HALFWAY,
-    INTO,
-    LAST,
-    LATER,
-    LEFT,
     Coming,
     Duration,
     Edge,

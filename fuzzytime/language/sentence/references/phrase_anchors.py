@@ -4,21 +4,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind
-from fuzzytime.language.meaning.expressions import (
-    EARLIER,
-    HALFWAY,
-    INTO,
-    LAST,
-    LATER,
-    LEFT,
-    Offset,
-    Phrase,
-    Repeat,
-    Said,
-    TimeWord,
-    Wall,
-)
+from fuzzytime.language.meaning.distances import EARLIER, HALFWAY, INTO, LAST, LATER, LEFT
 from fuzzytime.language.meaning.expressions import Edge as Bound
+from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat, Said, TimeWord, Wall
 from fuzzytime.language.meaning.first_times import closing_of, opening_of
 from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.sentence.clauses.before_markers import OF

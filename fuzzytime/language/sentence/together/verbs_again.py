@@ -5,7 +5,8 @@ from dataclasses import replace
 from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
-from fuzzytime.language.meaning.expressions import LATER, Offset, Repeat, Said
+from fuzzytime.language.meaning.distances import LATER
+from fuzzytime.language.meaning.expressions import Offset, Repeat, Said
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.verbs.due_by_then import BE, MUST, MUST_BE, WHERE
 from fuzzytime.language.sentence.verbs.places import says_where
