@@ -106,6 +106,7 @@ class Walls(Standing):
         """Give what it begins with, a feast or not: "he lent it", "call Ramadan"; None with its year."""
         if isinstance(wall.days, OfYear):
             return None
+        # A preposition, and hedges, may stand before its name: "around the lantern festival".
         before = {"the", *" ".join((said.preposition or "", *said.hedges)).split()}
         places = range(piece.start, piece.end)
         first = next((place for place in places if self.texts[place] not in before), piece.end)
