@@ -5,7 +5,7 @@ from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Repeat, Wall
 from fuzzytime.language.meaning.feasts import Feast, OfYear, Yearly
 from fuzzytime.language.meaning.nested import Nth, WeekOf
-from fuzzytime.language.meaning.relations import Away, Deictic, Following
+from fuzzytime.language.meaning.relations import Away, Deictic, Following, Which
 from fuzzytime.language.meaning.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Half, Part
 from fuzzytime.requirement import Unit
@@ -91,9 +91,13 @@ def _part_of(number: int, part: Part, days: Calendar) -> Wall | None:
 
 @grammar.rule("repeat", "<repeat> of|during|throughout the? <wall>", weight=0.25)
 def repeat_during(repeat: Repeat, wall: Wall) -> Repeat | None:
-    """Every evening of passover, every day during next week."""
+    """Every evening of passover, every day during next week; but "every second friday of the month"."""
     whole = wall.days is not None and wall.clock is None and wall.part is None
-    return narrowed_repeat(repeat, wall) if whole and not wall.weak else None
+    # "Every day of the week": of any week.
+    days = wall.days if isinstance(wall.days, Deictic) else None
+    any_of_them = days is not None and days.which is Which.THIS and isinstance(days.of, Cycle)
+    counted = repeat.skip > 1 and feast_in(wall.days) is None
+    return narrowed_repeat(repeat, wall) if whole and not (wall.weak or any_of_them or counted) else None
 
 
 @grammar.rule("repeat", "every|each single? <part> of <days>|<date>", weight=0.9)

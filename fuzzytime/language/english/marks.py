@@ -25,7 +25,7 @@ def at_mark(duration: Duration) -> Said | None:
     return _into(duration) if _is_mark(duration) else None
 
 
-@grammar.rule("said", "at|@? t + <duration>", "at|@? t = <duration>", weight=0.6)
+@grammar.rule("said", "at|@? t + <duration>", "at|@ t = <duration>", weight=0.6)
 def from_zero(duration: Duration) -> Said:
     """T+5s, at T=120s: counted from when all of it is begun."""
     return in_duration(duration)

@@ -23,10 +23,16 @@ TOGETHER = 4
 """Digits of hour and minute together: "1830"."""
 LONGEST_DAY = 2
 """Words of a day in front of a list at most: "fri:"."""
+COUNTED = 3
+"""Words of a number and of what it counts: "8 dinner plates"."""
+SHORT_HOUR = 2
+"""Digits of an hour without minutes at most."""
 MINUTED = 3
 """Words of an hour with its minutes: "7:30"."""
 SURELY = 2
 """Entries with minutes or a half of the day beside which a number alone is an hour of what lasts, too."""
+LONGEST_STREET = 3
+"""Words of the name of a street at most."""
 SHORTEST = 2
 """Entries of a list at least, and words of an entry."""
 
@@ -64,6 +70,13 @@ def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon)
     found = (_beside_stretch(words[first:last]) for first, last in entries)
     named = [word.text for word in found if word is not None and word.is_letters]
     beside = words[start - 1] if any(last == end for _, last in entries) else words[end]
+    numbers = [word.text for word in words[start:end] if word.is_digits]
+    if numbers[:1] == [str(DAY)] or beside.text in lexicon.beside.plurals:
+        # "24-7 service", "10-12 people"
+        return False
+    if beside.text in lexicon.addressing and any(len(number) > SHORT_HOUR for number in numbers):
+        # "Call 555-1234"
+        return False
     sure = any(has_time(text, lexicon) for text in named)
     return sure and (has_time(beside.text, lexicon) or len(named) > 1) and beside.is_letters
 
@@ -114,8 +127,19 @@ def _all_lead(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon
     counted = (text for text, length in zip(named, lengths, strict=True) if length == 1)
     if any(looks_plural(text) and not has_time(text, lexicon) for text in counted):
         return False
+    if any(_counts_things(words[slice(*one)], lexicon) for one in entries):
+        return False
     exact = any(length > 1 for length in lengths) or words[entries[0][0]].text.startswith("0")
     return exact or any(has_time(text, lexicon) for text in named)
+
+
+def _counts_things(entry: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether an entry is a number and what it counts, called after what happens: "8 dinner plates"."""
+    if len(entry) != COUNTED or not entry[0].is_digits:
+        return False
+    happens, several = entry[1].text, entry[2].text
+    plural = looks_plural(several) and not has_time(several, lexicon)
+    return plural and (happens in lexicon.happening or happens in lexicon.taken)
 
 
 def is_hour_of(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
@@ -136,6 +160,9 @@ def counts_nothing(words: Sequence[Word], place: int, lexicon: Lexicon, *, plura
     if place >= len(words) or not words[place].is_letters:
         return False
     text = words[place].text
+    if any(word.text in lexicon.no_times.streets for word in words[place + 1 : place + LONGEST_STREET]):
+        # "1215 Pine Street"
+        return False
     several = looks_plural(text) and not has_time(text, lexicon)
     inside = text in lexicon.function_words or text in lexicon.measure_nouns or len(text) == 1
     return not ((several and not plural) or inside or lexicon.means(text, "unit"))

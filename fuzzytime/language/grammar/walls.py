@@ -50,7 +50,7 @@ class Walls(Standing):
             return False
         if wall.clock is not None and (self._is_degrees(piece) or self._is_mixed(piece)):
             return False
-        if self._goes_on(piece, wall) or self._is_of_event(piece, wall) or self._counts_several(piece, wall):
+        if self._goes_on(piece, wall) or self._is_of_event(piece, wall) or self._counts_named(piece, wall):
             return False
         if self._is_thing(piece, wall) or self.naming.hold(piece, said, wall) or self._is_one(piece, wall):
             return False
@@ -252,6 +252,18 @@ class Walls(Standing):
     def _is_unbound(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it names a period that no preposition makes a time: "check the year on the coin"."""
         return said.preposition is None and wall.days in PRESENT and self.texts[piece.start] == "the"
+
+    def _counts_named(self, piece: Piece, wall: Wall) -> bool:
+        """Whether one of its numbers counts what is named beside it."""
+        return self._counts_several(piece, wall) or self._counts_feast(piece, wall)
+
+    def _counts_feast(self, piece: Piece, wall: Wall) -> bool:
+        """Whether its first number counts what a feast has: "two christmas cards"."""
+        if wall.clock is None or wall.days is None or not self.measures.is_number(piece.start):
+            return False
+        feast = any(one.category == "feast" for one in self.around.pieces(piece.start + 1))
+        follower = self.around.follower(piece)
+        return feast and follower.isalpha() and follower not in self.lexicon.function_words
 
     def _counts_several(self, piece: Piece, wall: Wall) -> bool:
         """Whether its last number counts what is behind it: "paint it tomorrow, two coats"."""

@@ -108,6 +108,8 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
 def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     """Read "everyone's asleep", where the tree takes the verb for a possessive."""
     said = [tree.nodes[p] for p in nodes]
+    if len(said) < SHORTEST_BEING:
+        return None
     if said[0].lower == ITS and (len(said) == SHORTEST_BEING or said[1].tag in SAYING_HOW):
         # "When its dark", "when its too hot", "if its over 70 degrees"
         *hedges, last = said[1:]

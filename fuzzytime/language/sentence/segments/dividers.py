@@ -51,6 +51,9 @@ LONGEST_STEP = 3
 LONGEST_TIME = 8
 """Words of a time that heads an entry at most."""
 
+LOOKED_AT = 40
+"""Characters behind a colon that may go on with the time before it."""
+
 STOP = ";"
 """What stands between two entries in place of such a mark."""
 
@@ -75,8 +78,12 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon) -> str:
                 text = _with_stops(text, marks)
     for line in LINE.finditer(text):
         colon = COLON.search(text, *line.span())
-        if colon is not None and _is_dated(text[line.start() : colon.start()], grammar, lexicon):
-            text = text[: colon.start()] + " " + text[colon.end() :]
+        if colon is None or not _is_dated(text[line.start() : colon.start()], grammar, lexicon):
+            continue
+        without = text[: colon.start()] + " " + text[colon.end() :]
+        read = without[line.start() : min(line.end(), colon.end() + LOOKED_AT)]
+        if _ends_still(read, colon.start() - line.start(), grammar, lexicon):
+            text = without
     return text
 
 
@@ -195,6 +202,20 @@ def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
 def _is_dated(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether a time is more than a part of the day, which is a time by the colon: "morning: laundry"."""
     return _is_time(text, grammar, lexicon) and not lexicon.means(text.strip(" -*").lower(), "part")
+
+
+def _ends_still(line: str, end: int, grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether a time ends where it did, without the colon: "mon gym", but "twice 10 minutes"."""
+    if not line[end - 1].isalnum():
+        return False
+    scanned = Scanned.of(line, grammar, lexicon)
+    length = sum(1 for word in scanned.words if word.start < end)
+    found = phrases_of(scanned, lexicon)
+    numbered = line[end:].strip()[:1].isdigit()
+    heads = any(
+        phrase.first == 0 and (phrase.end == length or (numbered and phrase.end > length)) for phrase in found
+    )
+    return heads and (numbered or not any(phrase.first == length for phrase in found))
 
 
 def _is_whole(item: str) -> bool:

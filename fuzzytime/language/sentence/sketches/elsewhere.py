@@ -160,9 +160,9 @@ def _of_inner(part: Part, phrases: Sequence[Phrase]) -> list[Phrase]:
     nodes, found = part.tree.nodes, []
     for phrase in phrases:
         first = next(iter(part.tree.at(*_local(part, phrase))), 0)
-        led = [node.lower for node in nodes[max(0, first - 2) : first]]
+        led, article = ["", "", *(node.lower for node in nodes[:first])][-2:]
         inner = isinstance(phrase.said.time, Duration) and phrase.said.preposition is None
-        if inner and led[:1] == [WITH] and led[1] in ARTICLES and len(phrases) > 1:
+        if inner and led == WITH and article in ARTICLES and len(phrases) > 1:
             found.append(phrase)
     spans = any(isinstance(phrase.said.time, (Range, Duration)) for phrase in phrases if phrase not in found)
     return found if spans else []

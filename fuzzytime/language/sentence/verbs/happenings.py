@@ -84,9 +84,10 @@ def _is_noun(tree: Tree, root: int) -> bool:
 
 
 def _is_several(tree: Tree, root: int) -> bool:
-    """Whether words are nouns, the last for more than one: "client emails"."""
+    """Whether words are nouns, the last for more than one: "client emails"; but "water plants"."""
     node = tree.nodes[root]
     nouns = all(other.tag.startswith(("NN", "CD", "SYM", "HYPH")) for other in tree.nodes[: root + 1])
+    nouns = nouns and not any(other.may_act for other in tree.nodes[:root])
     return node.tag == "NNS" and node.text.isalpha() and node.lower != node.lemma and nouns
 
 
