@@ -33,6 +33,8 @@ SURELY = 2
 """Entries with minutes or a half of the day beside which a number alone is an hour of what lasts, too."""
 LONGEST_STREET = 3
 """Words of the name of a street at most."""
+CALLED = 3
+"""Words of an entry that says who is called when: "call ann 9"."""
 SHORTEST = 2
 """Entries of a list at least, and words of an entry."""
 
@@ -45,7 +47,16 @@ def in_timetable(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) 
     """
     entries = list(_entries(words))
     ends = any(last == end and first < start for first, last in entries)
+    numbered = [span for span in entries if _number_at_end(words[slice(*span)], lexicon) is not None]
+    if len(numbered) >= SHORTEST and all(_is_plain(words[slice(*e)]) for e in entries if e not in numbered):
+        # "Bank 10, dentist 3, pick up cake"
+        entries = numbered
     return ends and len(entries) >= SHORTEST and _all_timed(words, entries, lexicon)
+
+
+def _is_plain(entry: Sequence[Word]) -> bool:
+    """Whether an entry says only what there is to do, in words."""
+    return len(entry) >= SHORTEST and all(word.is_letters for word in entry)
 
 
 def leads_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
@@ -115,7 +126,9 @@ def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexico
         # "Shape it 6:30, bake 40"; but "dough out 6am, shape 6:30, bake 7"
         return False
     led = any(words[last - 1].text.startswith("0") for _, last in entries)
-    return exact > 0 or led or any(has_time(text, lexicon) for text in named)
+    # "Call ann 9, feed the cat at 10"
+    called = any(words[first].text in lexicon.addressing and last - first == CALLED for first, last in entries)
+    return exact > 0 or led or called or any(has_time(text, lexicon) for text in named)
 
 
 def _all_lead(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon: Lexicon) -> bool:

@@ -14,6 +14,7 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.segments.entries import Entry, is_when, names_day
+from fuzzytime.language.sentence.segments.heads import headed
 
 BULLET = re.compile(r"(?:(?<=\s)|^)[•●▪‣◦·]\s*(?=\w)")
 """A mark that stands in front of an entry, and nowhere else."""
@@ -183,7 +184,7 @@ def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> 
     return all(entry.clocked and entry.named and entry.opens for entry in entries)
 
 
-BY_COMMAS = (_head_entries, _last_so_long, _each_is_timed)
+BY_COMMAS = (_head_entries, headed, _last_so_long, _each_is_timed)
 """Lists whose entries commas tell apart."""
 
 

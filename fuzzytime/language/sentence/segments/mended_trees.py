@@ -66,12 +66,22 @@ def _does_named(tree: Tree) -> Tree | None:
 
 
 def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
-    """Give "press start" its verb, where what is pressed, which is named like a verb, was taken for it."""
+    """Give "press start" its verb, where what is pressed, or are several, was taken for it."""
     if len(tree.nodes) < LET or tree.root != 1 or tree.nodes[0].relation not in {"aux", "compound"}:
         return None
     called = tree.nodes[1].may_act and tree.nodes[1].lower == tree.nodes[1].lemma
     orders = called and tree.nodes[0].lower in lexicon.ordering
+    numbered = any(node.tag == "CD" and node.text.isalpha() for node in tree.nodes[LET:])
+    orders = orders or (not numbered and _orders_several(tree.nodes[0], tree.nodes[1], lexicon))
     return tree.with_nodes(_with_thing_done(tree, 1, 1)) if orders else None
+
+
+def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:
+    """Whether something is done with several: "water plants", "feed chickens"; but "swim lessons" happen."""
+    done = lexicon.chores | lexicon.doing.by_the_day | lexicon.dosing | lexicon.ordering
+    timed = lexicon.happening | lexicon.taken | lexicon.events
+    bare = verb.tag == "NN" and verb.lower in done - lexicon.addressing
+    return bare and things.tag == "NNS" and timed.isdisjoint({things.lower, things.lemma})
 
 
 def _lets_know(tree: Tree, lexicon: Lexicon) -> Tree | None:

@@ -10,6 +10,7 @@ from fuzzytime.language.sentence.segments.mended_trees import as_acting, as_done
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 from fuzzytime.language.sentence.verbs.called import with_called, with_clause, with_event, with_worker
+from fuzzytime.language.sentence.verbs.named_deeds import with_named_deed
 from fuzzytime.language.sentence.verbs.statement_trees import as_statement
 
 CARRIERS = ("", "please ", "you should ")
@@ -53,6 +54,7 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list
     found = [with_object_of_aim(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
     found = [with_worker(with_event(with_clause(tree, lexicon), lexicon), lexicon) for tree in found]
     found = [with_called(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
+    found = [with_named_deed(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
     travelling = lexicon.travelling
     return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
 

@@ -1,4 +1,4 @@
-"""Orders one behind the other without a comma: "feed the baby at six bath her at seven".
+"""Orders one behind the other without a joint: "feed the baby at six bath her at seven".
 
 One tree of them all mostly goes wrong, as it does for clauses in front (``fronts``). So it is tried:
 wherever a bare verb governs something and nothing joins it to what stands before, both parts are parsed.
@@ -17,6 +17,9 @@ from fuzzytime.language.sentence.trees.tree import Tree, Trees
 
 LEAST = 2
 """Words of an order that another may stand behind, at least."""
+
+COMMA = ","
+NOUNS = "NN"
 
 OBJECTS = ("dobj", "prt", "dative", "npadvmod", "prep", "advmod")
 """What an order governs that is whole."""
@@ -68,7 +71,8 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         if here in timed or not _may_begin(tree, here, timed, lexicon):
             continue
         led = next((place for place in range(here - 1, -1, -1) if place not in timed), 0)
-        if tree.nodes[led].lower in lexicon.closed.joints_of_orders:
+        joined = tree.nodes[led].lower in lexicon.closed.joints_of_orders
+        if joined and not _is_listed(tree, here, timed):
             # "Set the table, and by seven have the soup ready"
             continue
         turned = lexicon.beside.turning | lexicon.beside.contrary
@@ -91,6 +95,8 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     if node.tag in {"IN", "RP", "TO"} or node.lower in where:
         # "Walk him round the block", "put it back the way it was"
         return False
+    if _is_listed(tree, place, timed):
+        return behind.tag.startswith(NOUNS) and not tree.children(place, "aux", "mark")
     joints = (
         lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}
     ) - lexicon.beside.contrary
@@ -109,6 +115,14 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     further = tree.nodes[place + 2 : place + 3]
     carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
     return led or (carried and further[0].tag in DETERMINERS)
+
+
+def _is_listed(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
+    """Whether a word begins a stretch that has its time, behind another: "feed fish at 8, | walk dog at 9"."""
+    if place < LEAST or tree.nodes[place - 1].text != COMMA or place - LEAST not in timed:
+        return False
+    behind = (at for at in range(place, len(tree.nodes)) if tree.nodes[at].text == COMMA)
+    return next(behind, len(tree.nodes)) - 1 in timed
 
 
 def _is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:

@@ -33,6 +33,7 @@ from fuzzytime.language.sentence.verbs.actions import (
 from fuzzytime.language.sentence.verbs.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.due_by_then import due_by_then
 from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
+from fuzzytime.language.sentence.verbs.named_deeds import deed_at
 from fuzzytime.language.sentence.verbs.moments import reference_of
 from fuzzytime.language.sentence.verbs.operations import Reader
 from fuzzytime.language.sentence.verbs.put_there import put_there
@@ -203,13 +204,16 @@ def _happening(
     spans = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in phrases)]
     put = put_there(part.tree, [place for span in spans for place in part.tree.at(*span)], lexicon)
     if put is not None and not part.segment.verbless:
-        return replace(put, span=(put.span[0] + part.offset, put.span[1] + part.offset))
+        return _moved(put, part)
     due = {place for p in phrases for place in _at(part, p) if p.said.constraint is Constraint.BEFORE}
     so = due_by_then(part.tree, due, {place for p in phrases for place in _at(part, p)}, lexicon)
     if so is not None and not clauses and not part.segment.verbless:
-        return replace(so, span=(so.span[0] + part.offset, so.span[1] + part.offset))
-    if part.segment.verbless or root is None or not timed or not happens(part.tree, phrases, lexicon):
+        return _moved(so, part)
+    if part.segment.verbless or root is None or not timed:
         return None
+    if not happens(part.tree, phrases, lexicon):
+        deed = deed_at(part.tree, phrases, lexicon)
+        return None if deed is None else _moved(deed, part)
     vague = (p.span for p in phrases if isinstance(p.said.time, TimeWord))
     if any(root in part.tree.at(a - part.offset, b - part.offset) for a, b in vague):
         # "No rush, but …" is no rush hour.
@@ -217,7 +221,13 @@ def _happening(
     said = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
     names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in said])
     found = happening_at(root, part.tree, phrases, names, lexicon)
-    return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))
+    return _moved(found, part)
+
+
+def _moved(operation: Operation, part: Part) -> Operation:
+    """Give what a tree says its place in the text."""
+    first, end = operation.span
+    return replace(operation, span=(first + part.offset, end + part.offset))
 
 
 def _at(part: Part, phrase: Phrase) -> Sequence[int]:

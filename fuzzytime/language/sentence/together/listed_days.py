@@ -1,13 +1,26 @@
 """Days that head a list hold for its entries, also behind a stop: "fri: dentist 9am; bank 11am"."""
 
-from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.expressions import Repeat, Wall
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
 STOP = ";"
 """The end of an entry of a list."""
 
-HEADS = ":"
+COLON = ":"
+HEADS = (":", "- ", "– ", "— ")
 """What stands behind a day that heads a list."""
+
+
+def heads_list(first: Sketch, text: str) -> bool:
+    """Whether a text begins with a day, or a repetition, and a mark behind which a list may begin."""
+    day = next(iter(first.phrases), None)
+    if day is None or text[: day.span[0]].strip():
+        return False
+    time = day.said.time
+    if not isinstance(time, Repeat) and not (isinstance(time, Wall) and time.days is not None):
+        return False
+    named, _, behind = text[slice(*day.span)].partition(COLON)
+    return text[day.span[1] :].lstrip().startswith(HEADS) or (bool(behind) and named.strip().isalpha())
 
 
 def listed_below_day(first: Sketch, sketch: Sketch, between: str, text: str) -> bool:
@@ -15,12 +28,11 @@ def listed_below_day(first: Sketch, sketch: Sketch, between: str, text: str) -> 
     day = next(iter(first.phrases), None)
     if between.strip() != STOP or day is None or text[: day.span[0]].strip():
         return False
+    if heads_list(first, text):
+        return True
     time = day.said.time
     if not isinstance(time, Wall) or time.days is None:
         return False
-    named, _, behind = text[slice(*day.span)].partition(HEADS)
-    if text[day.span[1] :].lstrip().startswith(HEADS) or (behind and named.strip().isalpha()):
-        return True
     hour = next(iter(sketch.phrases), None)
     if hour is None or hour.span[0] != sketch.part.segment.span[0] or time.clock is None:
         return False

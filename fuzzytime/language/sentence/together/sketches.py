@@ -28,6 +28,7 @@ from fuzzytime.language.sentence.together.lending import led, repeated, shared, 
 from fuzzytime.language.sentence.together.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.said_again import done_again, each_of
 from fuzzytime.language.sentence.together.several_times import of_several_times
+from fuzzytime.language.sentence.together.things_alone import things_alone
 from fuzzytime.language.sentence.together.told_beside import told_beside
 from fuzzytime.language.sentence.together.turns import counted_apart
 from fuzzytime.requirement import Constraint
@@ -63,7 +64,9 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
         for again in also_at_events(whole, words, lexicon):
             found += of_several_times(again, words, lexicon)
     found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in again_between(found)]
-    placed = on_their_days(each_week(found, draft.text, lexicon), draft.text, draft.heading)
+    headed = draft.heading is not None and draft.heading.day is not None
+    found = things_alone(each_week(found, draft.text, lexicon), draft.text, headed=headed)
+    placed = on_their_days(found, draft.text, draft.heading)
     return _with_asides([from_first_time(sketch, words) for sketch in placed], draft), remarks
 
 
