@@ -508,6 +508,15 @@ def test_what_has_been_done_is_not_done_again(text: str) -> None:
     assert "tells what was" in " ".join(remark.message for remark in reading.remarks)
 
 
+@pytest.mark.parametrize(
+    "text", ["Merry Christmas!", "Eid Mubarak!", "Happy birthday, Anna!", "good morning", "see you tomorrow"]
+)
+def test_a_greeting_asks_for_nothing(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert all(instruction.operation is None for instruction in reading.instructions)
+    assert "greets, and says nothing to do" in " ".join(remark.message for remark in reading.remarks)
+
+
 def test_of_two_repetitions_the_second_is_said_not_to_be_used() -> None:
     reading = language().read("Scan it every two days, on weekdays", now=NOW)
     assert [reading.text[slice(*r.span)] for r in reading.remarks if "repetitions" in r.message] == [

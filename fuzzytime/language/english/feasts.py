@@ -62,7 +62,8 @@ def feast_week(feast: Yearly, number: int | None = None) -> Calendar:
     return WeekOf(feast if number is None else OfYear(feast, number))
 
 
-@grammar.rule("days", "the? day|evening|morning|night before <feast>", weight=0.7)
+@grammar.rule("days", "the day|evening|morning|night before <feast>", weight=0.7)
+@grammar.rule("days", "day|evening|morning|night before <feast>", weight=0.3)
 @grammar.rule("days", "erev <feast>", "<feast> eve", weight=0.05)
 def eve(feast: Yearly) -> Calendar:
     """The day before christmas, erev passover, easter eve."""

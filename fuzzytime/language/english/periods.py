@@ -241,13 +241,15 @@ def nth_before(number: int, series: Calendar, anchor: Calendar) -> Calendar | No
     return Following(-number, series, anchor) if weekly and anchor.grain is Unit.DAY and number > 0 else None
 
 
-@grammar.rule("days", "the? day before <days>|<date>|<weak date>", "the eve of <date>|<feast>", weight=0.9)
+@grammar.rule("days", "the day before <days>|<date>|<weak date>", "the eve of <date>|<feast>", weight=0.9)
+@grammar.rule("days", "day before <days>|<date>|<weak date>", weight=0.3)
 def day_before(days: Calendar) -> Calendar | None:
     """The day before friday, the day before the first of april."""
     return Away(-1, Unit.DAY, days) if days.grain is Unit.DAY else None
 
 
-@grammar.rule("days", "the? day after|following <days>|<date>|<weak date>", weight=0.9)
+@grammar.rule("days", "the day after|following <days>|<date>|<weak date>", weight=0.9)
+@grammar.rule("days", "day after|following <days>|<date>|<weak date>", weight=0.3)
 def day_after(days: Calendar) -> Calendar | None:
     """The day after friday."""
     return Away(1, Unit.DAY, days) if days.grain is Unit.DAY else None

@@ -125,12 +125,18 @@ def _as_taken(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Said |
     return Said(length, Constraint.FOR, None, said.hedges)
 
 
+ARROWS = frozenset({">", "→", "⇒"})
+"""Marks between an old time and a new one: "move mtg 2 > 3pm"."""
+
+
 def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     """Read the second of two times as that of what is given another: "move the meeting from two to three"."""
     said, before = phrase.said, [word.text for word in words[max(0, phrase.first - NEAR) : phrase.first]]
     if _is_length_changed(before, lexicon) and isinstance(said.time, Offset):
         return replace(phrase, said=_lengthened(said, said.time))
-    if not isinstance(said.time, Range) or words[phrase.first].text != "from" or not before:
+    arrow = any(word.text in ARROWS for word in words[phrase.first : phrase.end])
+    led = words[phrase.first].text == "from" or arrow
+    if not isinstance(said.time, Range) or not led or not before:
         return phrase
     event = before[-1] in lexicon.events | lexicon.taken
     named = event or (len(before) > 1 and before[-2] in lexicon.closed.possessives)

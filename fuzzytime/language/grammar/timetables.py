@@ -11,7 +11,7 @@ SEPARATORS = frozenset({",", ";", "\n"})
 """Marks between entries."""
 JOINTS = frozenset({":", "."})
 """Marks between hour and minute."""
-STRETCHES = JOINTS | {"-"}
+STRETCHES = JOINTS | {"-", "=", ">", "→", "⇒"}
 """Marks in two numbers from when to when."""
 HALF_DAY = 12
 """Hours that a number alone may name in a list."""
@@ -161,7 +161,7 @@ def is_hour_of(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) ->
     if end - start != 1 or not number.isdecimal() or not 1 < int(number) <= HALF_DAY or not behind:
         return False
     thing, *after = behind
-    ends = not after or after[0] in SEPARATORS or after[0] in lexicon.function_words
+    ends = not after or after[0] in SEPARATORS | {"("} or after[0] in lexicon.function_words
     return ends and not looks_plural(thing) and thing in lexicon.happening | lexicon.taken
 
 

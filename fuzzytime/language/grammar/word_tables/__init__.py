@@ -207,7 +207,7 @@ _ROWS = {
         "rescheduled", "cancelled",
         "present", "perfect", "absent", "finished", "having", "unstarted", "yet", "wrong", "unable", "more",
         "needing", "open", "doing", "moment", "plan", "what", "showing", "when", "lasting", "why",
-        "supposing", "filling", "first", "instead", "letting", "answering",
+        "supposing", "filling", "first", "instead", "letting", "answering", "greeting",
     ),
     "measures": ("verbs", "nouns", "changing", "dividing", "counting", "amounts"),
 }  # fmt: skip

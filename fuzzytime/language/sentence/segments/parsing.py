@@ -54,7 +54,9 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list
     found = [with_object_of_aim(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
     found = [with_worker(with_event(with_clause(tree, lexicon), lexicon), lexicon) for tree in found]
     found = [with_called(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
-    found = [with_named_deed(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
+    found = [
+        with_named_deed(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)
+    ]
     travelling = lexicon.travelling
     return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
 

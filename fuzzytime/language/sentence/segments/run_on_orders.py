@@ -118,7 +118,7 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
 
 
 def _is_listed(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
-    """Whether a word begins a stretch that has its time, behind another: "feed fish at 8, | walk dog at 9"."""
+    """Whether a word begins a stretch with its time behind another: "feed fish at 8, | walk dog at 9"."""
     if place < LEAST or tree.nodes[place - 1].text != COMMA or place - LEAST not in timed:
         return False
     behind = (at for at in range(place, len(tree.nodes)) if tree.nodes[at].text == COMMA)

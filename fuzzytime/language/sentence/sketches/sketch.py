@@ -33,8 +33,8 @@ from fuzzytime.language.sentence.verbs.actions import (
 from fuzzytime.language.sentence.verbs.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.due_by_then import due_by_then
 from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
-from fuzzytime.language.sentence.verbs.named_deeds import deed_at
 from fuzzytime.language.sentence.verbs.moments import reference_of
+from fuzzytime.language.sentence.verbs.named_deeds import deed_at
 from fuzzytime.language.sentence.verbs.operations import Reader
 from fuzzytime.language.sentence.verbs.put_there import put_there
 from fuzzytime.language.sentence.verbs.remembered import as_remembered
@@ -212,7 +212,8 @@ def _happening(
     if part.segment.verbless or root is None or not timed:
         return None
     if not happens(part.tree, phrases, lexicon):
-        deed = deed_at(part.tree, phrases, lexicon)
+        places = {p for a, b in spans for p in part.tree.at(a, b)}
+        deed = deed_at(part.tree, places, phrases, lexicon)
         return None if deed is None else _moved(deed, part)
     vague = (p.span for p in phrases if isinstance(p.said.time, TimeWord))
     if any(root in part.tree.at(a - part.offset, b - part.offset) for a, b in vague):

@@ -5,9 +5,9 @@ Words and times
     ``several_times``, ``both_sides``, ``first_offered``, ``again_between``, ``turns``, ``first_times``,
     ``at_once``, ``for_all``, ``also_at_events``, ``choices_of_repetitions``; what is ``told_beside``.
 Days and lengths
-    ``headings``, ``days_apart`` (``listed_days``), ``mornings``, ``day_by_day``, ``days_left_out``,
-    ``left_out_behind``, ``each_week``, ``opening_hours``, ``days_on``, ``lengths``, ``waited``,
-    ``consequences``.
+    ``headings``, ``days_apart`` (``listed_days``, ``things_alone``), ``mornings``, ``day_by_day``,
+    ``days_left_out``, ``left_out_behind``, ``each_week``, ``opening_hours``, ``days_on``, ``lengths``,
+    ``waited``, ``consequences``.
 What is none
     ``doubts`` (``what_was``), ``denials``, ``naming``.
 """

@@ -6,6 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
+from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
@@ -18,6 +19,9 @@ BESIDE = frozenset({"advcl", "ccomp", "conj", "parataxis", "dep"})
 """Relations of a verb that may be a further order, and was not cut off."""
 NAMES = ("NN", "CD")
 """How tags of words begin that name or count something."""
+
+GREETED = 2
+"""Words behind a greeting that are no time."""
 
 DENYING = "not"
 WHAT_WAS = "what was"
@@ -33,6 +37,11 @@ def doubts_of(
     has_to = " ".join(word.text for word in said[:2]) in lexicon.beside.obliging and behind != "?"
     if (asks(said, behind, lexicon) and not has_to) or (behind == "?" and _is_inverted(tree)):
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} asks, and says nothing to do")
+        return
+    if _greets(sketch, said, lexicon):
+        yield Remark(
+            RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} greets, and says nothing to do"
+        )
         return
     if _takes_back(said, lexicon):
         message = f"{text[slice(*span)]!r} takes back what was said before, and says nothing to do"
@@ -175,6 +184,23 @@ def _is_denied(tree: Tree, root: int) -> bool:
 def _is_no_one(tree: Tree, place: int) -> bool:
     """Whether it is "no one"."""
     return tree.nodes[place].lower == "one" and place > 0 and tree.nodes[place - 1].lower == "no"
+
+
+def _greets(sketch: Sketch, said: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words wish something, or take leave: "merry christmas", "see you tomorrow".
+
+    Behind the greeting stands who is greeted, at most, or what for.
+    """
+    greeting = longest_match(said, 0, lexicon.conversation["greeting"])
+    if greeting is None:
+        return False
+    heard = sketch.heard
+    behind = [word for word in said[len(greeting) :] if word.is_letters]
+    left = [word for word in behind if not any(a <= word.start < b for a, b in heard)]
+    if left and any(isinstance(p.said.time, Wall) and p.said.time.clock for p in sketch.phrases):
+        # "Happy hour at six"
+        return False
+    return len(left) <= GREETED and not any(word.text in lexicon.particles for word in left)
 
 
 def _takes_back(said: Sequence[Word], lexicon: Lexicon) -> bool:
