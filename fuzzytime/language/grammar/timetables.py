@@ -127,7 +127,9 @@ def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexico
         return False
     led = any(words[last - 1].text.startswith("0") for _, last in entries)
     # "Call ann 9, feed the cat at 10"
-    called = any(words[first].text in lexicon.addressing and last - first == CALLED for first, last in entries)
+    called = any(
+        words[first].text in lexicon.addressing and last - first == CALLED for first, last in entries
+    )
     return exact > 0 or led or called or any(has_time(text, lexicon) for text in named)
 
 

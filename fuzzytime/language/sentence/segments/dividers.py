@@ -173,15 +173,18 @@ def _is_timed_step(item: str, grammar: Grammar, lexicon: Lexicon) -> bool:
 
 
 def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
-    """Whether commas stand between things that each have a clock time: "obs 8:00, meds 8:30".
+    """Whether commas stand between things that each have a clock time: "obs 8:00, meds 8:30", "9-10 gym, …".
 
     The first is one word, so that nothing is done with it that may be done with the others, too.
     """
-    entries = (Entry.of(item, grammar, lexicon) for item in items)
-    first = next(entries)
+    first = Entry.of(items[0], grammar, lexicon)
+    # Most lines are no such list, and to read the others costs time.
+    others = (Entry.of(item, grammar, lexicon) for item in items[1:])
+    if first.times and first.begins_with_stretch:
+        return all(entry.begins_with_stretch for entry in others)
     if len(first.named) != 1 or not first.clocked:
         return False
-    return all(entry.clocked and entry.named and entry.opens for entry in entries)
+    return all(entry.clocked and entry.named and entry.opens for entry in others)
 
 
 BY_COMMAS = (_head_entries, headed, _last_so_long, _each_is_timed)
