@@ -47,7 +47,7 @@ def in_timetable(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) 
     """
     entries = list(_entries(words))
     ends = any(last == end and first < start for first, last in entries)
-    numbered = [span for span in entries if _number_at_end(words[slice(*span)], lexicon) is not None]
+    numbered = [span for span in entries if _number_at_end(words[slice(*span)], lexicon)]
     if len(numbered) >= SHORTEST and all(_is_plain(words[slice(*e)]) for e in entries if e not in numbered):
         # "Bank 10, dentist 3, pick up cake"
         entries = numbered
