@@ -80,6 +80,20 @@ def not_before_with_h(preposition: Preposition, clock: Clock) -> Said | None:
     return said if preposition.name == "not before" else None
 
 
+@grammar.rule("said", "<preposition_after> <four digits with hours>", weight=0.6)
+def release_with_hours(preposition: Preposition, clock: Clock) -> Said:
+    """After 1330 hours, not before 1800 hours."""
+    return Said(Wall(clock=clock), Constraint.AFTER, preposition.name, (), preposition.edge)
+
+
+@grammar.rule("said", "<preposition_before> <four digits with hours>", weight=0.6)
+def deadline_with_hours(preposition: Preposition, clock: Clock) -> Said | None:
+    """Before 1530 hours; but "within 1000 hours" is so long."""
+    if preposition.name == "within":
+        return None
+    return Said(Wall(clock=clock), Constraint.BEFORE, preposition.name, (), preposition.edge)
+
+
 def _as_clock(goal: Goal) -> Goal:
     """Read the digits of a bound as a clock time, where they would be a year long gone: "by 1730"."""
     days = goal.time.days if isinstance(goal.time, Wall) and goal.time.weak else None

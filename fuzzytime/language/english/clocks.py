@@ -18,6 +18,9 @@ NOON_HOUR = NOON // 3600
 EARLIEST_WITH_H = 8
 """From here on, "15h" is a clock time, where "3h" is a length."""
 
+EARLIEST_MILITARY = 100
+"""From here on, a number is an hour with its minutes: "100 hours" is one o'clock."""
+
 TO_AN_HOUR = frozenset({15, 20})
 """Hours of the afternoon that, in words, may as well be minutes: "twenty to seven"."""
 
@@ -65,7 +68,15 @@ def early_hundred(hour: Integer) -> Clock | None:
 def military(hour: Integer) -> Clock | None:
     """1730 hours; "two hours" is a length."""
     found = number(hour)
-    return replace(found, bare=False, full_day=True) if found is not None and hour.value >= 100 else None
+    if found is None or (hour.value < EARLIEST_MILITARY and len(hour.digits) < FULL_DIGITS):
+        return None
+    return replace(found, bare=False, full_day=True)
+
+
+@grammar.rule("clock", "<integer> hours|hrs", weight=1.0)
+def early_military(hour: Integer) -> Clock | None:
+    """0630 hours: no length of time is typed so."""
+    return military(hour) if len(hour.digits) == FULL_DIGITS and hour.digits.startswith("0") else None
 
 
 @grammar.rule("clock", "<integer> <integer> hours|hrs", weight=0.4)
@@ -118,6 +129,12 @@ def hour_with_h(hour: Integer) -> Clock | None:
         if hour.digits and EARLIEST_WITH_H <= hour.value <= 24
         else None
     )
+
+
+@grammar.rule("four digits with hours", "<integer> hours|hrs")
+def four_digits_with_hours(hour: Integer) -> Clock | None:
+    """(not before) 1330 hours: a length of time is hardly as long."""
+    return military(hour) if len(hour.digits) == FULL_DIGITS else None
 
 
 @grammar.rule("late clock with h", "<15h30>")

@@ -15,6 +15,9 @@ grammar = Grammar()
 LAST_CLOCK_YEAR = 1959
 """The last past year that is written as a clock time is."""
 
+LAST_SPOKEN_HOUR = 12
+"""Up to here, a number and another behind it are hardly a year of our time."""
+
 LATE_HOURS = range(2100, 2400)
 """Numbers beyond it that are rather hours and minutes than years, too: "friday, 2115"."""
 
@@ -156,9 +159,9 @@ def year(number: Integer) -> int | None:
 
 
 @grammar.rule("year", "<spoken year>")
-def spoken_year(number: int) -> int:
-    """Two thousand and seventeen."""
-    return number
+def spoken_year(number: int) -> int | None:
+    """Two thousand and seventeen; but "eleven thirty" is an hour."""
+    return None if number // 100 <= LAST_SPOKEN_HOUR and number % 100 < 60 else number
 
 
 @grammar.rule("year", "' <integer>")

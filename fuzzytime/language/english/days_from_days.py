@@ -1,10 +1,13 @@
 """Days by how far they are from another: "a week tomorrow", "a month ago today", "over the next week"."""
 
+from dataclasses import replace
+
+from fuzzytime.language.english.days import stretch
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import Duration, Offset, Said, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Said, UnitWord, Wall
 from fuzzytime.language.meaning.feasts import Yearly
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import Nth
@@ -232,3 +235,16 @@ def stretch_ahead(unit: UnitWord) -> Said | None:
     if unit.unit in SUB_DAY or unit.unit is Unit.DAY:
         return None
     return Said(Wall(Stretch(unit.count, unit.unit)), None, "during")
+
+
+@grammar.rule("said", "<duration> from <wall> ,? for <duration>", weight=1.0)
+def lasting_from_then(away: Duration, wall: Wall, duration: Duration) -> Said | None:
+    """A week from sunday at six for an hour."""
+    days = None if wall.days is None or away.hedges else days_away(away, wall.days, 1)
+    return None if days is None else Said(replace(wall, days=days), None, None, lasting=duration)
+
+
+@grammar.rule("stretch", "the? <duration> <deictic>", weight=-0.3)
+def stretch_behind(duration: Duration, which: Which) -> Wall | Coming | None:
+    """The two hours following; but "for two hours next monday" is on that one."""
+    return stretch(which, duration)

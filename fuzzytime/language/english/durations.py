@@ -78,7 +78,13 @@ def listed(first: Duration, second: Duration) -> Duration | None:
     return None if first.indefinite or second.indefinite else sum_of(first, second)
 
 
-@grammar.rule("duration", "<duration> and? <duration>", "<duration> , and <duration>", weight=0.1)
+@grammar.rule("duration", "<duration> <duration>", weight=0.1)
+def said_together(first: Duration, second: Duration) -> Duration | None:
+    """1 hour 30 minutes; but "18h30 three days from now" is half past six on that day."""
+    return sum_of(first, second) if UNIT_SECONDS[second.unit] < UNIT_SECONDS[first.terms[0][1]] else None
+
+
+@grammar.rule("duration", "<duration> and <duration>", "<duration> , and <duration>", weight=0.1)
 def sum_of(first: Duration, second: Duration) -> Duration | None:
     """1 hour and 30 minutes; 2 years, 3 months; "an hour and a quarter" has no quarter of a year."""
     units, more = ({unit for _, unit in duration.terms} for duration in (first, second))

@@ -172,9 +172,9 @@ def later_today(share: tuple[float, float], days: Calendar | None = None) -> Wal
 
 
 @grammar.rule("wall", "<days>|<date> <day_half>", weight=0.1)
-def day_half(days: Calendar, half: Part) -> Wall:
-    """Tuesday am."""
-    return Wall(days, half)
+def day_half(days: Calendar, half: Part) -> Wall | None:
+    """Tuesday am; but "sunday week 4 pm" is at four."""
+    return Wall(days, half) if days.grain is Unit.DAY else None
 
 
 @grammar.rule("wall", "<share> <days> <part>", weight=0.3)

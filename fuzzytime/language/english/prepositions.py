@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.relations import Relative, days_away
 from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Constraint, Unit
 
@@ -145,6 +146,20 @@ def at_clock_beside(clock: Clock, wall: Wall) -> Said | None:
     """At 2.30 tomorrow; but "at seven second helpings are served"."""
     time = joined(Wall(clock=clock), wall)
     return None if time is None else Said(time, None, "at")
+
+
+@grammar.rule(
+    "said",
+    "at <clock>|<clock behind at> ,? in <duration> time?",
+    "at <clock>|<clock behind at> ,? in <duration> '|'s time",
+    weight=0.8,
+)
+def at_clock_after_days(clock: Clock, duration: Duration) -> Said | None:
+    """At five in two days, at 1830 in a fortnight; "at five in two hours" are two times."""
+    away = days_away(duration, Relative(0), 1)
+    if away is None or duration.hedges:
+        return None
+    return Said(Wall(away, clock=replace(clock, bare=False, pair=False)), None, "at")
 
 
 @grammar.rule("said", "starting|beginning|commencing at? the? <goal>", weight=0.3)

@@ -92,3 +92,17 @@ def after_days_at(duration: Duration, wall: Wall) -> Wall | None:
     """In seven days at 5pm, in three days on friday."""
     away = days_away(duration, Relative(0), 1)
     return None if away is None or wall.bare else joined(Wall(away), wall)
+
+
+@grammar.rule(
+    "wall", "in <duration> time? ,? at <clock>", "in <duration> '|'s time ,? at <clock>", weight=0.5
+)
+def after_days_at_number(duration: Duration, clock: Clock) -> Wall | None:
+    """In two days at five, in a week at 1330."""
+    return after_days_at(duration, Wall(clock=replace(clock, bare=False)))
+
+
+@grammar.rule("wall", "<clock> ,? in <duration> time?", "<clock> ,? in <duration> '|'s time", weight=0.3)
+def clock_after_days(clock: Clock, duration: Duration) -> Wall | None:
+    """Half past five in two days; but "have six in two days" is no time of day."""
+    return None if clock.bare or clock.pair else after_days_at(duration, Wall(clock=clock))

@@ -69,6 +69,33 @@ class _Inside(Calendar):
 
 
 @dataclass(frozen=True, slots=True)
+class EachDay(Calendar):
+    """Each day of some periods: those of every weekend."""
+
+    of: Calendar
+
+    @property
+    def grain(self) -> Unit:
+        """Days."""
+        return Unit.DAY
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give the days in ascending order."""
+        for period in self.of.upcoming(today, since):
+            yield from (day for day in _days_of(period) if day.end > since)
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give the days in descending order."""
+        for period in self.of.past(today, until):
+            yield from (day for day in reversed(_days_of(period)) if day.first < until)
+
+
+def _days_of(period: Days) -> list[Days]:
+    firsts = (period.first + timedelta(days=later) for later in range((period.end - period.first).days))
+    return [Days(first, first + timedelta(days=1)) for first in firsts]
+
+
+@dataclass(frozen=True, slots=True)
 class Within(_Inside):
     """The first of one series inside another: "wednesday of next week", "christmas 2014"."""
 

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import TypeGuard
 
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
     Coming,
@@ -22,7 +22,7 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.first_times import closing_of, first_time, in_the_end, is_release
 from fuzzytime.language.meaning.instants import halved
-from fuzzytime.language.meaning.nested import Share
+from fuzzytime.language.meaning.nested import EachDay, Share
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half, Part
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, Unit
@@ -78,7 +78,10 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
         if old.part and wall.part and not late and not _is_inside(wall.part, old.part):
             return None
         clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
-        walls.append(replace(old, clock=clock, part=wall.part or old.part))
+        # "On weekends at nine" is on either day; every other weekend is taken as a whole.
+        each = old.days == Weekend() and repeat.skip == 1
+        days_of = EachDay(Weekend()) if each else old.days
+        walls.append(replace(old, days=days_of, clock=clock, part=wall.part or old.part))
     return replace(repeat, walls=tuple(walls))
 
 
