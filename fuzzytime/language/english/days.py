@@ -239,7 +239,8 @@ def stretch(first: object, second: object, third: object = None) -> Wall | Comin
     """The next three days, the last two hours, 5 coming minutes."""
     which = next(x for x in (first, second) if isinstance(x, Which))
     if isinstance(third, UnitWord) and isinstance(first, Quantity):
-        if third.form == "night" or (third.unit not in SUB_DAY and not third.form.endswith("s")):
+        one = which is Which.NEXT and third.unit not in SUB_DAY and not third.form.endswith("s")
+        if third.form == "night" or one:
             # "Between 9 and 11 next week"
             return None
         duration = Duration(((first.value * third.count, third.unit),), first.hedges)

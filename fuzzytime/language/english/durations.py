@@ -5,6 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import SMALLER, Integer, Typed
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Quantity, UnitWord
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -81,7 +82,8 @@ def listed(first: Duration, second: Duration) -> Duration | None:
 @grammar.rule("duration", "<duration> <duration>", weight=0.1)
 def said_together(first: Duration, second: Duration) -> Duration | None:
     """1 hour 30 minutes; but "18h30 three days from now" is half past six on that day."""
-    return sum_of(first, second) if UNIT_SECONDS[second.unit] < UNIT_SECONDS[first.terms[0][1]] else None
+    in_a_day = first.terms[-1][1] in SUB_DAY
+    return sum_of(first, second) if second.unit in SUB_DAY or not in_a_day else None
 
 
 @grammar.rule("duration", "<duration> and <duration>", "<duration> , and <duration>", weight=0.1)
