@@ -96,8 +96,10 @@ class Borders:
 
     def _takes_full_stop(self, piece: Piece) -> bool:
         """Whether its dot ends the sentence, as what stands before it is a time word: "in half a mo."."""
+        if self.texts[piece.end - 1] != ".":
+            return False
         words = (one for one in self.around.pieces(piece.start) if one.category == "word")
-        return self.texts[piece.end - 1] == "." and any(one.end == piece.end - 1 for one in words)
+        return any(one.end == piece.end - 1 for one in words)
 
     def _counts_nothing(self, piece: Piece) -> bool:
         """Whether nothing says of what a number behind "in" is: "in around one", "order the shoes in 7"."""

@@ -17,7 +17,7 @@ which bounds the work: no input makes it explode.
 
 import itertools
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple, TypeVar
 
@@ -69,24 +69,28 @@ def literal(word: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _Index:
-    """Rules by their first symbol: those of one symbol, and by their second symbol those of more."""
+    """Rules by their first symbol: those of one symbol, and by their second symbol those of more.
+
+    With these stands their third symbol, None where they have no more.
+    """
 
     literals: frozenset[str]
     single: Mapping[str, list[Rule]]
-    longer: Mapping[str, Mapping[str, list[Rule]]]
+    longer: Mapping[str, Mapping[str, list[tuple[str | None, Rule]]]]
 
     @classmethod
     def of(cls, rules: Iterable[Rule]) -> "_Index":
         literals: set[str] = set()
         single: dict[str, list[Rule]] = {}
-        longer: dict[str, dict[str, list[Rule]]] = {}
+        longer: dict[str, dict[str, list[tuple[str | None, Rule]]]] = {}
         for rule in rules:
             literals.update([symbol[1:] for symbol in rule.symbols if symbol[0] == "'"])
             first = rule.symbols[0]
             if len(rule.symbols) == 1:
                 single.setdefault(first, []).append(rule)
             else:
-                longer.setdefault(first, {}).setdefault(rule.symbols[1], []).append(rule)
+                second, *more = rule.symbols[1:]
+                longer.setdefault(first, {}).setdefault(second, []).append((next(iter(more), None), rule))
         return cls(frozenset(literals), single, longer)
 
 
@@ -168,8 +172,13 @@ def _close(index: _Index, chart: "Chart", start: int, agenda: list[Piece]) -> No
         if longer is not None:
             for second in chart.following(piece.end):
                 for symbol, choices in second.items():
-                    for rule in longer.get(symbol, ()):
-                        _extend(chart, rule, (piece,), choices, agenda)
+                    if symbol not in longer:
+                        continue
+                    behind = chart.behind(choices)
+                    for third, rule in longer[symbol]:
+                        # Most rules begin with what is there, and go on with what is not.
+                        if third is None or third in behind:
+                            _extend(chart, rule, (piece,), choices, agenda)
 
 
 class Chart:
@@ -178,12 +187,21 @@ class Chart:
     def __init__(self, words: Sequence[Word]) -> None:
         self.cells: list[Cell] = [{} for _ in range(len(words) + 1)]
         self._jumps = [joins(words, place) for place in range(len(words))] + [False]
+        self._behind: dict[int, frozenset[str]] = {}
 
     def following(self, end: int) -> tuple[Cell, ...]:
         """Give the cells at which the next piece may start; a hyphen that joins words may be passed over."""
         if self._jumps[end]:
             return self.cells[end], self.cells[end + 1]
         return (self.cells[end],)
+
+    def behind(self, ends: Collection[int]) -> frozenset[str]:
+        """Give the categories of what may follow pieces that end at some words, whose cells are full."""
+        for end in ends:
+            if end not in self._behind:
+                self._behind[end] = frozenset().union(*self.following(end))
+        found = [self._behind[end] for end in ends]
+        return found[0] if len(found) == 1 else frozenset().union(*found)
 
 
 def _extend(

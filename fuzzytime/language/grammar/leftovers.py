@@ -140,10 +140,12 @@ def _counted_from_zero(scanned: Scanned, explained: Sequence[Span]) -> Iterator[
     words = scanned.words
     for place in range(len(words) - 2):
         letter, sign, number = words[place : place + 3]
+        if letter.text not in ZEROS:
+            continue
         heads = not place or words[place - 1].text in {";", ",", "at", "@"}
         ends = place + 3 == len(words) or words[place + 3].text in {";", ",", "."}
         # "Vitamin D-3 at eight", "the T-1000"
-        named = letter.text in ZEROS and (heads or (ends and letter.text in MOMENTS))
+        named = heads or (ends and letter.text in MOMENTS)
         whole = named and len(number.text) <= LONGEST_COUNT
         counts = sign.text in SIGNS and sign.glued and number.is_digits and number.glued
         signed = sign.text != "-" or letter.capital
@@ -182,14 +184,10 @@ def _is_rate(piece: Piece, around: Surroundings) -> bool:
 def _ones(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
     """Give the places of a one of which nothing says what it counts: "in around one"."""
     for piece in scanned.pieces("said"):
-        span = (scanned.words[piece.start].start, scanned.words[piece.end - 1].end)
-        known = any(first < span[1] and span[0] < end for first, end in explained)
-        if (
-            around.texts[piece.start] == "in"
-            and not known
-            and counts_one(piece.value)
-            and around.may_end(piece)
-        ):
+        if around.texts[piece.start] != "in" or not counts_one(piece.value):
+            continue
+        known = _meets(explained, scanned.words[piece.start], scanned.words[piece.end - 1])
+        if not known and around.may_end(piece):
             yield from range(piece.start, piece.end)
 
 

@@ -85,7 +85,7 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
     for place, word in enumerate(words):
         if word.text in lexicon.fillers or _is_clipped(words, place + 1, lexicon):
             continue
-        if _is_inside(words, place):
+        if word.text in {".", "~"} and _is_inside(words, place):
             if word.text == "." and lexicon.means(words[place - 1].text, "month"):
                 # "September.16th"
                 continue
@@ -93,7 +93,7 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
                 # "3~5 pm"
                 found.append(replace(word, text="-"))
                 continue
-        if _is_ellipsis(words, place):
+        if word.text == "." and _is_ellipsis(words, place):
             # "2026-03-14..2026-03-16"
             found.append(replace(word, text="-"))
             continue
@@ -141,7 +141,7 @@ def _is_clipped(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     if not 0 < place < len(words) or not words[place].glued:
         return False
     mark, text = words[place - 1].text, words[place].text
-    return any(entry.words == (mark, text) for entry in lexicon.entries.get("'", ()))
+    return mark == "'" and any(entry.words == (mark, text) for entry in lexicon.entries.get("'", ()))
 
 
 def _is_owner(text: str, lexicon: Lexicon) -> bool:

@@ -7,9 +7,6 @@ from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import TimeWord, Wall
 
-FEAST_WORDS = 3
-"""Words of a feast's name before another that may be a time, at most."""
-
 BANK_HOLIDAY = ["bank", "holiday"]
 """Words before a weekday on a date that is not known here."""
 
@@ -66,35 +63,35 @@ class Titles(Standing):
 
     def _is_of_other_calendar(self, piece: Piece) -> bool:
         """Whether it is a feast on a day that is not known here: "chinese new year"."""
-        for place in range(piece.start, piece.end):
-            if self._is_known_feast(place):
-                continue
-            other = place > 0 and self.texts[place - 1] in self.lexicon.other_calendars
-            if other and any(one.category == "feast" for one in self.around.pieces(place)):
-                return True
-            calendar, named = ("", "", *self.texts[:place])[-2:]
-            named_there = calendar in self.lexicon.other_calendars and named in self.beside.holy
-            if named_there and self.around.is_weekday(place):
-                # "Orthodox great friday"
-                return True
-            if self.texts[max(0, place - 2) : place] == BANK_HOLIDAY and self.around.is_weekday(place):
-                # "On bank holiday monday"
-                return True
-        return False
+        return not self._of_other_calendars.isdisjoint(range(piece.start, piece.end))
 
-    def _is_known_feast(self, place: int) -> bool:
-        """Whether it is a later word of a feast's name, whose calendar is known: "orthodox easter"."""
-        begins = range(max(0, place - FEAST_WORDS), place)
-        found = (one for begin in begins for one in self.around.pieces(begin))
-        return any(one.category == "feast" and one.end > place for one in found)
+    @cached_property
+    def _of_other_calendars(self) -> frozenset[int]:
+        """The places of days that are not known here."""
+        return frozenset(place for place in range(1, len(self.texts)) if self._is_unknown_day(place))
+
+    def _is_unknown_day(self, place: int) -> bool:
+        """Whether a day stands at a place that an unknown calendar has: "parsi new year"."""
+        calendar, named = ("", *self.texts[:place])[-2:]
+        if [calendar, named] == BANK_HOLIDAY:
+            # "On bank holiday monday"
+            return self.around.is_weekday(place)
+        others = self.lexicon.other_calendars
+        if named in others:
+            feast = any(one.start == place for one in self._feasts)
+        else:
+            # "Orthodox great friday"
+            feast = calendar in others and named in self.beside.holy and self.around.is_weekday(place)
+        # A later word of a feast's name, whose calendar is known: "orthodox easter"
+        return feast and not any(one.start < place < one.end for one in self._feasts)
+
+    @cached_property
+    def _feasts(self) -> tuple[Piece, ...]:
+        """All feasts that are named."""
+        found = (one for place in range(len(self.texts)) for one in self.around.pieces(place))
+        return tuple(one for one in found if one.category == "feast")
 
     def _is_of_feast(self, piece: Piece) -> bool:
-        """Whether it begins within the name of a feast: "black friday deals"."""
-        found = (
-            one
-            for begin in range(max(0, piece.start - FEAST_WORDS), piece.start)
-            for one in self.around.pieces(begin)
-        )
-        # "Clean monday" may be an order.
-        sure = (one for one in found if one.category == "feast" and not one.value.doubtful)
-        return any(one.end > piece.start for one in sure)
+        """Whether it begins within what is surely the name of a feast: "black friday deals"."""
+        sure = (one for one in self._feasts if not one.value.doubtful)
+        return any(one.start < piece.start < one.end for one in sure)
