@@ -1,5 +1,6 @@
 """A dependency tree as a value: words with tags, relations and heads, from whatever parser made it."""
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -89,7 +90,9 @@ class Tree:
 
     def at(self, start: int, end: int) -> Iterator[int]:
         """Give the words that lie in a stretch of characters."""
-        return (p for p, node in enumerate(self.nodes) if node.start < end and start < node.end)
+        first = bisect_right(self.nodes, start, key=lambda node: node.end)
+        behind = bisect_left(self.nodes, end, lo=first, key=lambda node: node.start)
+        return iter(range(first, behind))
 
     def without_carrier(self, carrier: str, text: str, skipped: int) -> "Tree":
         """Give the tree of a text that was parsed behind some words, and without its first characters.
