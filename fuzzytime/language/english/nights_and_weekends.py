@@ -1,4 +1,4 @@
-"""Parts of working days and of weekends, again and again: "every weeknight", "weekend mornings"."""
+"""Working days, weekends and parts of them, again and again: "every weeknight", "every other weekend"."""
 
 from dataclasses import replace
 
@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Duration, Offset, Repeat, Said, Wall
+from fuzzytime.language.meaning.nested import EachDay
 from fuzzytime.language.meaning.relations import Deictic, Stretch, Which
 from fuzzytime.language.meaning.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Clock, Part
@@ -31,6 +32,30 @@ def _on(days: range, *parts: Part) -> Repeat:
 def weeknights(night: Part) -> Repeat:
     """Every weeknight."""
     return _on(WORKING, night)
+
+
+@grammar.rule(
+    "repeat",
+    "every|each other|second|alternate weekday|workday",
+    "every|each other|second|alternate working|work|business|school day",
+    "on? alternate weekdays|workdays",
+    weight=1.5,
+)
+def every_other_working_day() -> Repeat:
+    """Every other weekday: monday, wednesday, friday, tuesday, and so on."""
+    return Repeat(walls=(Wall(EachDay(Weekend(working=True))),), skip=2)
+
+
+@grammar.rule(
+    "repeat",
+    "every|each other|second|alternate weekend",
+    "on? alternate weekend|weekends",
+    "on? every other weekends",
+    weight=1.5,
+)
+def every_other_weekend() -> Repeat:
+    """Every other weekend: taken as a whole, it begins on Saturday."""
+    return Repeat(walls=(Wall(Weekend()),), skip=2)
 
 
 @grammar.rule("called at", "<clock> <repeat>", weight=0.5)
