@@ -6,7 +6,7 @@ from fuzzytime.language.english.days import stretch
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, is_weekly
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Said, UnitWord, Wall
 from fuzzytime.language.meaning.feasts import Yearly
 from fuzzytime.language.meaning.instants import SUB_DAY
@@ -131,65 +131,64 @@ def which_date(which: Which, date: Calendar) -> Calendar | None:
 )
 def weekdays_from_now(number: Integer, weekday: int) -> Calendar | None:
     """Three fridays from now, in two sundays."""
-    return _counted(number, Fields(weekday=weekday))
+    return _counted(number.value, Fields(weekday=weekday))
 
 
 @grammar.rule("days", "<integer> <weekdays>|<weekday> later|afterwards", weight=0.5)
 def weekdays_later(number: Integer, weekday: int) -> Calendar | None:
     """(sow it today, and plant it) two mondays later: behind the day that was said."""
-    return _counted(number, Fields(weekday=weekday), Relative(0, onward=True))
+    return _counted(number.value, Fields(weekday=weekday), Relative(0, onward=True))
 
 
 @grammar.rule("days", "<integer> <weekdays>|<weekday> ago", weight=0.5)
 def weekdays_ago(number: Integer, weekday: int) -> Calendar | None:
     """Two thursdays ago."""
-    return _counted(number, Fields(weekday=weekday), back=True)
+    return _counted(number.value, Fields(weekday=weekday), back=True)
 
 
 @grammar.rule("days", "<integer> weekends|weekend from now|today", "<integer> weekends hence", weight=0.5)
 @grammar.rule("days", "in <integer> weekends", "in <integer> weekends '|'s time", weight=0.5)
 def weekends_from_now(number: Integer) -> Calendar | None:
     """Two weekends from now."""
-    return _counted(number, Weekend())
+    return _counted(number.value, Weekend())
 
 
 @grammar.rule("days", "<integer> weekends|weekend ago", weight=0.5)
 def weekends_ago(number: Integer) -> Calendar | None:
     """Two weekends ago."""
-    return _counted(number, Weekend(), back=True)
+    return _counted(number.value, Weekend(), back=True)
 
 
 def _counted(
-    number: Integer, series: Calendar, anchor: Calendar = TODAY, *, back: bool = False
+    number: int, series: Calendar, anchor: Calendar = TODAY, *, back: bool = False
 ) -> Calendar | None:
     """Give the nth of a series behind a day, or before it; None behind none, and behind too many."""
-    count = -number.value if back else number.value
-    counted = anchor.grain is Unit.DAY and 0 < number.value < MOST_COUNTED
-    return Following(count, series, anchor) if counted else None
+    counted = anchor.grain is Unit.DAY and 0 < number < MOST_COUNTED
+    return Following(-number if back else number, series, anchor) if counted else None
 
 
 @grammar.rule("days", "the? <ordinal> <weekday> from now|today", "the? <ordinal> <weekday> hence", weight=0.6)
 def nth_weekday_from_now(number: int, weekday: int) -> Calendar | None:
     """The third friday from now."""
-    return Following(number, Fields(weekday=weekday), Relative(0)) if 0 < number < MOST_COUNTED else None
+    return _counted(number, Fields(weekday=weekday))
 
 
 @grammar.rule("days", "<integer> <weekdays> before <days>|<date>|<day of month>", weight=1.0)
 def weekdays_before(number: Integer, weekday: int, anchor: Calendar) -> Calendar | None:
     """Two fridays before easter."""
-    return _counted(number, Fields(weekday=weekday), anchor, back=True)
+    return _counted(number.value, Fields(weekday=weekday), anchor, back=True)
 
 
 @grammar.rule("days", "<integer> <weekdays> after <days>|<date>|<day of month>", weight=1.0)
 def weekdays_after(number: Integer, weekday: int, anchor: Calendar) -> Calendar | None:
     """Two fridays after easter."""
-    return _counted(number, Fields(weekday=weekday), anchor)
+    return _counted(number.value, Fields(weekday=weekday), anchor)
 
 
 @grammar.rule("days", "the? <series> after this|that one", weight=0.6)
 def after_this_one(series: Calendar) -> Calendar | None:
     """The friday after this one."""
-    if isinstance(series, Weekend) or (isinstance(series, Fields) and series.weekly):
+    if is_weekly(series):
         return Following(2, series, Relative(0))
     return Deictic(Which.NEXT, series) if isinstance(series, Cycle) else None
 

@@ -2,7 +2,7 @@
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, is_weekly
 from fuzzytime.language.meaning.expressions import Duration, Said, UnitWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import Nth, WeekOf
@@ -224,8 +224,7 @@ def after_that_day(series: Calendar) -> Calendar | None:
 @grammar.rule("date", "the last? <series> before <feast>|<date>|<day of month>", weight=0.4)
 def last_before(series: Calendar, anchor: Calendar) -> Calendar | None:
     """The saturday before christmas, the last sunday before easter."""
-    weekly = isinstance(series, Weekend) or (isinstance(series, Fields) and series.weekly)
-    return Following(-1, series, anchor) if weekly and anchor.grain is Unit.DAY else None
+    return nth_before(1, series, anchor)
 
 
 @grammar.rule("date", "the? <ordinal> <series> after <whole>", weight=0.4)
@@ -237,8 +236,8 @@ def nth_after(number: int, series: Calendar, anchor: Calendar) -> Calendar:
 @grammar.rule("date", "the? <ordinal> <series> before <feast>|<date>|<day of month>", weight=0.5)
 def nth_before(number: int, series: Calendar, anchor: Calendar) -> Calendar | None:
     """The second friday before christmas."""
-    weekly = isinstance(series, Weekend) or (isinstance(series, Fields) and series.weekly)
-    return Following(-number, series, anchor) if weekly and anchor.grain is Unit.DAY and number > 0 else None
+    counted = is_weekly(series) and anchor.grain is Unit.DAY and number > 0
+    return Following(-number, series, anchor) if counted else None
 
 
 @grammar.rule("days", "the day before <days>|<date>|<weak date>", "the eve of <date>|<feast>", weight=0.9)

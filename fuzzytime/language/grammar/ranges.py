@@ -3,7 +3,7 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Offset, Range, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, Time, Wall
 
 EARLY = 3600
 """Seconds before the hour of a meal within which it may begin: a stretch until it is longer."""
@@ -49,7 +49,7 @@ class Ranges(Standing):
             return between and (dated or not self.measures.measured(piece)) and self.around.may_end(piece)
         return True
 
-    def heads_meal(self, piece: Piece, time: object) -> bool:
+    def heads_meal(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
         """Whether a dash stands in front, between a clock time and the meal then: "12:00 - lunch"."""
         if not isinstance(time, Range):
             return False

@@ -291,3 +291,8 @@ class Weekend(Calendar):
             days = self.of_week(today, until - timedelta(weeks=weeks))
             if days.first < until:
                 yield days
+
+
+def is_weekly(calendar: Calendar) -> bool:
+    """Whether it comes each week: a weekday, or the weekend."""
+    return isinstance(calendar, Weekend) or (isinstance(calendar, Fields) and calendar.weekly)

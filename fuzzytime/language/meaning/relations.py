@@ -14,7 +14,7 @@ from fuzzytime.language.meaning.calendar import (
     Days,
     Fields,
     Today,
-    Weekend,
+    is_weekly,
     moved,
 )
 from fuzzytime.language.meaning.expressions import Duration
@@ -109,7 +109,7 @@ class Deictic(_Single):
         """Give the one that is meant."""
         if isinstance(self.of, Cycle):
             return self.of.away(today, today.day, self.which.offset)
-        weekly = isinstance(self.of, Weekend) or (isinstance(self.of, Fields) and self.of.weekly)
+        weekly = is_weekly(self.of)
         if weekly and self.which in {Which.THIS, Which.NEXT, Which.LAST}:
             week = Cycle(Unit.WEEK).away(today, today.day, self.which.offset)
             found = next(self.of.upcoming(today, week.first))

@@ -172,15 +172,22 @@ def _is_even(repeat: Repeat) -> bool:
 def _bounds(repeat: Repeat, moment: Moment) -> tuple[float | None, float | None]:
     """Give where a repetition begins and is over: of two times of day, one may say the day of both."""
     first, last = bounds_said(repeat)
-    if _is_timed(first) and _is_timed(last) and (first.days is None) is not (last.days is None):
-        # "Every ten minutes from three to four tomorrow"
-        found = moment.grounding().instants(Range(first, last))
-        return moment.seconds(found.start), moment.seconds(found.end)
-    if _begins_on_day(first) and _begins_on_day(last):
-        # "Every evening from monday to wednesday": the wednesday behind that monday.
-        found = moment.grounding().instants(Range(first, last))
+    both = _as_range(first, last)
+    if both is not None:
+        found = moment.grounding().instants(both)
         return moment.seconds(found.start), moment.seconds(found.end)
     return _bound(first, moment, last=False), _bound(last, moment, last=True)
+
+
+def _as_range(first: Time | None, last: Time | None) -> Range | None:
+    """Give two bounds as a range, where one tells when the other is; None where each stands for itself."""
+    if _is_timed(first) and _is_timed(last) and (first.days is None) is not (last.days is None):
+        # "Every ten minutes from three to four tomorrow"
+        return Range(first, last)
+    if _begins_on_day(first) and _begins_on_day(last):
+        # "Every evening from monday to wednesday": the wednesday behind that monday.
+        return Range(first, last)
+    return None
 
 
 def bounds_said(repeat: Repeat) -> tuple[Time | None, Time | None]:

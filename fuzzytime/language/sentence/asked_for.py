@@ -35,9 +35,10 @@ def asked_of(
         operation = sketch.operation
         doubts = _doubts(sketch, draft, lexicon)
         remarks += doubts
+        was = bool(doubts) and tells_what_was(sketch, lexicon)
         if doubts:
             clauses = unasked(sketch.clauses, draft.text, lexicon)
-            past = tells_what_was(sketch, lexicon) and is_over(sketch, lexicon)
+            past = was and is_over(sketch, lexicon)
             found.append(replace(sketch, operation=None, clauses=clauses, doubted=True, past=past))
         elif operation is None:
             nothing = list(nothing_to_do(draft.text, sketch.part, draft.scanned.words, sketch.heard))
@@ -54,8 +55,7 @@ def asked_of(
             found.append(replace(sketch, operation=replace(operation, object=thing, again=again)))
         operations.append(found[-1].operation)
         # "I fed the cat at seven, feed her again"
-        was = operation if doubts and tells_what_was(sketch, lexicon) else None
-        spoken_of.append(found[-1].operation or was)
+        spoken_of.append(found[-1].operation or (operation if was else None))
     return found, remarks
 
 

@@ -201,22 +201,20 @@ def _happening(
     """Give what happens at a time, or after something else, where no verb says what is to be done."""
     root = part.tree.root
     timed = phrases or clauses
-    spans = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in phrases)]
-    put = put_there(part.tree, [place for span in spans for place in part.tree.at(*span)], lexicon)
+    places = [place for phrase in phrases for place in _at(part, phrase)]
+    put = put_there(part.tree, places, lexicon)
     if put is not None and not part.segment.verbless:
         return _moved(put, part)
     due = {place for p in phrases for place in _at(part, p) if p.said.constraint is Constraint.BEFORE}
-    so = due_by_then(part.tree, due, {place for p in phrases for place in _at(part, p)}, lexicon)
+    so = due_by_then(part.tree, due, places, lexicon)
     if so is not None and not clauses and not part.segment.verbless:
         return _moved(so, part)
     if part.segment.verbless or root is None or not timed:
         return None
     if not happens(part.tree, phrases, lexicon):
-        places = {p for a, b in spans for p in part.tree.at(a, b)}
         deed = deed_at(part.tree, places, phrases, lexicon)
         return None if deed is None else _moved(deed, part)
-    vague = (p.span for p in phrases if isinstance(p.said.time, TimeWord))
-    if any(root in part.tree.at(a - part.offset, b - part.offset) for a, b in vague):
+    if any(root in _at(part, phrase) for phrase in phrases if isinstance(phrase.said.time, TimeWord)):
         # "No rush, but …" is no rush hour.
         return None
     said = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)

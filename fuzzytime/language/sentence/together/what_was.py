@@ -28,7 +28,7 @@ def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
     # "The meeting has been moved"
     moved = node.tag == "VBN" and "been" in helping and helping - {"been"} <= closed.have
     # "School finished early yesterday": a tree takes it for what must be done.
-    ended = node.tag == "VBN" and not helping and bool(subjects) and _is_over(sketch)
+    ended = node.tag == "VBN" and not helping and bool(subjects) and _names_past(sketch)
     # "In no time the tent was up"
     led = node.lower in closed.past_be and root > 0
     named = tree.nodes[subjects[0]].lower not in closed.first_and_second_person if subjects else led
@@ -76,7 +76,7 @@ def _hangs_on_past(sketch: Sketch, start: int, root: int) -> bool:
     return True
 
 
-def _is_over(sketch: Sketch) -> bool:
+def _names_past(sketch: Sketch) -> bool:
     """Whether a time is said that is over: "yesterday", "last week", "an hour ago"."""
     return any(_lies_behind(phrase.said) for phrase in sketch.phrases)
 
