@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from fuzzytime_cli.choices import SolverChoice
-from fuzzytime_cli.faults import NoInputError, UsageError, as_config, as_usage
+from fuzzytime_cli.faults import ConfigError, NoInputError, UsageError, as_config, as_usage
 from fuzzytime_cli.options import Moment, Solving, Understanding
 from fuzzytime_cli.settings import Settings, Value, load_settings
 
@@ -92,6 +92,10 @@ class Assembly:
         """Give the rule tables that go before the shipped ones: the user's, the project's, ``--rules``."""
         return (*standing_rules(os.environ), *self.settings.paths("rules"))
 
+    def customs_files(self) -> tuple[Path, ...]:
+        """Give what goes over the shipped calendar: the user's customs, the project's, ``--customs``."""
+        return (*standing_customs(os.environ), *self.settings.paths("customs"))
+
     def rulebook(self) -> "Rulebook":
         """Load the rule tables: shipped, the user's, the project's, those of ``--rules``.
 
@@ -100,6 +104,7 @@ class Assembly:
         ConfigError
             If a table breaks a rule, with every mistake.
         """
+        from fuzzytime.language import is_word_table
         from fuzzytime.rulebook import Actor, Profile, Rulebook
 
         files = self.rule_files()
@@ -107,6 +112,8 @@ class Assembly:
         with as_config():
             for path in files:
                 require_file(path, "rule table")
+                if path.is_file() and is_word_table(path):
+                    raise ConfigError(f"{path}: this holds customs and no rules: --customs takes it")
             return Rulebook.shipped(
                 Profile(self.settings.text("profile")), Actor(actor) if actor else None, files
             )
@@ -117,12 +124,17 @@ class Assembly:
         Raises
         ------
         ConfigError
-            If a word table breaks a rule, or the model is not installed.
+            If a word table or a file of customs breaks a rule, or the model is not installed.
+        NoInputError
+            If a file of customs is not there.
         """
         from fuzzytime.language import Language
 
         with as_config():
-            return Language.shipped(cache=parse_cache(os.environ))
+            customs = self.customs_files()
+            for path in customs:
+                require_file(path, "file of customs")
+            return Language.shipped(cache=parse_cache(os.environ), customs=customs)
 
     def interpreter(self, *, personal: bool = True) -> "Interpreter":
         """Put language and rulebook together, with the person's own table on top if they rated starts.
@@ -236,9 +248,23 @@ def local_zone() -> tzinfo | None:
 
 def standing_rules(environment: "Mapping[str, str]") -> tuple[Path, ...]:
     """Give the user's and the project's own rule tables, where they are."""
-    from fuzzytime_cli.settings import PROJECT_RULES, user_file
+    from fuzzytime_cli.settings import PROJECT_RULES
 
-    candidates = (user_file(environment).parent / "rules.yaml", Path(PROJECT_RULES))
+    return _standing(environment, "rules.yaml", PROJECT_RULES)
+
+
+def standing_customs(environment: "Mapping[str, str]") -> tuple[Path, ...]:
+    """Give the user's and the project's own customs, where they are."""
+    from fuzzytime_cli.settings import PROJECT_CUSTOMS
+
+    return _standing(environment, "customs.yaml", PROJECT_CUSTOMS)
+
+
+def _standing(environment: "Mapping[str, str]", users: str, projects: str) -> tuple[Path, ...]:
+    """Give those files that are there: the user's, beside the settings, and the project's."""
+    from fuzzytime_cli.settings import user_file
+
+    candidates = (user_file(environment).parent / users, Path(projects))
     return tuple(path for path in candidates if path.is_file())
 
 

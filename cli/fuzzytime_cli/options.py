@@ -108,6 +108,16 @@ class Moment:
     ] = None
 
 
+Customs = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--customs",
+        metavar="FILE",
+        help="Your parts of the day, feasts and policy, over the shipped ones; repeatable.",
+    ),
+]
+
+
 @dataclass(frozen=True, slots=True)
 class Understanding:
     """How words and context become satisfaction."""
@@ -125,6 +135,7 @@ class Understanding:
             "--rules", metavar="FILE", help="A rule table that goes before the shipped ones; repeatable."
         ),
     ] = None
+    customs: Customs = None
     ctx: Annotated[
         list[str] | None,
         typer.Option("--ctx", metavar="NAME=VALUE", help="What is so now, such as pan_temp=180; repeatable."),

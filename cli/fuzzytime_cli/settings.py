@@ -14,6 +14,7 @@ from fuzzytime_cli.faults import ConfigError, as_config
 
 PROJECT_FILE = "fuzzytime.yaml"
 PROJECT_RULES = "fuzzytime-rules.yaml"
+PROJECT_CUSTOMS = "fuzzytime-customs.yaml"
 PREFIX = "FUZZYTIME_"
 OTHERS = ("config", "cache", "data", "debug", "skill_")
 """How variables begin that are no settings: places, and what a command of a run is told."""
@@ -69,6 +70,7 @@ KINDS: Mapping[str, Kind] = {
     "profile": Kind("everyday", "how wide wishes are", tuple(ProfileChoice)),
     "actor": Kind("", "who acts", ("", *ActorChoice)),
     "rules": Kind((), "rule tables that go before the shipped ones"),
+    "customs": Kind((), "your parts of the day, feasts and policy, over the shipped ones"),
     "solver": Kind("auto", "the method that finds the schedule", tuple(SolverChoice)),
     "agents": Kind(1, "how many can work at once", low=1, high=100),
     "threshold": Kind(0.001, "satisfaction below which a skill is rejected", low=0.0, high=0.5),

@@ -11,9 +11,10 @@ from fuzzytime.language.about_wishes import (
     reported,
 )
 from fuzzytime.language.answer import NAMED, answer
-from fuzzytime.language.finding import Times, check_length, find_times, shipped_lexicon
+from fuzzytime.language.finding import Times, check_customs, check_length, find_times, shipped_lexicon
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.word_tables import read_lexicon
+from fuzzytime.language.grammar.word_tables.layers import is_word_table
 from fuzzytime.language.instruction import (
     Instruction,
     Operation,
@@ -59,6 +60,7 @@ __all__ = [
     "Token",
     "about_wishes",
     "answer",
+    "check_customs",
     "check_length",
     "clauses_of",
     "comes",
@@ -66,6 +68,7 @@ __all__ = [
     "find_times",
     "installed_model",
     "is_several",
+    "is_word_table",
     "model_files",
     "news_in",
     "read_lexicon",

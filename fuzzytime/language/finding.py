@@ -1,10 +1,12 @@
 """Times in a text by the grammar alone: no tree, no model, no spaCy."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cache
+from pathlib import Path
 
-from fuzzytime.errors import InstructionError
+from fuzzytime.errors import DocumentError, InstructionError, Mistake
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.denied import denied
 from fuzzytime.language.grammar.leftovers import leftovers
@@ -54,8 +56,36 @@ def shipped_lexicon() -> Lexicon:
     DocumentError
         If a table breaks rules: every mistake with file, line and column.
     """
+    return lexicon_with(())
+
+
+def lexicon_with(customs: Iterable[Path]) -> Lexicon:
+    """Give the shipped word tables, with customs of one's own over the calendar, each over those before it.
+
+    Raises
+    ------
+    OSError
+        If a file cannot be read.
+    DocumentError
+        If a table breaks rules: every mistake with file, line and column.
+    """
     rules = rules_directory()
-    return read_lexicon(rules / "lexicon.yaml", rules / "calendar.yaml")
+    return read_lexicon(rules / "lexicon.yaml", rules / "calendar.yaml", customs)
+
+
+def check_customs(customs: Iterable[Path]) -> tuple[Mistake, ...]:
+    """Give every mistake of files of customs, read over the shipped calendar as `lexicon_with` reads them.
+
+    Raises
+    ------
+    OSError
+        If a file cannot be read.
+    """
+    try:
+        lexicon_with(customs)
+    except DocumentError as error:
+        return error.mistakes
+    return ()
 
 
 def shipped_grammar() -> Grammar:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 
-from fuzzytime.language.finding import check_length, shipped_grammar, shipped_lexicon
+from fuzzytime.language.finding import check_length, lexicon_with, shipped_grammar, shipped_lexicon
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading, RemarkKind, overlap
@@ -47,22 +47,29 @@ class Language:
     cache: ParseCache | None = None
 
     @classmethod
-    def shipped(cls, *, cache: Path | None = None, policy: Policy | None = None) -> "Language":
+    def shipped(
+        cls, *, cache: Path | None = None, policy: Policy | None = None, customs: Sequence[Path] = ()
+    ) -> "Language":
         """Give English, with the shipped tables.
 
         Parameters
         ----------
         cache
             A folder where parses are kept.
+        customs
+            Files of one's own parts of the day, feasts, policy and others, over the shipped calendar, each
+            over those before it.
         policy
             What decides where words leave it open; None for that of the tables.
 
         Raises
         ------
+        OSError
+            If a file cannot be read.
         DocumentError
             If a table breaks rules.
         """
-        lexicon = shipped_lexicon()
+        lexicon = lexicon_with(customs) if customs else shipped_lexicon()
         if policy is not None:
             lexicon = replace(lexicon, policy=policy)
         return cls(

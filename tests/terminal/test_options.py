@@ -86,10 +86,10 @@ def test_what_is_wrong_with_a_value_is_said_in_plain_words(
 
 
 @pytest.mark.parametrize("command", [["rules", "check"], ["plan", "-i", "Stir", "--rules"]])
-def test_a_folder_is_no_rule_table(command: list[str], tmp_path: Path) -> None:
+def test_a_folder_is_no_table(command: list[str], tmp_path: Path) -> None:
     done = ran(*command, str(tmp_path), folder=tmp_path)
     assert done.code == 66
-    assert "a rule table must be a file, and it is a folder" in done.err
+    assert "table must be a file, and it is a folder" in done.err
 
 
 def test_rules_show_says_that_words_are_not_about_time(tmp_path: Path) -> None:

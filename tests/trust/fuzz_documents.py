@@ -1,4 +1,4 @@
-"""Mutate rule, context, task and calendar files: each is valid, or refused with a place.
+"""Mutate rule, customs, context, task and calendar files: each is valid, or refused with a place.
 
     PYTHONPATH=.:cli:tests python tests/trust/fuzz_documents.py --files 100000 --seed 1
 
@@ -7,6 +7,7 @@ used as well: a few requirements are resolved by a rule table, and every ψ must
 """
 
 import argparse
+import math
 import random
 import tempfile
 import time
@@ -21,6 +22,7 @@ import numpy as np
 from fuzzytime.context import Context, read_context_lines
 from fuzzytime.errors import DocumentError, FuzzytimeError
 from fuzzytime.interpreter import DirectWish
+from fuzzytime.language import Language, find_times
 from fuzzytime.requirement import Condition, Constraint, TimeRequirement, Unit
 from fuzzytime.rulebook import Profile, Rulebook
 from fuzzytime.rulebook.tables.documents import read_over
@@ -58,6 +60,15 @@ REQUIREMENTS = (
         preposition="when",
         condition=Condition(text="when the pan is hot", subject="pan", word="hot"),
     ),
+)
+TEXTS = (
+    "tomorrow evening",
+    "before supper on 4/5",
+    "during the quiet hours",
+    "at half past five",
+    "on mother's day",
+    "this weekend",
+    "every monday at 5:30",
 )
 CONTEXTS = (
     Context.empty,
@@ -106,6 +117,21 @@ def use_rules(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
         )
 
 
+def use_customs(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
+    """Lay customs over the calendar, and read a few times by them."""
+    del shipped
+    with tempfile.NamedTemporaryFile(suffix=".yaml") as file:
+        file.write(raw)
+        file.flush()
+        language = Language.shipped(customs=[Path(file.name)])
+    for text in chance.sample(TEXTS, 2):
+        for requirement in find_times(text, NOW, language.lexicon).requirements:
+            bounds = (requirement.earliest, requirement.latest)
+            if not all(bound is None or math.isfinite(bound) for bound in bounds):
+                message = f"a time must be finite, got {bounds} of {text!r}"
+                raise AssertionError(message)
+
+
 def use_readings(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
     """Read a context file, and resolve a condition by it."""
     del chance
@@ -140,7 +166,8 @@ def use_calendar(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
 
 
 KINDS = (
-    Kind("rule", "fuzzed_rules.yaml", use_rules, 6),
+    Kind("rule", "fuzzed_rules.yaml", use_rules, 5),
+    Kind("customs", "fuzzed_customs.yaml", use_customs, 1),
     Kind("context", "fuzzed_readings.jsonl", use_readings, 1),
     Kind("task", "fuzzed_task.yaml", use_task, 2),
     Kind("calendar", "fuzzed_calendar.ics", use_calendar, 1, placed=False),

@@ -1,4 +1,4 @@
-"""Mutated rule, context, task and calendar files are valid, or refused with a place."""
+"""Mutated rule, customs, context, task and calendar files are valid, or refused with a place."""
 
 import random
 
@@ -19,6 +19,8 @@ def test_mutated_files_are_valid_or_refused_with_places() -> None:
     assert failures == []
     assert counts["rule files refused with places"] > 200
     assert counts["rule files still valid, and used"] > 20
+    assert counts["customs files refused with places"] > 10
+    assert counts["customs files still valid, and used"] > 0
     assert counts["context files refused with places"] > 10
     assert counts["task files refused with places"] > 50
     assert counts["task files still valid, and used"] > 3

@@ -66,7 +66,11 @@ def recipe_of(assembly: Assembly, understanding: Understanding) -> Recipe:
     parts = [installed_version(), str(assembly.now), str(assembly.zone), *(understanding.ctx or ())]
     settings = assembly.settings
     parts += [f"{name}={s.value} {settings.is_asked(name)}" for name, s in sorted(settings.values.items())]
-    tables = [*assembly.rule_files(), *([understanding.context] if understanding.context else [])]
+    tables = [
+        *assembly.rule_files(),
+        *assembly.customs_files(),
+        *([understanding.context] if understanding.context else []),
+    ]
     parts += [hashlib.sha256(path.read_bytes()).hexdigest() for path in tables if path.is_file()]
     fingerprint = hashlib.sha256("\0".join(parts).encode("utf-8", "surrogatepass")).hexdigest()[:16]
     return Recipe(fingerprint, assembly.beginning(assembly.moment()), understanding)

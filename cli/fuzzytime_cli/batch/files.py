@@ -4,16 +4,16 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from fuzzytime_cli.faults import NoInputError
-from fuzzytime_cli.settings import PROJECT_FILE, PROJECT_RULES
+from fuzzytime_cli.settings import PROJECT_CUSTOMS, PROJECT_FILE, PROJECT_RULES
 
 ENDINGS = frozenset({".txt", ".yaml", ".yml"})
-_OURS = frozenset({PROJECT_FILE, PROJECT_RULES})
+_OURS = frozenset({PROJECT_CUSTOMS, PROJECT_FILE, PROJECT_RULES})
 
 
 def task_files(named: Sequence[Path]) -> list[Path]:
     """Give files as they are named, and of a folder the task files below it, by name, each once.
 
-    What is hidden in a folder is left out, and so are this program's own settings and rule tables.
+    What is hidden in a folder is left out, and so are this program's own settings, rule tables and customs.
 
     Raises
     ------

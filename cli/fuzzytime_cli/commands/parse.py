@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from fuzzytime_cli.exits import Exit
-from fuzzytime_cli.options import Instructions, Moment, Solving, Understanding, flattened
+from fuzzytime_cli.options import Customs, Instructions, Moment, Solving, Understanding, flattened
 
 COMMENT = b"#"
 
@@ -27,6 +27,7 @@ def parse(
         bool, typer.Option("--jsonl", help='Answer JSON lines; lines may be {"text": …, "now": …} objects.')
     ] = False,
     instruction: Instructions = None,
+    customs: Customs = None,
     *,
     strict: Annotated[
         bool,
@@ -47,7 +48,7 @@ def parse(
     from fuzzytime_cli.parsing import Tally, answers, asked_of, lines_of, readable
     from fuzzytime_cli.render import Screen, plain
 
-    assembly = Assembly.of(moment, Understanding(), Solving())
+    assembly = Assembly.of(moment, Understanding(customs=customs), Solving())
     language, now = assembly.language(), assembly.moment()
     texts = [text.encode("utf-8", "replace") for text in instruction or ()]
     screen, tally = Screen.of(sys.stdout, dict(os.environ)), Tally()

@@ -10,29 +10,33 @@ from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
 from fuzzytime_cli.parameters import Command, Group
 
-app = typer.Typer(cls=Group, help="Check rule tables, and show what applies.", no_args_is_help=True)
+app = typer.Typer(
+    cls=Group, help="Check rule tables and customs, and show what applies.", no_args_is_help=True
+)
 
 
-@app.command(cls=Command, short_help="Check rule tables: every mistake at once, with its place.")
+@app.command(cls=Command, short_help="Check rule tables and customs: every mistake at once, with its place.")
 def check(
     files: Annotated[
         list[Path] | None,
-        typer.Argument(help="Tables; none checks the shipped ones and those of the settings."),
+        typer.Argument(help="Tables and customs; none checks the shipped ones and those of the settings."),
     ] = None,
 ) -> None:
-    """Check rule tables: every mistake at once, with file, line and column."""
-    import os
-
+    """Check rule tables and customs: every mistake at once, with file, line and column."""
+    from fuzzytime.language import check_customs, is_word_table
     from fuzzytime.rulebook import check as check_tables
-    from fuzzytime_cli.assembly import require_file, standing_rules
+    from fuzzytime_cli.assembly import Assembly, require_file
     from fuzzytime_cli.faults import report
     from fuzzytime_cli.render import plain
-    from fuzzytime_cli.settings import load_settings
 
-    chosen = tuple(files or (*standing_rules(os.environ), *load_settings({}, os.environ).paths("rules")))
+    assembly = Assembly.of(Moment(), Understanding(), Solving())
+    chosen = tuple(files or (*assembly.rule_files(), *assembly.customs_files()))
     for path in chosen:
-        require_file(path, "rule table")
-    mistakes = check_tables(chosen)
+        require_file(path, "table")
+    # A pipe can be read but once: it is taken for rules.
+    customs = [path for path in chosen if path.is_file() and is_word_table(path)]
+    rules = [path for path in chosen if path not in customs]
+    mistakes = (*check_tables(rules), *check_customs(customs))
     if mistakes:
         report("\n".join(map(str, mistakes)))
         report(f"{len(mistakes)} mistake{'s' * (len(mistakes) > 1)}")

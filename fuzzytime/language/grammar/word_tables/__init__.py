@@ -1,5 +1,6 @@
 """Reading the word tables: YAML to a `Lexicon`, with every mistake at its line and column."""
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from fuzzytime.errors import DocumentError
@@ -21,8 +22,16 @@ from fuzzytime.language.grammar.word_tables.speech import (
 from fuzzytime.language.grammar.word_tables.tables import Tables, by_form, numbers
 
 
-def read_lexicon(words: Path, calendar: Path) -> Lexicon:
+def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> Lexicon:
     """Read the tables of words and of the calendar.
+
+    Parameters
+    ----------
+    words, calendar
+        The files.
+    customs
+        Files of the calendar's form that say what is otherwise, each over those before it (see
+        ``docs/customs.md``).
 
     Raises
     ------
@@ -31,8 +40,9 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     DocumentError
         If a table breaks rules: every mistake with file, line and column.
     """
+    customs = tuple(customs)
     speech = Tables(words, _SPEECH)
-    days = Tables(calendar, _CALENDAR)
+    days = Tables(calendar, _CALENDAR, customs)
     for section, names in _ROWS.items():
         speech.rows(section, names)
     read_prepositions(speech)
@@ -161,7 +171,9 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     # A list that is asked for twice has its mistakes twice.
     mistakes = {*speech.reader.mistakes, *days.reader.mistakes}
     if mistakes:
-        raise DocumentError(tuple(mistakes))
+        # What a mistake above brings upon the rows below it need not be told as well.
+        above = {mistake for mistake in mistakes if Path(mistake.path) in customs}
+        raise DocumentError(tuple(above or mistakes))
     return lexicon
 
 

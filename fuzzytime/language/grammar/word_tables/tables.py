@@ -5,8 +5,9 @@ from pathlib import Path
 from typing import Any
 
 from fuzzytime.language.grammar.lexicon import Entry, form_of
+from fuzzytime.language.grammar.word_tables.layers import HEAD, LayeredReader
 from fuzzytime.times import parse_clock
-from fuzzytime.yaml_nodes import Mapping, Node, Reader, Scalar
+from fuzzytime.yaml_nodes import Mapping, Node, Scalar
 
 FULL_STOP_BELOW = 6
 """Words shorter than this may be typed with a full stop, as abbreviations are."""
@@ -26,16 +27,16 @@ Form = tuple[str, ...]
 
 
 class Tables:
-    """One file of word tables: its mappings, and the entries gathered from them."""
+    """One file of word tables, with others laid over it: its mappings, and the entries gathered from them."""
 
-    def __init__(self, path: Path, sections: Iterable[str]) -> None:
-        self.reader = Reader.of_file(path)
-        names = ("fuzzytime", "language", *sections)
-        self.sections = self.reader.mapping(self.reader.root(), "", names, names)
+    def __init__(self, path: Path, sections: Collection[str], over: Iterable[Path] = ()) -> None:
+        self.reader = LayeredReader.of_file(path)
+        names = (*HEAD, *sections)
+        self.sections = self.reader.mapping(self.reader.layered(over, sections), "", names, names)
         self._rows: dict[str, dict[str, tuple[Scalar, Node]]] = {}
         self._sourced()
         self.entries: list[Entry] = []
-        self.seen: dict[tuple[Form, str], int] = {}
+        self._seen: dict[tuple[Form, str], tuple[Node, str]] = {}
         if "fuzzytime" in self.sections:
             self.reader.whole(self.sections["fuzzytime"], "fuzzytime", 1, 1)
 
@@ -115,10 +116,12 @@ class Tables:
                 self.reader.mistake(node, key, NO_WORD)
                 continue
             self.entries.append(Entry(form, category, value, MORE_WORDS * (len(form) - 1)))
-            if self.seen.setdefault((form, category), len(self.entries)) != len(self.entries):
-                self.reader.mistake(
-                    node, key, f"words must have one meaning in a table, got {' '.join(form)!r} twice"
-                )
+            before = self._seen.setdefault((form, category), (node, key))
+            if before != (node, key):
+                # Of two files, the upper one is where it can be mended.
+                at, where = before if self.reader.is_over(before[0], node) else (node, key)
+                message = f"words must have one meaning in a table, got {' '.join(form)!r} twice"
+                self.reader.mistake(at, where, message)
 
     def clock(self, node: Node, key: str) -> int:
         """Read a time of day as seconds since midnight."""
