@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.faults import ConfigError, NoInputError, UsageError, as_config, as_usage
 from fuzzytime_cli.options import Moment, Solving, Understanding
+from fuzzytime_cli.places import data_folder, parse_cache, standing_customs, standing_rules
 from fuzzytime_cli.settings import Settings, Value, load_settings
 
 if TYPE_CHECKING:
@@ -246,28 +247,6 @@ def local_zone() -> tzinfo | None:
     return datetime.now().astimezone().tzinfo
 
 
-def standing_rules(environment: "Mapping[str, str]") -> tuple[Path, ...]:
-    """Give the user's and the project's own rule tables, where they are."""
-    from fuzzytime_cli.settings import PROJECT_RULES
-
-    return _standing(environment, "rules.yaml", PROJECT_RULES)
-
-
-def standing_customs(environment: "Mapping[str, str]") -> tuple[Path, ...]:
-    """Give the user's and the project's own customs, where they are."""
-    from fuzzytime_cli.settings import PROJECT_CUSTOMS
-
-    return _standing(environment, "customs.yaml", PROJECT_CUSTOMS)
-
-
-def _standing(environment: "Mapping[str, str]", users: str, projects: str) -> tuple[Path, ...]:
-    """Give those files that are there: the user's, beside the settings, and the project's."""
-    from fuzzytime_cli.settings import user_file
-
-    candidates = (user_file(environment).parent / users, Path(projects))
-    return tuple(path for path in candidates if path.is_file())
-
-
 def require_file(path: Path, what: str) -> None:
     """Make sure that a file is there, be it a pipe.
 
@@ -280,26 +259,3 @@ def require_file(path: Path, what: str) -> None:
         raise NoInputError(f"{path}: a {what} must be a file, and it is a folder")
     if not path.exists():
         raise NoInputError(f"{path}: there is no such {what}")
-
-
-def parse_cache(environment: "Mapping[str, str]") -> Path | None:
-    """Give the folder of the cache of parses; None where FUZZYTIME_CACHE is empty."""
-    where = environment.get("FUZZYTIME_CACHE")
-    if where is not None:
-        return Path(where) if where else None
-    from platformdirs import user_cache_path
-
-    return user_cache_path("fuzzytime")
-
-
-def data_folder() -> Path | None:
-    """Give the folder of sessions and history, by FUZZYTIME_DATA or custom; None for nowhere."""
-    where = os.environ.get("FUZZYTIME_DATA")
-    if where is not None:
-        return Path(where) if where else None
-    from platformdirs import user_data_path
-
-    try:
-        return user_data_path("fuzzytime")
-    except (OSError, RuntimeError):
-        return None  # no home

@@ -82,7 +82,7 @@ def _settings(environment: Mapping[str, str]) -> Check:
 
 
 def _folders(environment: Mapping[str, str]) -> Iterator[Check]:
-    from fuzzytime_cli.assembly import data_folder, parse_cache
+    from fuzzytime_cli.places import data_folder, parse_cache
 
     for name, folder in (("sessions", data_folder()), ("cache", parse_cache(environment))):
         yield Check(name, good=True, finding=_folder(folder))

@@ -15,10 +15,11 @@ from rich.text import Text
 
 from fuzzytime.context import Signal
 from fuzzytime.times import instant_after
-from fuzzytime_cli.assembly import Assembly, data_folder
+from fuzzytime_cli.assembly import Assembly
 from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.faults import message_of, report
 from fuzzytime_cli.options import Moment, Solving, Understanding
+from fuzzytime_cli.places import data_folder
 from fuzzytime_cli.render import Screen, plain, terminal_width
 from fuzzytime_cli.repl.conversation import Conversation
 from fuzzytime_cli.repl.scene import Reply

@@ -97,9 +97,9 @@ def ratings(
     """Show or export your own ratings of starts (`:rate` in a conversation), and what they amount to."""
     import json as encoding
 
-    from fuzzytime_cli.assembly import data_folder
     from fuzzytime_cli.files import write_out
     from fuzzytime_cli.personal import kept_ratings, personal_table, rating_line
+    from fuzzytime_cli.places import data_folder
     from fuzzytime_cli.render import plain
 
     if rules and json:
