@@ -174,6 +174,10 @@ class Recurrence(Protocol):
         """Give the same with their ends: of "every morning", where each begins and is over."""
         ...
 
+    def coming(self, count: int) -> tuple[tuple[float, float], ...]:
+        """Give the next occurrences with their ends, however far ahead, at most so many."""
+        ...
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TimeRequirement:

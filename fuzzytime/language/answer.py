@@ -4,10 +4,6 @@ from collections.abc import Iterator
 from typing import Any
 
 from fuzzytime.language.instruction import Instruction, Operation, Reading
-from fuzzytime.language.meaning.delayed_recurrence import DelayedRecurrence
-from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
-from fuzzytime.language.meaning.recurrence_by_months import RecurrenceByMonths
-from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Comparison, Recurrence, TimeRequirement
 from fuzzytime.times import instant_after
 
@@ -97,7 +93,8 @@ def _requirements(instruction: Instruction, reading: Reading) -> Iterator[dict[s
 
 
 def _requirement(requirement: TimeRequirement, reading: Reading) -> dict[str, Any]:
-    first, last = next(iter(_coming(requirement.recurrence, 1)), (requirement.earliest, requirement.latest))
+    coming = () if requirement.recurrence is None else requirement.recurrence.coming(1)
+    first, last = coming[0] if coming else (requirement.earliest, requirement.latest)
     found: dict[str, Any] = {
         "text": requirement.text,
         "span": list(requirement.span),
@@ -159,21 +156,10 @@ def _instant(seconds: float | None, reading: Reading) -> str | None:
     return instant_after(reading.now, seconds).isoformat()
 
 
-def _coming(recurrence: Recurrence | None, count: int) -> tuple[tuple[float, float], ...]:
-    """Give where the next occurrences begin and are over, at most so many."""
-    if isinstance(recurrence, (EvenRecurrence, CalendarRecurrence, RecurrenceByMonths, RecurrenceOnDays)):
-        return recurrence.coming(count)
-    if isinstance(recurrence, DelayedRecurrence):
-        return tuple(
-            (begin + recurrence.by, end + recurrence.by) for begin, end in _coming(recurrence.of, count)
-        )
-    return ()
-
-
 def _repeats(instruction: Instruction, reading: Reading) -> dict[str, Any]:
     recurrence: Recurrence | None = instruction.repeats
     text = next((r.text for r in instruction.requirements if r.recurrence is recurrence), "")
-    coming = _coming(recurrence, NEXT)
+    coming = () if recurrence is None else recurrence.coming(NEXT)
     return {
         "text": text,
         "interval_s": recurrence.interval if recurrence is not None else None,

@@ -38,3 +38,7 @@ class ClosingRecurrence(PlainRecurrence):
     def windows(self, until: float) -> tuple[tuple[float, float], ...]:  # noqa: ARG002 - as above
         """Give no times either."""
         return ()
+
+    def coming(self, count: int) -> tuple[tuple[float, float], ...]:  # noqa: ARG002 - as above
+        """Give no times either."""
+        return ()

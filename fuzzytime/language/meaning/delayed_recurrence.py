@@ -48,4 +48,11 @@ class DelayedRecurrence:
 
     def windows(self, until: float) -> tuple[tuple[float, float], ...]:
         """Give the same with their ends."""
-        return tuple((begin + self.by, end + self.by) for begin, end in self.of.windows(until - self.by))
+        return self._delayed(self.of.windows(until - self.by))
+
+    def coming(self, count: int) -> tuple[tuple[float, float], ...]:
+        """Give the next occurrences, at most so many."""
+        return self._delayed(self.of.coming(count))
+
+    def _delayed(self, windows: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
+        return tuple((begin + self.by, end + self.by) for begin, end in windows)
