@@ -308,3 +308,57 @@ def test_a_defect_costs_who_types_one_turn_only(monkeypatch: pytest.MonkeyPatch)
     turns.asks = False
     with pytest.raises(ZeroDivisionError):
         talk.take(":now")
+
+
+def following(talk: Talk) -> list[tuple[str, ...]]:
+    """Give what each skill of the plan follows, in the order of the instructions."""
+    plan = talk.turns.plan
+    assert plan is not None
+    skills = sorted(plan.skills, key=lambda one: one.identifier)
+    return [one.follows for one in skills]
+
+
+@pytest.mark.parametrize(
+    ("anew", "follows"),
+    [
+        # What was said behind it refers to it as before.
+        (":edit 1 feed the dog at half six", [(), ("s1",), ()]),
+        ("actually, do the dog at half six", [(), ("s1",), ()]),
+        # Its own words may refer to what was given later, by what is done there.
+        (":edit 1 feed the dog after washing the car", [("s3",), ("s1",), ()]),
+        # A reference that it had stays where it was.
+        (":edit 2 then walk it for an hour", [(), ("s1",), ()]),
+        # It is not understood rather than that another loses its own.
+        (":edit 1 feed the dog after that", [(), ("s1",), ()]),
+    ],
+)
+def test_what_is_said_anew_keeps_its_place_among_the_others(
+    anew: str, follows: list[tuple[str, ...]]
+) -> None:
+    talk = Talk()
+    for line in ("feed the dog at six", "then walk it for half an hour", "wash the car tomorrow at ten"):
+        talk.say(line)
+    assert following(talk) == [(), ("s1",), ()]
+    talk.wait(minutes=1)
+    talk.say(anew)
+    assert following(talk) == follows
+
+
+def test_an_instruction_that_refers_to_one_given_since_stands_behind_it() -> None:
+    talk = Talk()
+    talk.say("stir the soup in an hour")
+    talk.say("set the table in ten minutes")
+    talk.wait(seconds=5)
+    talk.say(":edit 1 stir the soup after that")
+    assert following(talk) == [("s2",), ()]
+
+
+def test_a_step_that_is_said_anew_is_the_same_step() -> None:
+    talk = Talk()
+    talk.say(":in-order on")
+    for line in ("fry the onions in ten minutes", "boil the rice", "serve the rice"):
+        talk.say(line)
+    talk.wait(seconds=5)
+    talk.say(":edit 2 boil the brown rice")
+    starts = [talk.start(name) for name in ("s1", "s2", "s3")]
+    assert starts == sorted(starts)

@@ -1,10 +1,12 @@
 """Commands of the conversation that change what is asked for, or what is so; each can be undone."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter import Interpretation, Interpreted, ProblemKind
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.bounds import MAX_AGENTS, PRIORITIES
 from fuzzytime_cli.choices import SolverChoice
@@ -64,11 +66,49 @@ def edit(scene: Scene, text: str) -> Reply:
     words = rest.strip()
     anew = {"text": words, "given": scene.now, "moved_by": 0.0, "moved_to": None}
     begun = begun_of(scene, number)
-    if begun is None:
-        return step(scene, f":edit {number}", lambda state: state.with_changed(number, **anew))
     # What has started does not move: said anew it is another, and may start at another time.
-    reply = step(scene, f":edit {number}", lambda state: state.with_another(number, **anew))
-    return replace(reply, lines=(*ended_line(scene, begun), *reply.lines))
+    said_anew = State.with_changed if begun is None else State.with_another
+    state = scene.conversation.state
+    called = number if begun is None else state.next_number
+    behind = _refers_to_what_came_between(scene, number, called, said_anew(state, number, **anew))
+
+    def change(state: State) -> State:
+        changed = said_anew(state, number, **anew)
+        return changed.with_last(called) if behind else changed
+
+    reply = step(scene, f":edit {number}", change)
+    return reply if begun is None else replace(reply, lines=(*ended_line(scene, begun), *reply.lines))
+
+
+def _refers_to_what_came_between(scene: Scene, number: int, called: int, here: State) -> bool:
+    """Whether the words of an instruction that is said anew refer to others that were given since.
+
+    "Stir the soup after that" does, where that is the instruction given last. Where it stands among the
+    others, "that" would be another one, or none; but what was said behind it refers to it there.
+    """
+    conversation, now = scene.conversation, scene.now
+    there = here.with_last(called)
+    if there == here:
+        return False
+    in_place, last = (conversation.understood(now, state) for state in (here, there))
+    followed = _followed(in_place.skills, called)
+    if followed == _followed(last.skills, called):
+        return False
+    if followed and followed == _followed(scene.plan.skills, number):
+        return False
+    lost = _unresolved(last)
+    return not lost or lost < _unresolved(in_place)
+
+
+def _followed(skills: Sequence[Interpreted], number: int) -> list[str]:
+    """Give what an instruction asks by its words to come after."""
+    own = [one for one in skills if number_of(one.identifier) == number and not one.in_order]
+    return [name for one in own for name in one.follows]
+
+
+def _unresolved(interpretation: Interpretation) -> int:
+    """Count the references that are to nothing."""
+    return sum(problem.kind is ProblemKind.UNRESOLVED for problem in interpretation.problems)
 
 
 def duration(scene: Scene, text: str) -> Reply:

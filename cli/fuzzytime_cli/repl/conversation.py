@@ -4,7 +4,7 @@ Nothing here reads a clock, or a keyboard, or prints: the moment is passed in, a
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -95,17 +95,14 @@ class Conversation:
     # -- the plan -------------------------------------------------------------------------------------------
 
     def request(self, now: datetime, state: State | None = None) -> Request:
-        """Give what is asked for as seen from a moment.
-
-        It stands in the order in which it was said, so that what is said anew may refer to what came between.
-        """
+        """Give what is asked for as seen from a moment."""
         current = state if state is not None else self.state
         known = {entry.identifier for entry in current.entries}
         started = [one for one in self.store.started(self.name) if one.identifier.partition(".")[0] in known]
         agents = self.agents if current.agents is None else current.agents
         return Request(
             now=now,
-            wishes=tuple(wish_of(entry) for entry in _as_said(current.entries, now)),
+            wishes=tuple(wish_of(entry) for entry in current.entries),
             agents=agents,
             horizon=self.horizon,
             in_order=self.in_order if current.in_order is None else current.in_order,
@@ -195,11 +192,6 @@ class Conversation:
             for one in self.store.started(self.name)
             if seconds_between(now, one.done) > 0 and one.identifier.partition(".")[0] in known
         ]
-
-
-def _as_said(entries: Sequence[Entry], now: datetime) -> list[Entry]:
-    """Give entries in the order in which they were said, with a time zone or without (``--now``)."""
-    return sorted(entries, key=lambda entry: seconds_between(now, entry.given))
 
 
 def wish_of(entry: Entry) -> SpokenWish:

@@ -77,6 +77,7 @@ class KeptRating:
 class State:
     """Everything that was said in a conversation, as a value.
 
+    An instruction may refer to those before it in ``entries``; one that is said anew keeps its place.
     ``agents`` says how many can work at once, ``in_order`` whether each instruction is done after the one
     before; None leaves that to the settings.
     """
@@ -129,6 +130,11 @@ class State:
         another = replace(old, number=self.next_number, **changes)
         entries = (another if entry is old else entry for entry in self.entries)
         return replace(self, entries=tuple(entries), next_number=self.next_number + 1)
+
+    def with_last(self, number: int) -> "State":
+        """Give the state with an instruction behind all others."""
+        last = self.entry(number)
+        return replace(self, entries=(*(entry for entry in self.entries if entry is not last), last))
 
     def without(self, number: int) -> "State":
         """Give the state without one instruction."""
