@@ -9,6 +9,7 @@ from fuzzytime.language.about_wishes import (
     clauses_of,
     news_in,
     reported,
+    restated,
 )
 from fuzzytime.language.answer import NAMED, answer
 from fuzzytime.language.finding import Times, check_customs, check_length, find_times, shipped_lexicon
@@ -73,6 +74,7 @@ __all__ = [
     "news_in",
     "read_lexicon",
     "reported",
+    "restated",
     "shares_thing",
     "shipped_lexicon",
     "undoes",

@@ -555,3 +555,63 @@ def test_why_not_at_another_time_is_about_what_is_named() -> None:
     talk = Talk()
     talk.say("pick up the parcel at noon")
     assert "pick up the parcel" in talk.say("why can't I pick up the parcel at eleven?")
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("first", "anew", "entry"),
+    [
+        ("feed the dog at six pm", "no, feed the dog at half past six", "feed the dog at half past six"),
+        ("feed the dog at six pm", "actually feed the dog at seven pm", "feed the dog at seven pm"),
+        ("feed the dog at six pm", "Feed the dog at seven pm instead.", "Feed the dog at seven pm"),
+        ("put the bins out at six pm", "no, put them out at seven pm", "put the bins out at seven pm"),
+        ("call mum every day at six pm", "sorry, call mum every day at noon", "call mum every day at noon"),
+        # What it says no more of stays.
+        (
+            "take the bins out and feed the cat at six pm",
+            "wait, feed the cat at seven pm",
+            "take the bins out and feed the cat at seven pm",
+        ),
+        (
+            "boil the eggs for six minutes at noon",
+            "no, boil the eggs at one pm",
+            "boil the eggs for six minutes at one pm",
+        ),
+        (
+            "if it rains, close the window at six pm",
+            "no, close the window at seven pm",
+            "if it rains, close the window at seven pm",
+        ),
+    ],
+)
+def test_what_is_said_again_behind_a_correction_is_said_anew(first: str, anew: str, entry: str) -> None:
+    talk = Talk()
+    talk.say(first)
+    talk.say("wash the car tomorrow")
+    assert ":edit 1" in talk.say(anew)
+    assert talk.entries == [entry, "wash the car tomorrow"]
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    "line",
+    [
+        "feed the dog at seven pm",
+        "feed the dog at seven pm then",
+        "no, feed the cat at seven pm",
+        "actually wash the dog at seven pm",
+    ],
+)
+def test_without_a_correction_or_of_something_else_it_is_another_wish(line: str) -> None:
+    talk = Talk()
+    talk.say("feed the dog at six pm")
+    talk.say(line)
+    assert len(talk.entries) == 2
+
+
+@pytest.mark.model
+def test_a_condition_stays_where_the_time_beside_it_moves() -> None:
+    talk = Talk()
+    talk.say("if it rains, close the window at six pm")
+    talk.say("no, make it seven pm")
+    assert talk.entries == ["if it rains, close the window at seven pm"]

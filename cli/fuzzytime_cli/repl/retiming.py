@@ -1,5 +1,6 @@
 """An instruction's words with another time in place of their own."""
 
+from collections.abc import Sequence
 from itertools import combinations
 
 from fuzzytime.errors import FuzzytimeError
@@ -12,8 +13,8 @@ ONE = frozenset({"1", "one", "a", "an"})
 """Numbers behind which a unit has no s."""
 
 
-def with_time(scene: Scene, entry: Entry, about: About) -> str:
-    """Give an entry's words with another time, or length, in place of its own.
+def with_time(scene: Scene, entry: Entry, about: About, own: Sequence[TimeRequirement] | None = None) -> str:
+    """Give an entry's words with another time, or length, in place of its own; of several, of those given.
 
     A number alone ("make it six") counts what the entry counts: six minutes where it has ten of them.
 
@@ -27,13 +28,16 @@ def with_time(scene: Scene, entry: Entry, about: About) -> str:
         # "They are ten minutes late" has no time of its own to be replaced.
         return f"{mine[0].skill.name} {about.time} instead"
     reading = scene.conversation.interpreter.language.read(entry.text, now=entry.given)
-    parts = [part for one in reading.instructions for part in one.requirements]
+    every = [part for one in reading.instructions for part in one.requirements]
+    parts = every if own is None else own
     if about.number and len(parts) == 1:
         recounted = _recounted(scene, entry, parts[0], about.number)
         if recounted:
             return recounted
     length = about.time.lower().startswith("for ")
     times = [part for part in parts if (part.constraint is Constraint.FOR) is length]
+    # "If it rains, close the window at six": the condition stays.
+    times = [part for part in times if part.constraint is not Constraint.WHEN] or times
     if len(times) > 1 or any(part.constraint is Constraint.EVERY for part in times):
         raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
     if not times:

@@ -7,7 +7,17 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, Language, Reading, about_wishes, content_words, reported
+from fuzzytime.language import (
+    About,
+    AboutKind,
+    Language,
+    Operation,
+    Reading,
+    about_wishes,
+    content_words,
+    reported,
+    restated,
+)
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, looking
@@ -84,9 +94,50 @@ def _told(scene: Scene, words: str) -> Reply | None:
     operation = reported(reading, language.lexicon)
     if operation is None:
         _check_labels(scene, reading)
-        return None
+        return _said_anew(scene, words)
     names = content_words(operation.object) | {operation.lemma}
     return _taken(scene, About(kind=AboutKind.DONE, names=names, certain=True))
+
+
+def _said_anew(scene: Scene, words: str) -> Reply | None:
+    """Take what is said again with another time as said anew: "no, feed the dog at seven"; else give None.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the instruction asks for more than that.
+    """
+    language = scene.conversation.interpreter.language
+    anew = restated(words, scene.now, language.lexicon)
+    if anew is None:
+        return None
+    reading = language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.skills])
+    if len(reading.instructions) != 1:
+        return None
+    operation, times = reading.instructions[0].operation, reading.instructions[0].requirements
+    if operation is None or not times:
+        return None
+    same = [one for one in scene.plan.skills if one.reading and _is_same(one.operation, operation)]
+    same.sort(key=lambda one: number_of(one.identifier) == scene.focus)
+    if not same:
+        return None
+    old, number = same[-1], number_of(same[-1].identifier)
+    several = old.reading is not None and len(old.reading.instructions) > 1
+    own = old.instruction.requirements if old.instruction is not None else ()
+    named = (operation.object or "").lower() in anew.lower()
+    if several or not named or len(own) > len(times):
+        # The rest of its words stays, and where it stands "them" is nothing: "no, put them out at seven".
+        moved = About(kind=AboutKind.MOVE, time=times[0].text)
+        anew = with_time(scene, scene.conversation.state.entry(number), moved, own)
+    return _run(scene, AboutKind.MOVE, f":edit {number} {anew}")
+
+
+def _is_same(one: Operation | None, other: Operation) -> bool:
+    """Whether two operations do the same with the same, in one place as far as the second tells."""
+    if one is None or (one.lemma, one.negated) != (other.lemma, other.negated):
+        return False
+    places = content_words(other.place) in (frozenset(), content_words(one.place))
+    return places and content_words(one.object) == content_words(other.object)
 
 
 def _check_labels(scene: Scene, reading: Reading) -> None:
@@ -114,16 +165,21 @@ def _taken(scene: Scene, about: About) -> Reply | None:
     line = _command(scene, about)
     if line is None:
         return None
+    return _run(scene, about.kind, line)
+
+
+def _run(scene: Scene, kind: AboutKind, line: str) -> Reply:
+    """Run a command, and say which."""
     command, rest = command_of(line)
     number = rest.partition(" ")[0].partition(".")[0].lstrip("s")
-    dropped = _text_of(scene, number) if about.kind is AboutKind.DROP else ""
+    dropped = _text_of(scene, number) if kind is AboutKind.DROP else ""
     reply = command.run(scene, rest)
-    focus = whole_number(number) if about.kind is not AboutKind.DROP else None
+    focus = whole_number(number) if kind is not AboutKind.DROP else None
     if not (reply.changed or scene.tried is not None):
         return replace(reply, focus=focus)
-    if about.kind in {AboutKind.UNDO, AboutKind.REDO}:
+    if kind in {AboutKind.UNDO, AboutKind.REDO}:
         return reply
-    back = "" if about.kind in HISTORY and not line.startswith(":busy") else "; :undo takes it back"
+    back = "" if kind in HISTORY and not line.startswith(":busy") else "; :undo takes it back"
     head = Text(plain(f"taken as {line}{f' ({dropped})' if dropped else ''}{back}"))
     return replace(reply, lines=(head, *reply.lines), focus=focus)
 

@@ -1,8 +1,19 @@
 """What is said about what was asked for already: "no, make it six", "cancel the call", "when do I stir?"."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.corrections import restated
 from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
 from fuzzytime.language.about_wishes.reading import about_wishes
 from fuzzytime.language.about_wishes.reports import reported
 
-__all__ = ["About", "AboutKind", "News", "NewsKind", "about_wishes", "clauses_of", "news_in", "reported"]
+__all__ = [
+    "About",
+    "AboutKind",
+    "News",
+    "NewsKind",
+    "about_wishes",
+    "clauses_of",
+    "news_in",
+    "reported",
+    "restated",
+]

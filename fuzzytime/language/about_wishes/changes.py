@@ -1,6 +1,7 @@
 """Orders that are about wishes: "cancel the call", "push everything back by ten minutes", "swap the two"."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.said import TO, Said
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import longest_match
@@ -108,12 +109,7 @@ def _ordered(said: Said) -> About | None:
 
 
 def _corrected(said: Said) -> About | None:
-    place = 0
-    while place < len(said.words):
-        form = longest_match(said.words, place, said.lexicon.corrections)
-        if form is None and said.forms[place] != ",":
-            break
-        place += len(form) if form is not None else 1
+    place = opening_correction(said)
     rest = said.behind(place)
     if place and rest.forms[:1] and rest.forms[0] in said.lexicon.doing.keeping and _is_last(rest.behind(1)):
         # "No wait, keep it"
@@ -122,8 +118,7 @@ def _corrected(said: Said) -> About | None:
     if delayed is not None and not delayed[1].words:
         # "Ten minutes later", "no, make it ten minutes earlier"
         return About(kind=AboutKind.DELAY, by=delayed[0], corrects=place > 0, certain=True)
-    if place == 0 or not rest.words or (place == 1 and said.forms[0] == "wait"):
-        # "Wait ten minutes" is an order
+    if place == 0 or not rest.words:
         return None
     thing, is_said, new = rest.text.rpartition(" is ")
     if is_said:

@@ -1,0 +1,42 @@
+"""What says that a line corrects another: "no, …", "actually, …", "… instead"."""
+
+from datetime import datetime
+
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+
+COMMA = ","
+ENDS = ".?! "
+
+
+def opening_correction(said: Said) -> int:
+    """Count the words with which a line says that it corrects: "no wait, actually"."""
+    place = 0
+    while place < len(said.words):
+        form = longest_match(said.words, place, said.lexicon.corrections)
+        if form is None and said.forms[place] != COMMA:
+            break
+        place += len(form) if form is not None else 1
+    # "Wait ten minutes" is an order
+    return 0 if place == 1 and said.forms[0] in said.lexicon.doing.waiting else place
+
+
+def restated(text: str, now: datetime, lexicon: Lexicon) -> str | None:
+    """Give what a line says in the place of what was said before; None where no word says so.
+
+    >>> from datetime import datetime
+    >>> from fuzzytime.language.finding import shipped_lexicon
+    >>> restated("no, feed the dog at seven instead", datetime(2026, 3, 4, 9), shipped_lexicon())
+    'feed the dog at seven'
+    """
+    said = Said(text.strip(ENDS), now, lexicon)
+    place = opening_correction(said)
+    rest = said.behind(place)
+    closing = max((form for form in _closing(said) if rest.forms[-len(form) :] == form), key=len, default=())
+    kept = rest.until(len(rest.words) - len(closing))
+    return kept.text if kept.words and (place or closing) else None
+
+
+def _closing(said: Said) -> frozenset[tuple[str, ...]]:
+    """Give what says "instead" behind a new time, but not what joins a step to another: "then"."""
+    return said.table("instead") - said.lexicon.connectives.keys()
