@@ -615,3 +615,60 @@ def test_a_condition_stays_where_the_time_beside_it_moves() -> None:
     talk.say("if it rains, close the window at six pm")
     talk.say("no, make it seven pm")
     assert talk.entries == ["if it rains, close the window at seven pm"]
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("first", "anew", "entry"),
+    [
+        ("call mum tomorrow at six pm", "no, make it seven pm", "call mum tomorrow at seven pm"),
+        ("call mum at six pm on friday", "move it to saturday", "call mum saturday at six pm"),
+        ("call mum at noon on march 6", "no, on march 9", "call mum on march 9 at noon"),
+        ("call mum tomorrow morning", "make it the afternoon", "call mum tomorrow in the afternoon"),
+        ("call mum tomorrow by six pm", "no, by seven pm", "call mum tomorrow by seven pm"),
+        ("call mum every day at six pm", "no, at seven pm", "call mum every day at seven pm"),
+        ("call mum this afternoon", "no, tomorrow", "call mum tomorrow afternoon"),
+        # A new time that says all of it leaves nothing of the old one.
+        ("call mum tomorrow at six pm", "no, in ten minutes", "call mum in ten minutes"),
+        ("call mum tomorrow at six pm", "no, tonight", "call mum tonight"),
+        ("call mum tomorrow", "no, today", "call mum today"),
+    ],
+)
+def test_a_new_time_keeps_what_it_leaves_open(first: str, anew: str, entry: str) -> None:
+    talk = Talk()
+    talk.say(first)
+    talk.say(anew)
+    assert talk.entries == [entry]
+
+
+@pytest.mark.model
+def test_a_day_that_stays_is_the_same_day_when_it_is_said_later() -> None:
+    talk = Talk()
+    talk.say("call mum tomorrow at six pm")
+    talk.wait(days=1)
+    talk.say("no, make it seven pm")
+    assert talk.entries == ["call mum on 2026-03-05 at seven pm"]
+    assert talk.start("s1").isoformat() == "2026-03-05T19:00:00+01:00"
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("first", "time", "entry"),
+    [
+        ("call mum", "at seven pm", "call mum at seven pm"),
+        ("call mum", "Before lunch.", "call mum before lunch"),
+        ("call mum", "for ten minutes", "call mum for ten minutes"),
+        ("call mum at six pm", "tomorrow", "call mum tomorrow at six pm"),
+    ],
+)
+def test_a_time_alone_is_that_of_what_was_asked_for_last(first: str, time: str, entry: str) -> None:
+    talk = Talk()
+    talk.say("feed the cat at noon")
+    talk.say(first)
+    assert ":edit 2" in talk.say(time)
+    assert talk.entries == ["feed the cat at noon", entry]
+
+
+@pytest.mark.model
+def test_a_time_alone_is_pointed_at_where_nothing_was_asked_for() -> None:
+    assert "nothing to do" in Talk().say("at seven")

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, find_times
+from fuzzytime.language import About, find_times, merged_time
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime_cli.repl.scene import Scene
 from fuzzytime_cli.session import Entry
@@ -38,12 +38,15 @@ def with_time(scene: Scene, entry: Entry, about: About, own: Sequence[TimeRequir
     times = [part for part in parts if (part.constraint is Constraint.FOR) is length]
     # "If it rains, close the window at six": the condition stays.
     times = [part for part in times if part.constraint is not Constraint.WHEN] or times
-    if len(times) > 1 or any(part.constraint is Constraint.EVERY for part in times):
-        raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
     if not times:
         return f"{entry.text.rstrip('.! ')} {about.time}"
     first, end = times[0].span
-    return f"{entry.text[:first]}{about.time}{entry.text[end:]}"
+    lexicon = scene.conversation.interpreter.language.lexicon
+    time = merged_time(entry.text[first:end], entry.given, about.time, scene.now, lexicon)
+    repeated = times[0].constraint is Constraint.EVERY and time == about.time
+    if len(times) > 1 or repeated:
+        raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
+    return f"{entry.text[:first]}{time}{entry.text[end:]}"
 
 
 def _recounted(scene: Scene, entry: Entry, time: TimeRequirement, number: str) -> str:

@@ -14,6 +14,7 @@ from fuzzytime.language import (
     Operation,
     Reading,
     about_wishes,
+    added_time,
     content_words,
     reported,
     restated,
@@ -94,7 +95,8 @@ def _told(scene: Scene, words: str) -> Reply | None:
     operation = reported(reading, language.lexicon)
     if operation is None:
         _check_labels(scene, reading)
-        return _said_anew(scene, words)
+        added = added_time(words, scene.now, language.lexicon)
+        return _said_anew(scene, words) if added is None else _taken(scene, added)
     names = content_words(operation.object) | {operation.lemma}
     return _taken(scene, About(kind=AboutKind.DONE, names=names, certain=True))
 

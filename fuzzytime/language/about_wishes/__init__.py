@@ -1,7 +1,8 @@
 """What is said about what was asked for already: "no, make it six", "cancel the call", "when do I stir?"."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.corrections import restated
+from fuzzytime.language.about_wishes.corrections import added_time, restated
+from fuzzytime.language.about_wishes.merging import merged_time
 from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
 from fuzzytime.language.about_wishes.reading import about_wishes
 from fuzzytime.language.about_wishes.reports import reported
@@ -12,7 +13,9 @@ __all__ = [
     "News",
     "NewsKind",
     "about_wishes",
+    "added_time",
     "clauses_of",
+    "merged_time",
     "news_in",
     "reported",
     "restated",

@@ -1,7 +1,8 @@
-"""What says that a line corrects another: "no, …", "actually, …", "… instead"."""
+"""What corrects what was said before, or adds to it: "no, …", "actually, …", "… instead", "at seven"."""
 
 from datetime import datetime
 
+from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
@@ -35,6 +36,19 @@ def restated(text: str, now: datetime, lexicon: Lexicon) -> str | None:
     closing = max((form for form in _closing(said) if rest.forms[-len(form) :] == form), key=len, default=())
     kept = rest.until(len(rest.words) - len(closing))
     return kept.text if kept.words and (place or closing) else None
+
+
+def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
+    """Read a line that is a time and nothing else, as what was asked for last has it; else give None.
+
+    >>> from datetime import datetime
+    >>> from fuzzytime.language.finding import shipped_lexicon
+    >>> added_time("At seven.", datetime(2026, 3, 4, 9), shipped_lexicon()).time
+    'at seven'
+    """
+    said = Said(text.strip(ENDS), now, lexicon)
+    time = said.as_time() if said.has_time else ""
+    return About(kind=AboutKind.MOVE, time=time[0].lower() + time[1:]) if time else None
 
 
 def _closing(said: Said) -> frozenset[tuple[str, ...]]:
