@@ -33,7 +33,7 @@ from fuzzytime.language.meaning.decisions import HALF_OF_DAY_ADVICE
 from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
-from fuzzytime.language.sentence.references.mentions import comes, shares_thing, undoes
+from fuzzytime.language.sentence.references.mentions import comes, shares_thing, undoes, verb_forms
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelError, installed_model, model_files
 from fuzzytime.language.sentence.trees.named import is_several
@@ -82,5 +82,6 @@ __all__ = [
     "shares_thing",
     "shipped_lexicon",
     "undoes",
+    "verb_forms",
     "with_words",
 ]

@@ -180,7 +180,7 @@ def test_of_a_repetition_one_occurrence_is_done() -> None:
 
 def test_help_of_one_command_is_its_line() -> None:
     assert Talk().say(":help drop").strip().splitlines() == [
-        ":drop N|all                 forget instruction N, or all"
+        ":drop N|N,M|all             forget instruction N, several, or all"
     ]
 
 

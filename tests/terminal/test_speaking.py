@@ -672,3 +672,83 @@ def test_a_time_alone_is_that_of_what_was_asked_for_last(first: str, time: str, 
 @pytest.mark.model
 def test_a_time_alone_is_pointed_at_where_nothing_was_asked_for() -> None:
     assert "nothing to do" in Talk().say("at seven")
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("line", "left"),
+    [
+        ("cancel 1", ["call mum", "call dad", "wash the car"]),
+        ("delete number 2", ["feed the cat", "call dad", "wash the car"]),
+        ("skip #2", ["feed the cat", "call dad", "wash the car"]),
+        ("cancel the second one", ["feed the cat", "call dad", "wash the car"]),
+        ("forget the first", ["call mum", "call dad", "wash the car"]),
+        ("cancel the last two", ["feed the cat", "call mum"]),
+        ("drop the first two instructions", ["call dad", "wash the car"]),
+        ("cancel the calls", ["feed the cat", "wash the car"]),
+        ("cancel everything except the cat", ["feed the cat"]),
+        ("clear everything but the calls", ["call mum", "call dad"]),
+    ],
+)
+def test_instructions_are_meant_by_numbers_by_places_and_several_at_once(line: str, left: list[str]) -> None:
+    talk = Talk()
+    for order in (
+        "feed the cat at six pm",
+        "call mum at seven pm",
+        "call dad at 8 pm",
+        "wash the car at 9 pm",
+    ):
+        talk.say(order)
+    talk.say(line)
+    assert [entry.partition(" at ")[0] for entry in talk.entries] == left
+    talk.say(":undo")
+    assert len(talk.entries) == 4
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("line", "starts"),
+    [
+        ("push both back by an hour", [19, 20]),
+        ("push the second one back by an hour", [18, 20]),
+        ("bring the calls forward by an hour", [17, 18]),
+        ("move the first to eight pm", [20, 19]),
+        ("move number 2 to five pm", [18, 17]),
+        ("postpone calling dad until nine pm", [18, 21]),
+    ],
+)
+def test_what_is_meant_so_is_moved(line: str, starts: list[int]) -> None:
+    talk = Talk()
+    talk.say("call mum at six pm")
+    talk.say("call dad at seven pm")
+    talk.say(line)
+    assert [talk.start(name).hour for name in ("s1", "s2")] == starts
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("move both to tomorrow", "one at a time"),
+        ("cancel the third one", "2 are left"),
+        ("cancel 7", "nothing that is planned is about s7"),
+        ("cancel everything except the dog", "nothing that is planned is about dog"),
+    ],
+)
+def test_what_means_none_is_said_and_changes_nothing(line: str, said: str) -> None:
+    talk = Talk()
+    talk.say("call mum at six pm")
+    talk.say("feed the cat at seven pm")
+    assert said in talk.say(line)
+    assert talk.entries == ["call mum at six pm", "feed the cat at seven pm"]
+
+
+@pytest.mark.model
+def test_a_timer_tells_what_is_left_and_takes_more() -> None:
+    talk = Talk()
+    talk.say("set a timer for ten minutes")
+    talk.wait(seconds=1)
+    assert "until 09:10" in talk.say("how long is left?")
+    assert "until 09:10" in talk.say("how long is left on the timer?")
+    assert ":more s1 5min" in talk.say("add five minutes to the timer")
+    assert "until 09:15" in talk.say("how much time is left?")

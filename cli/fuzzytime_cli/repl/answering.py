@@ -54,12 +54,7 @@ def when(scene: Scene, about: About) -> Reply:
     positions = _positions(scene, about.names)
     schedule = scene.plan.schedule
     positions.sort(key=lambda position: (schedule.rejected[position], schedule.start_times[position]))
-    clock = Clock(scene.now, with_seconds=True)
-    lines = [
-        Text(f"{plain(one.identifier)} {plain(one.name)}: running, until {clock.at(one.done)}")
-        for one in scene.conversation.running(scene.now)
-        if about.names and about.names <= content_words(one.name) | {f"s{number_of(one.identifier)}"}
-    ]
+    lines = _going_on(scene, about)
     lines += [_start(scene, position) for position in positions[:MOST]]
     if len(positions) > MOST:
         lines.append(Text(f"and {len(positions) - MOST} more times"))
@@ -69,7 +64,7 @@ def when(scene: Scene, about: About) -> Reply:
 def lasting(scene: Scene, about: About) -> Reply:
     """Say how long that takes which some words name."""
     positions = _positions(scene, about.names)
-    lines = []
+    lines = _going_on(scene, about)
     for position in positions[:MOST]:
         interpreted = scene.plan.skills[position]
         skill = interpreted.skill
@@ -80,6 +75,16 @@ def lasting(scene: Scene, about: About) -> Reply:
         name = f"{plain(interpreted.identifier)} {plain(skill.name)}"
         lines.append(Text(f"{name}: {whole}{hands}{assumed}"))
     return _reply(scene, about, lines, positions)
+
+
+def _going_on(scene: Scene, about: About) -> list[Text]:
+    """Say of what is running and named until when it is."""
+    clock = Clock(scene.now, with_seconds=True)
+    return [
+        Text(f"{plain(one.identifier)} {plain(one.name)}: running, until {clock.at(one.done)}")
+        for one in scene.conversation.running(scene.now)
+        if about.names and about.names <= content_words(one.name) | {f"s{number_of(one.identifier)}"}
+    ]
 
 
 def why(scene: Scene, about: About) -> Reply:

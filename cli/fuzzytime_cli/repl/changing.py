@@ -24,6 +24,7 @@ from fuzzytime_cli.repl.scene import (
     number_of,
     position_of,
     said,
+    several_numbers,
     step,
     whole_number,
 )
@@ -34,18 +35,18 @@ BRIEF = 60
 
 
 def drop(scene: Scene, text: str) -> Reply:
-    """Forget an instruction, or all of them."""
+    """Forget an instruction, several ("1,3"), or all of them."""
     if text.strip().lower() == "all":
         return step(scene, ":drop all", lambda state: replace(state, entries=()))
-    number = number_of(identifier_meant(scene, text))
-    numbers = (number, *_told_before(scene, number))
+    named = several_numbers(text) or [number_of(identifier_meant(scene, text))]
+    numbers = dict.fromkeys(told for one in named for told in (one, *_told_before(scene, one)))
 
     def dropped(state: State) -> State:
         for one in numbers:
             state = state.without(one)
         return state
 
-    return step(scene, f":drop {number}", dropped)
+    return step(scene, f":drop {','.join(map(str, named))}", dropped)
 
 
 def _told_before(scene: Scene, number: int) -> list[int]:

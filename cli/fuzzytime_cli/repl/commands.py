@@ -97,9 +97,9 @@ COMMANDS: Mapping[str, Command] = {
     "why": Command("why N", "explain skill N: words, rules, satisfaction, and why then", looking.why),
     "what-if": Command("what-if TEXT", "what would move if you asked for that, or gave a :command", what_if),
     "edit": Command("edit N [TEXT]", "say instruction N anew", changing.edit),
-    "drop": Command("drop N|all", "forget instruction N, or all", changing.drop),
+    "drop": Command("drop N|N,M|all", "forget instruction N, several, or all", changing.drop),
     "delay": Command(
-        "delay N|all 10min", "move N, or all that is left, to later (-10min: earlier)", moving.delay
+        "delay N|N,M|all 10min", "move N, or all that is left, to later (-10min: earlier)", moving.delay
     ),
     "swap": Command("swap N M", "give N and M each other's times", moving.swap),
     "done": Command("done N", "skill N is done", changing.done),

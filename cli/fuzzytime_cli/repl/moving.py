@@ -20,6 +20,7 @@ from fuzzytime_cli.repl.scene import (
     got,
     number_and_rest,
     number_of,
+    several_numbers,
     step,
     waiting,
 )
@@ -32,8 +33,10 @@ Waiting = Sequence[tuple[int, Interpreted]]
 
 
 def delay(scene: Scene, text: str) -> Reply:
-    """Move an instruction, or all that have not started, by a length of time; a negative one is earlier."""
+    """Move an instruction, several ("1,3"), or all that have not started; a negative length is earlier."""
     first, _, rest = text.strip().partition(" ")
+    if rest.strip() and (several := several_numbers(first)):
+        return _all_later(scene, parse_duration(rest), several)
     if first.lower() == ALL and rest.strip():
         return _all_later(scene, parse_duration(rest))
     number, rest = number_and_rest(text, "a length of time, such as 10min,")
@@ -62,10 +65,11 @@ def _what(number: int | str, by: float) -> str:
     return f":delay {number} {format_duration(by)}"
 
 
-def _all_later(scene: Scene, by: float) -> Reply:
-    """Move everything that has not started; what is told to happen then stays, and is named."""
+def _all_later(scene: Scene, by: float, numbers: Sequence[int] = ()) -> Reply:
+    """Move everything that has not started, or some of it; what is told to happen stays, and is named."""
     entries, stays, left = [], [], waiting(scene)
-    for entry in scene.conversation.state.entries:
+    chosen = [scene.conversation.state.entry(number) for number in numbers]
+    for entry in chosen or scene.conversation.state.entries:
         mine = [(place, one) for place, one in left if one.wish.identifier == entry.identifier]
         if any(one.stated for _, one in mine):
             stays.append(f"{entry.number} ({mine[0][1].skill.name})")
@@ -73,7 +77,8 @@ def _all_later(scene: Scene, by: float) -> Reply:
             entries.append(_moved(scene, entry, by, mine))
     if not entries:
         raise FuzzytimeError("nothing is left that could be moved")
-    reply = step(scene, _what(ALL, by), lambda state: _with(state, tuple(entries)))
+    what = _what(",".join(map(str, numbers)) or ALL, by)
+    reply = step(scene, what, lambda state: _with(state, tuple(entries)))
     told = f"not moved, since it was told, not asked for: {', '.join(stays)}"
     return replace(reply, lines=(Text(plain(told)), *reply.lines)) if stays else reply
 

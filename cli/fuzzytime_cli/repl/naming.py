@@ -3,10 +3,11 @@
 from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import content_words
+from fuzzytime.language import About, content_words, verb_forms
 from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, whole_number
 from fuzzytime_cli.session import Entry, Started
 
+BOTH = 2
 FEW = 2
 """Words that are repeated at most."""
 
@@ -27,11 +28,12 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     if not names:
         spoken_of = (entry for entry in entries if entry.number == scene.focus)
         return next(spoken_of, None) or next(iter(entries), None)
+    lexicon = scene.conversation.interpreter.language.lexicon
     skills: dict[str, frozenset[str]] = {}
     for interpreted in scene.plan.skills:
         name = interpreted.wish.identifier
         operation = interpreted.operation
-        verb = frozenset() if operation is None else frozenset({operation.lemma})
+        verb = frozenset() if operation is None else verb_forms(operation.lemma, lexicon)
         known = content_words(interpreted.skill.name) | verb
         skills[name] = skills.get(name, frozenset()) | known
     # "The guests" are what comes, before they are what others wait for.
@@ -43,6 +45,32 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     # "It" in its words is what it is called by.
     by_name = (e for e in entries if names <= skills.get(e.identifier, frozenset()) | content_words(e.text))
     return next(comes, None) or next(own, None) or next(by_name, None)
+
+
+def entries_meant(scene: Scene, about: About) -> list[Entry]:
+    """Give the entries that are meant by names, by their places, or as both that are left, as they stand.
+
+    Raises
+    ------
+    FuzzytimeError
+        If there are not so many.
+    """
+    left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
+    if about.both:
+        if len(left) != BOTH:
+            raise FuzzytimeError(f"{len(left)} are left: say which, such as: the call")
+        return left
+    if about.places:
+        if max(abs(place) for place in about.places) > len(left):
+            raise FuzzytimeError(f"{len(left)} {'is' if len(left) == 1 else 'are'} left (:list shows which)")
+        return [left[place - 1 if place > 0 else place] for place in about.places]
+    entry = entry_of(scene, about.names)
+    if entry is None or not about.several:
+        return [] if entry is None else [entry]
+    asked = [one for one in scene.plan.skills if not one.stated]
+    named = {one.wish.identifier for one in asked if about.names <= content_words(one.skill.name)}
+    # "The guests" are those who come, and not what waits for them.
+    return [one for one in left if one.identifier in named] if entry.identifier in named else [entry]
 
 
 def identifier_meant(scene: Scene, text: str) -> str:

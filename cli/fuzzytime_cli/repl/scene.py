@@ -93,6 +93,17 @@ def number_of(text: str) -> int:
     return number
 
 
+def several_numbers(text: str) -> list[int]:
+    """Read the numbers of several instructions: "1,3"; none where it is not several.
+
+    Raises
+    ------
+    FuzzytimeError
+        If one of them is none.
+    """
+    return [number_of(part) for part in text.split(",")] if "," in text else []
+
+
 def number_and_rest(text: str, what: str) -> tuple[int, str]:
     """Read an instruction's number, and what follows it.
 

@@ -23,7 +23,7 @@ from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, looking
 from fuzzytime_cli.repl.commands import command_of, what_if
-from fuzzytime_cli.repl.naming import all_called, called, entry_of, running_one, unknown
+from fuzzytime_cli.repl.naming import all_called, called, entries_meant, entry_of, running_one, unknown
 from fuzzytime_cli.repl.retiming import with_time
 from fuzzytime_cli.repl.scene import Reply, Scene, number_of, whole_number
 
@@ -35,6 +35,9 @@ ASKED_BACK = {
     AboutKind.UNABLE: "when then? Say: push it back by half an hour (or: make it six; forget it)",
 }
 """What is answered to a protest."""
+
+
+ONE_AT_A_TIME = "one at a time, such as: move the call to six; or: push everything back by an hour"
 
 
 def are_about(language: Language, lines: Sequence[str], now: datetime) -> list[bool]:
@@ -174,7 +177,8 @@ def _run(scene: Scene, kind: AboutKind, line: str) -> Reply:
     """Run a command, and say which."""
     command, rest = command_of(line)
     number = rest.partition(" ")[0].partition(".")[0].lstrip("s")
-    dropped = _text_of(scene, number) if kind is AboutKind.DROP else ""
+    numbers = rest.partition(" ")[0].split(",")
+    dropped = "; ".join(_text_of(scene, one) for one in numbers) if kind is AboutKind.DROP else ""
     reply = command.run(scene, rest)
     focus = whole_number(number) if kind is not AboutKind.DROP else None
     if not (reply.changed or scene.tried is not None):
@@ -209,27 +213,36 @@ def _command(scene: Scene, about: About) -> str | None:
 def _changing(scene: Scene, about: About) -> str | None:
     """Give the command that drops, moves or delays what is meant."""
     if about.everything and about.kind is AboutKind.MOVE:
-        raise FuzzytimeError(
-            "one at a time, such as: move the call to six; or: push everything back by an hour"
-        )
+        raise FuzzytimeError(ONE_AT_A_TIME)
     if about.everything:
-        return ":drop all" if about.kind is AboutKind.DROP else f":delay all {_length(about)}"
-    if about.both:
-        raise FuzzytimeError("one at a time, such as: forget the call")
+        return _dropping_all(scene, about) if about.kind is AboutKind.DROP else f":delay all {_length(about)}"
     if about.corrects and scene.told_last is not None:
         scene = replace(scene, focus=scene.told_last)
-    entry = entry_of(scene, about.names)
-    if entry is None:
+    meant = entries_meant(scene, about)
+    if not meant:
         return unknown(about.names) if about.certain else None
-    if about.text and about.text in content_words(entry.text):
+    if about.text and about.text in content_words(meant[-1].text):
         return None
+    numbers = ",".join(str(entry.number) for entry in meant)
     match about.kind:
         case AboutKind.DROP:
-            return f":drop {entry.number}"
+            return f":drop {numbers}"
         case AboutKind.DELAY:
-            return f":delay {entry.number} {_length(about)}"
-        case _:
-            return f":edit {entry.number} {with_time(scene, entry, about)}"
+            return f":delay {numbers} {_length(about)}"
+        case _ if len(meant) == 1:
+            return f":edit {numbers} {with_time(scene, meant[0], about)}"
+    raise FuzzytimeError(ONE_AT_A_TIME)
+
+
+def _dropping_all(scene: Scene, about: About) -> str:
+    """Give the command that drops everything, but for what is named."""
+    if not about.names:
+        return ":drop all"
+    kept = entries_meant(scene, replace(about, several=True)) or unknown(about.names)
+    left = [str(entry.number) for entry in scene.conversation.state.entries if entry not in kept]
+    if not left:
+        raise FuzzytimeError("nothing else is asked for")
+    return f":drop {','.join(left)}"
 
 
 def _length(about: About) -> str:

@@ -41,8 +41,13 @@ class About:
         The words that name what is meant; none for what was spoken of last.
     others
         The words that name the second one, of what is swapped.
+    places
+        Which of those that are left to do are meant, counted from 1, or from the last, which is -1: "the
+        second one", "the last two".
+    several
+        Whether all are meant that are named so: "the calls".
     everything
-        Whether all is meant that is left to do.
+        Whether all is meant that is left to do, but for what is named, if anything is.
     both
         Whether the two that are left are meant.
     time
@@ -63,6 +68,8 @@ class About:
     kind: AboutKind
     names: frozenset[str] = frozenset()
     others: frozenset[str] = frozenset()
+    places: tuple[int, ...] = ()
+    several: bool = False
     everything: bool = False
     both: bool = False
     time: str = ""

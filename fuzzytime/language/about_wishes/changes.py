@@ -1,10 +1,13 @@
 """Orders that are about wishes: "cancel the call", "push everything back by ten minutes", "swap the two"."""
 
+from dataclasses import replace
+
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.said import TO, Said
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.sentence.trees.named import is_several
 
 DIRECTIONS = ("later", "earlier")
 REFERRED = ("last", "everything")
@@ -65,14 +68,32 @@ def _swapped(said: Said) -> About | None:
 
 
 def _named(said: Said) -> frozenset[str]:
-    return frozenset() if said.is_in("last") else said.names
+    if said.is_in("last") or said.places:
+        return frozenset()
+    return frozenset({said.label}) if said.label else said.names
+
+
+def _about(kind: AboutKind, thing: Said, *, certain: bool = False) -> About:
+    """Give what is said of a thing that was asked for, or of several."""
+    counted = () if thing.is_in("last") else thing.places
+    names = _named(thing)
+    several = bool(names) and not thing.label and is_several(thing.text, thing.lexicon)
+    certain = certain or bool(counted or thing.label)
+    return About(kind=kind, names=names, places=counted, several=several, certain=certain)
 
 
 def _dropped(said: Said) -> About | None:
     rest = said.after("clearing")
     if rest is not None and (rest.is_in("everything") or (not rest.words and len(said.words) > 1)):
         return About(kind=AboutKind.DROP, everything=True, certain=True)
+    if rest is not None and rest.label:
+        return _about(AboutKind.DROP, rest)
+    dropped = said.after("dropping") or rest
+    if dropped is not None and (kept := _all_but(dropped)) is not None:
+        return About(kind=AboutKind.DROP, names=_named(kept), everything=True, certain=True)
     rest = said.after("dropping")
+    if rest is not None and (rest.label or rest.places):
+        return _about(AboutKind.DROP, rest)
     if rest is None or rest.has_time:
         return None
     if rest.is_in("everything"):
@@ -81,7 +102,14 @@ def _dropped(said: Said) -> About | None:
         return About(kind=AboutKind.DROP, both=True, certain=True)
     if _is_last(rest):
         return About(kind=AboutKind.DROP, certain=True)
-    return About(kind=AboutKind.DROP, names=rest.names) if rest.names else None
+    return _about(AboutKind.DROP, rest) if rest.names else None
+
+
+def _all_but(said: Said) -> Said | None:
+    """Give what everything is meant but for: "everything except the call"; None where nothing is named."""
+    taken = said.opens_with("everything")
+    kept = said.behind(taken).after("except") if 0 < taken < len(said.words) else None
+    return kept if kept is not None and kept.names else None
 
 
 def _ordered(said: Said) -> About | None:
@@ -91,20 +119,20 @@ def _ordered(said: Said) -> About | None:
     for place in range(2, len(said.words)):
         thing, rest = said.until(place).behind(1), said.behind(place)
         if rest.is_in("first"):
-            return About(kind=AboutKind.MOVE, names=_named(thing), time="right now")
+            return replace(_about(AboutKind.MOVE, thing), time="right now")
         new = rest.without("instead")[0]
         if new.words and not new.without(*DIRECTIONS)[0].words and _is_last(thing):
             # "Do it earlier": by how much is not said
             return About(kind=AboutKind.DELAY, certain=True)
         if (by := _by(new)) is not None and not by[1].words:
-            return About(kind=AboutKind.DELAY, names=_named(thing), by=by[0])
+            return replace(_about(AboutKind.DELAY, thing), by=by[0])
         if (time := new.as_time()) and (thing.names or _is_last(thing)):
             # Who has dishes to do, and says so again, may mean others.
             again = "" if new.words != rest.words else DOING
-            return About(kind=AboutKind.MOVE, names=_named(thing), time=time, text=again)
+            return replace(_about(AboutKind.MOVE, thing), time=time, text=again)
         beside = rest.beside()
         if beside is not None and beside[1].names:
-            return About(kind=AboutKind.MOVE, names=_named(thing), time=beside[0], others=beside[1].names)
+            return replace(_about(AboutKind.MOVE, thing), time=beside[0], others=beside[1].names)
     return None
 
 
@@ -162,15 +190,18 @@ def _delayed(said: Said) -> About | None:
     ):
         # "Put the meat back for ten minutes"
         return None
-    named, referred = (thing if found is None else found.rest).without(*REFERRED)
+    by = None if found is None else -found.seconds if "earlier" in directions else found.seconds
+    moved = thing if found is None else found.rest
+    named, referred = moved.without(*REFERRED)
+    if moved.is_in("both"):
+        return About(kind=AboutKind.DELAY, both=True, by=by, certain=True)
     if not named.names and not referred and (delaying is None or named.words):
         return None
-    everything = "everything" in referred and not named.names
-    by = None if found is None else -found.seconds if "earlier" in directions else found.seconds
+    if "everything" in referred and not named.names:
+        return About(kind=AboutKind.DELAY, everything=True, by=by, certain=True)
     # Who pushes a table back says no length of time.
-    certain = everything or delaying is not None or (found is not None and found.joint == "by")
-    names = frozenset() if everything else named.names
-    return About(kind=AboutKind.DELAY, names=names, everything=everything, by=by, certain=certain)
+    certain = delaying is not None or (found is not None and found.joint == "by")
+    return replace(_about(AboutKind.DELAY, named, certain=certain), by=by)
 
 
 def _moved(said: Said) -> About | None:
@@ -186,17 +217,15 @@ def _moved(said: Said) -> About | None:
     new = Said(behind[place:].strip(), said.now, said.lexicon)
     if not thing.words:
         return None
-    names = _named(thing)
-    if thing.is_in("everything"):
+    if thing.is_in("everything") or thing.is_in("both"):
         return About(kind=AboutKind.MOVE, everything=True, certain=True)
-    if not names and not _is_last(thing):
+    about = _about(AboutKind.MOVE, thing)
+    if not (about.names or about.places) and not _is_last(thing):
         return None
     if time := new.as_time():
-        return About(kind=AboutKind.MOVE, names=names, time=time)
+        return replace(about, time=time)
     beside = Said(new.text[len(joint) :], said.now, said.lexicon).beside()
-    if beside is None:
-        return None
-    return About(kind=AboutKind.MOVE, names=names, time=beside[0], others=beside[1].names)
+    return None if beside is None else replace(about, time=beside[0], others=beside[1].names)
 
 
 def _moved_beside(said: Said) -> About | None:
@@ -218,5 +247,4 @@ def _moved_at(said: Said, behind: str) -> About | None:
     first = found[0].span[0]
     thing = Said(behind[:first].rstrip(), said.now, said.lexicon)
     time = Said(behind[first:], said.now, said.lexicon).as_time()
-    names = _named(thing)
-    return About(kind=AboutKind.MOVE, names=names, time=time) if time and (names or thing.words) else None
+    return replace(_about(AboutKind.MOVE, thing), time=time) if time and thing.words else None

@@ -74,7 +74,10 @@ def _lasting(said: Said) -> About | None:
         return About(kind=AboutKind.NEXT, certain=True)
     if rest is None or not rest.words or rest.forms[0] not in _helping(said):
         return None
-    return About(kind=AboutKind.LASTING, names=_names(rest), certain=True)
+    left = rest.names & _words(said, "plan")
+    names = _names(rest) - left
+    # "How long is left?" asks for what is going on.
+    return About(kind=AboutKind.LASTING if names or not left else AboutKind.NEXT, names=names, certain=True)
 
 
 def _open(said: Said) -> About | None:

@@ -9,11 +9,12 @@ from fuzzytime.language.instruction import Operation, Reading
 PAST = frozenset({"VBN", "VBD"})
 WITH = "with"
 ON = "on"
+TO = "to"
 
 
 def report(said: Said) -> About | None:
     """Read how it goes; None where it may be a wish."""
-    return _late(said) or _more(said) or _unstarted(said) or _finished(said) or _protest(said)
+    return _late(said) or _more(said) or _added(said) or _unstarted(said) or _finished(said) or _protest(said)
 
 
 def _late(said: Said) -> About | None:
@@ -33,6 +34,16 @@ def _more(said: Said) -> About | None:
     named, parts = found.rest.without("needing", "last")
     certain = not named.names or "needing" in parts
     return About(kind=AboutKind.MORE, names=named.names, by=found.seconds, certain=certain)
+
+
+def _added(said: Said) -> About | None:
+    """Read what is added to something that goes on: "add five minutes to the timer"."""
+    found = said.length() if said.opens_with("adding") else None
+    if found is None or found.joint or found.rest.forms[1:2] not in {(TO,), (ON,)}:
+        return None
+    thing = found.rest.behind(2)
+    names = frozenset() if thing.is_in("last") else thing.names
+    return About(kind=AboutKind.MORE, names=names, by=found.seconds) if names or thing.words else None
 
 
 def _unstarted(said: Said) -> About | None:

@@ -28,6 +28,8 @@ LONGEST = 24
 
 
 FOR = "for "
+THE = "the"
+LAST = "last"
 
 
 @dataclass(frozen=True)
@@ -113,6 +115,35 @@ class Said:
         """Give the words that name something."""
         courteous = {form[0] for form in self.lexicon.courtesies}
         return content_words(self.text) - courteous
+
+    @cached_property
+    def label(self) -> str:
+        """What is called so by a number, as it is labelled: "s2" of "2", "number two", "#2"; else empty."""
+        rest = self.after("numbering") or self
+        word = rest.forms[0] if len(rest.forms) == 1 else ""
+        known = rest is not self or word.isdecimal()
+        number = self.lexicon.numbers.get(word, word)
+        return f"s{int(number)}" if known and str(number).isdecimal() and len(word) <= LONGEST else ""
+
+    @cached_property
+    def places(self) -> tuple[int, ...]:
+        """Which ones of a list it is: of "the second one", "the last two"; none where it is no such thing."""
+        forms = self.forms[1:] if self.forms[:1] == (THE,) else self.forms
+        count, forms = self._counted(forms)
+        named = not forms or forms in self.table("listed")
+        return count if named and len(self.forms) > 1 else ()
+
+    def _counted(self, forms: Form) -> tuple[tuple[int, ...], Form]:
+        """Give the places that words begin with, and the rest: of "last two ones", -2, -1 and "ones"."""
+        numbers = self.lexicon.numbers
+        last = forms[:1] == (LAST,)
+        first = forms[:1] and self.lexicon.ordinals.get(forms[0])
+        count = numbers.get(forms[1], 0) if len(forms) > 1 else 0
+        if count > 1 and (last or first == 1):
+            return tuple(range(-count, 0) if last else range(1, count + 1)), forms[2:]
+        if last or first:
+            return (-1 if last else int(first or 0),), forms[1:]
+        return (), forms
 
     # -- times and lengths ----------------------------------------------------------------------------------
 

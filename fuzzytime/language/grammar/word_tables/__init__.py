@@ -217,6 +217,7 @@ _ROWS = {
         "dropping", "retracting", "clearing", "swapping", "undoing", "redoing", "delaying", "later",
         "earlier", "last", "everything", "both", "speaker", "late", "they", "being", "anew", "early",
         "rescheduled", "cancelled",
+        "except", "numbering", "listed", "adding",
         "present", "perfect", "absent", "finished", "having", "unstarted", "yet", "wrong", "unable", "more",
         "needing", "open", "doing", "moment", "plan", "what", "showing", "when", "lasting", "why",
         "supposing", "filling", "first", "instead", "letting", "answering", "greeting",
