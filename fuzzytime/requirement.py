@@ -124,6 +124,7 @@ class Anchor:
     or from the ``share`` of its length that is over then ("halfway through"). ``lasting`` and
     ``comparisons`` are those of a state that is measured from ("after the oven is above 150 degrees").
     ``assumed`` says that nothing tells of such a state, and that the target is only about the same thing.
+    ``turn`` is which occurrence of a repetition is meant, from 0, and None where that is not said.
     """
 
     text: str
@@ -137,6 +138,7 @@ class Anchor:
     lasting: Lasting | None = None
     comparisons: tuple[Comparison, ...] = ()
     assumed: bool = False
+    turn: int | None = None
 
 
 class Recurrence(Protocol):
@@ -255,7 +257,8 @@ def asked_words(requirements: Iterable[TimeRequirement], joint: str = ", ") -> s
     words = ""
     last: TimeRequirement | None = None
     for requirement in requirements:
-        if last is not None and requirement.alternative and requirement.span == last.span:
+        again = last is not None and requirement.span == last.span
+        if last is not None and again and (requirement.alternative or requirement.text == last.text):
             # "One evening this week" is one time of several.
             continue
         last = requirement

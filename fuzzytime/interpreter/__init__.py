@@ -7,7 +7,7 @@ Understanding (``interpreter``)
     Values: ``request``, ``interpretation``.
     Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``, ``joining``.
     In other words: ``retold``, ``told_anew``, ``lasting``, ``waits``.
-    Repeated beside something else: ``inside``, ``behind``, ``passing``; done ``meanwhile``.
+    Repeated beside something else: ``inside``, ``behind``, ``each_turn``, ``passing``; done ``meanwhile``.
     Who, and how far ahead: ``asked``, ``horizon``.
 
 What binds skills

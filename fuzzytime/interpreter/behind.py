@@ -1,6 +1,6 @@
 """Turns that count from what comes before them: "stain it for 20 minutes, then rinse it three times"."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.interpreter.interpretation import Interpreted
@@ -15,10 +15,12 @@ class Behind:
 
     target: int
 
-    def times(self, repeated: TimeRequirement, recurrence: Recurrence, until: float) -> list[TimeRequirement]:
+    def times(
+        self, repeated: TimeRequirement, recurrence: Recurrence, until: float
+    ) -> Iterator[tuple[TimeRequirement]]:
         """Give the turns' times, each at its distance from the end of what is before them."""
-        starts = (start for start, _ in recurrence.windows(until))
-        return [turn(repeated, self.target, Edge.END, start) for start in starts]
+        for start, _ in recurrence.windows(until):
+            yield (turn(repeated, self.target, Edge.END, start),)
 
 
 def behind_of(

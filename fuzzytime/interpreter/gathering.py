@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter.behind import Behind, behind_of
+from fuzzytime.interpreter.each_turn import EachTurn, each_turn_of
 from fuzzytime.interpreter.in_order import Rows, without_now
 from fuzzytime.interpreter.inside import GoingOn, going_on
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
@@ -153,8 +154,9 @@ class Gathering:
 
     def _make(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
         """Make an instruction's skills, and give their places."""
-        inside = going_on(instruction, self.links.instructions, self.skills)
-        behind = behind_of(instruction, self.links.instructions, self.skills)
+        before = self.links.instructions
+        inside = going_on(instruction, before, self.skills)
+        behind = behind_of(instruction, before, self.skills) or each_turn_of(instruction, before, self.skills)
         made = self._skills_of(wish, reading, instruction, inside or behind)
         if inside is not None and made:
             self.problems.append(_noted_inside(wish, instruction, inside))
@@ -163,7 +165,11 @@ class Gathering:
         return range(first, len(self.skills))
 
     def _skills_of(
-        self, wish: SpokenWish, reading: Reading, instruction: Instruction, inside: GoingOn | Behind | None
+        self,
+        wish: SpokenWish,
+        reading: Reading,
+        instruction: Instruction,
+        inside: GoingOn | Behind | EachTurn | None,
     ) -> list[Interpreted]:
         """Make an instruction's skills; where there is none to make, say why."""
         if is_spoiled(instruction, reading, remarks_of(reading, wish)):

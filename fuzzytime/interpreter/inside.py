@@ -1,7 +1,7 @@
 """What is done again and again while something goes on: "print the bracket", "check it every 30 minutes"."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.interpreter.interpretation import Interpreted
@@ -24,7 +24,9 @@ class GoingOn:
     length: float
     name: str
 
-    def times(self, repeated: TimeRequirement, recurrence: Recurrence, _: float) -> list[TimeRequirement]:
+    def times(
+        self, repeated: TimeRequirement, recurrence: Recurrence, _: float
+    ) -> Iterator[tuple[TimeRequirement]]:
         """Give a repetition's times in it, each at its distance from the start."""
         interval = recurrence.interval or self.length
         if recurrence.closing is not None:
@@ -37,7 +39,8 @@ class GoingOn:
             lags = [start for start, _ in recurrence.windows(self.length) if start < self.length]
         else:
             lags = [count * interval for count in range(1, math.ceil(self.length / interval))]
-        return [turn(repeated, self.target, Edge.START, lag) for lag in lags]
+        for lag in lags:
+            yield (turn(repeated, self.target, Edge.START, lag),)
 
 
 def going_on(

@@ -3,8 +3,10 @@
 import math
 from dataclasses import dataclass, replace
 from datetime import datetime
+from itertools import islice
 
 from fuzzytime.interpreter.behind import Behind
+from fuzzytime.interpreter.each_turn import EachTurn
 from fuzzytime.interpreter.how_long import HowLong
 from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
@@ -55,11 +57,12 @@ class Maker:
         wish: SpokenWish,
         reading: Reading,
         instruction: Instruction,
-        inside: GoingOn | Behind | None = None,
+        inside: GoingOn | Behind | EachTurn | None = None,
     ) -> list[Interpreted]:
         """Make an instruction's skill, or one for each occurrence of a repetition within the horizon.
 
-        Where it is repeated ``inside`` something that goes on, or behind something, each counts from that.
+        Where it is repeated ``inside`` something that goes on, or behind something, each counts from that,
+        or from its turn of something else that is repeated.
 
         Raises
         ------
@@ -77,10 +80,10 @@ class Maker:
         passed = seconds_between(self.request.now, wish.given)
         ahead = WITHOUT_END if recurrence.endless else MAX_HORIZON
         until = (self.request.horizon or ahead) - passed
-        if inside is not None and recurrence.interval is not None:
+        if isinstance(inside, EachTurn) or (inside is not None and recurrence.interval is not None):
             rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
-            times = inside.times(repeated, recurrence, until)[:MAX_OCCURRENCES]
-            return [self._interpreted(wish, reading, instruction, (time, *rest)) for time in times]
+            times = islice(inside.times(repeated, recurrence, until), MAX_OCCURRENCES)
+            return [self._interpreted(wish, reading, instruction, (*time, *rest)) for time in times]
         windows = recurrence.windows(until)[:MAX_OCCURRENCES]
         if not windows and self.request.horizon is None:
             # "Every monday" has one, however far away the monday is.

@@ -73,7 +73,7 @@ def link(
         for requirement in interpreted.requirements:
             if requirement.anchor is None or requirement.anchor.target is None:
                 continue
-            meant = _over_with(requirement.anchor, links.meant_by(requirement.anchor), linked, links)
+            meant = _turn_of(requirement.anchor, links.meant_by(requirement.anchor), linked, links)
             targets = [target for target in meant if target != position]
             if not targets:
                 linked[position], problem = _without_target(linked[position], requirement, links)
@@ -81,7 +81,7 @@ def link(
                 continue
             if requirement.anchor.assumed:
                 problems.append(_assumed(interpreted, requirement, skills[targets[0]]))
-            # Of a repetition, the first occurrence is meant.
+            # Of a repetition, the first occurrence is meant where words name no other.
             tie = Tie(linked[targets[0]], linked[position], requirement, requirement.anchor, rulebook)
             linked[position] = tie.follower(now)
             wanted.append((position, tie.precedence(targets[0], position)))
@@ -123,6 +123,13 @@ def _assumed(this: Interpreted, requirement: TimeRequirement, target: Interprete
     """Say of a state that nothing tells of what it is taken to wait for."""
     message = f"nothing tells {requirement.text!r}: taken as once this is done: {target.skill.name}"
     return problem_of(this.wish, ProblemKind.NOTE, message, requirement.span, this.identifier)
+
+
+def _turn_of(anchor: Anchor, meant: range, skills: Sequence[Interpreted], links: Links) -> range:
+    """Give the turn of what is repeated that is meant, where it is one of them."""
+    if anchor.turn is not None:
+        return meant[anchor.turn : anchor.turn + 1]
+    return _over_with(anchor, meant, skills, links)
 
 
 def _over_with(anchor: Anchor, meant: range, skills: Sequence[Interpreted], links: Links) -> range:

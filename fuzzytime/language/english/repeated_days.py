@@ -225,41 +225,6 @@ def every_month(number: int) -> Repeat:
 
 
 @grammar.rule(
-    "repeat", "the? <ordinal> of every|each <unit>", "every|each <unit> on the <ordinal>", weight=0.3
-)
-def day_of_every(first: int | UnitWord, second: UnitWord | int) -> Repeat | None:
-    """The fifteenth of every month."""
-    number, unit = (first, second) if isinstance(first, int) else (second, first)
-    if not isinstance(number, int) or not isinstance(unit, UnitWord) or unit.unit is not Unit.MONTH:
-        return None
-    return Repeat(walls=(Wall(Fields(day=number)),))
-
-
-@grammar.rule("repeat", "on? the? <ordinal> ,|and|& <repeat>", "the? <ordinal> , and <repeat>", weight=0.3)
-def more_days_of_every(number: int, repeat: Repeat) -> Repeat | None:
-    """The first and the fifteenth of every month, the first and third tuesday of every month."""
-    days = [wall.days for wall in repeat.walls]
-    if days and isinstance(days[0], Nth) and 0 < number < days[0].number:
-        return replace(repeat, walls=(Wall(replace(days[0], number=number)), *repeat.walls))
-    monthly = all(isinstance(day, Fields) and day == Fields(day=day.day) for day in days)
-    plain = repeat.skip == 1 and all(wall.clock is None and wall.part is None for wall in repeat.walls)
-    if not days or not monthly or not plain or not 1 <= number <= LONGEST_MONTH:
-        return None
-    return replace(repeat, walls=(Wall(Fields(day=number)), *repeat.walls))
-
-
-@grammar.rule(
-    "repeat", "every|each <ordinal> ,|and|& the? <ordinal>", "every|each <ordinal> of the? month", weight=0.3
-)
-def days_of_month(first: int, second: int | None = None) -> Repeat | None:
-    """Every 1st and 15th, every third of the month."""
-    days = [day for day in (first, second) if day is not None]
-    if not all(1 <= day <= LONGEST_MONTH for day in days):
-        return None
-    return Repeat(walls=tuple(Wall(Fields(day=day)) for day in days))
-
-
-@grammar.rule(
     "repeat",
     "<repeat> ,? except|but|excluding|bar|save for|not? on|at? <weekday list>|<weekdays>|<off>",
     "<repeat> ,? and? not on|at? <weekday list>|<weekdays>|<off>",
@@ -276,17 +241,3 @@ def except_on(repeat: Repeat, days: tuple[int, ...] | int) -> Repeat | None:
 def off() -> tuple[int, ...]:
     """Weekends, as what is left out of a repetition."""
     return (5, 6)
-
-
-@grammar.rule(
-    "repeat",
-    "the? <ordinal> <series> of every|each <series>",
-    "the? last <series> of every|each <series>",
-    weight=0.3,
-)
-def nth_of_every(first: int | Calendar, second: Calendar, third: Calendar | None = None) -> Repeat | None:
-    """The first monday of every month, the last day of each year."""
-    number, inner, outer = (-1, first, second) if third is None else (first, second, third)
-    if not isinstance(number, int) or not isinstance(inner, Calendar) or not isinstance(outer, Cycle):
-        return None
-    return Repeat(walls=(Wall(Nth(number, inner, outer)),)) if inner != outer else None

@@ -5,7 +5,7 @@ from dataclasses import replace
 from datetime import date, datetime, timedelta
 from itertools import islice
 
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today, moved
+from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today, moved
 from fuzzytime.language.meaning.chosen_clocks import before_due, decided, is_unusual, same_day_after
 from fuzzytime.language.meaning.dated_weekdays import nearest
 from fuzzytime.language.meaning.expressions import (
@@ -31,7 +31,7 @@ from fuzzytime.language.meaning.instants import (
 )
 from fuzzytime.language.meaning.part_instants import part_alone, part_on
 from fuzzytime.language.meaning.range_instants import range_instants
-from fuzzytime.language.meaning.relations import Deictic, Following, Relative, Which
+from fuzzytime.language.meaning.relations import Following, Relative, days_onward
 from fuzzytime.language.meaning.standpoint import Standpoint
 from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.language.meaning.ungrounded import UngroundedError
@@ -125,12 +125,11 @@ class Grounding(Standpoint):
         """Give the day to count from: today, or for "the day after" that said before, if it is to come."""
         # "The weekend after" is behind that day.
         base = calendar.anchor if isinstance(calendar, Following) else calendar
-        onward = isinstance(base, Relative) and base.onward
-        onward = onward or calendar == Deictic(Which.NEXT, Cycle(Unit.DAY))
+        onward = days_onward(base)
         said = self.day or self.since
-        if said is None and base == Relative(0, onward=True):
+        if said is None and onward == 0:
             raise UngroundedError("which day is meant is not said")
-        if onward and said is not None and said.date() > self.now.date():
+        if onward is not None and said is not None and said.date() > self.now.date():
             return replace(self.today, day=said.date())
         return self.today
 

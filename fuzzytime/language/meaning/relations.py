@@ -148,6 +148,13 @@ class Stretch(_Single):
         return Days(first, moved(first, self.unit, self.count))
 
 
+def days_onward(days: Calendar | None) -> int | None:
+    """Give how many days behind the one said before a day is: "the next day"; None for other days."""
+    if isinstance(days, Relative) and days.onward:
+        return days.days
+    return 1 if days == Deictic(Which.NEXT, Cycle(Unit.DAY)) else None
+
+
 class CountedDay(Calendar):
     """A day that is counted from another one, the anchor."""
 

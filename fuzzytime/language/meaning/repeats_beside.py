@@ -1,5 +1,6 @@
 """Repetitions with what is said beside them: a time of day, days, bounds, hours of each day."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TypeGuard
 
@@ -22,7 +23,7 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.first_times import closing_of, first_time, in_the_end, is_release
 from fuzzytime.language.meaning.instants import halved
-from fuzzytime.language.meaning.nested import EachDay, Share
+from fuzzytime.language.meaning.nested import EachDay, Nth, Share
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half, Part
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, Unit
@@ -37,6 +38,9 @@ MOMENTS = frozenset({None, Constraint.AT})
 def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
     """Give the day that a period is said to have: every year on the 4th of july, every week on friday."""
     days = wall.days
+    if isinstance(days, Nth) and [day.days for day in repeat.walls] == [days.outer]:
+        # "Every other month on the first monday"
+        return days
     yearly = isinstance(days, Share) and isinstance(days.of, Season)
     if yearly and len(repeat.walls) == 1 and repeat.walls[0].days == Cycle(Unit.YEAR) and repeat.skip == 1:
         return days
@@ -44,8 +48,6 @@ def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
         return None
     period = repeat.walls[0].days
     if wall.weak and not (period == Cycle(Unit.MONTH) and days.is_day_of_month):
-        return None
-    if repeat.skip != 1 and period != Cycle(Unit.WEEK):
         return None
     if period == Cycle(Unit.YEAR) and days.month is not None:
         return days
@@ -57,6 +59,15 @@ def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
 def names_day_of(repeat: Repeat, wall: Wall) -> bool:
     """Whether it is the day that a period is said to have."""
     return _named_days(repeat, wall) is not None
+
+
+def on_named_days(repeat: Repeat, walls: Sequence[Wall]) -> Repeat | None:
+    """Give a repetition of periods on days of each: "every other month", the fifth and the twentieth."""
+    days = [_named_days(repeat, wall) for wall in walls]
+    if repeat.every is None or None in days:
+        return None
+    turn = repeat.walls[0]
+    return replace(repeat, every=None, walls=tuple(replace(turn, days=day) for day in days))
 
 
 def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
@@ -98,6 +109,14 @@ def _is_inside(inner: Part, outer: Part) -> bool:
     if not inner.name:
         return outer.is_near(inner.start)
     return outer.start <= inner.start < outer.end
+
+
+def without_clocks(repeat: Repeat) -> Repeat | None:
+    """Give a repetition at clock times on the days of those; None where not all of it is."""
+    if not repeat.walls or any(wall.clock is None for wall in repeat.walls):
+        return None
+    days = dict.fromkeys(replace(wall, clock=None, zone=None) for wall in repeat.walls)
+    return replace(repeat, walls=tuple(days))
 
 
 def timed_as(repeat: Repeat, other: Repeat) -> Repeat:

@@ -20,7 +20,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.intervals_on_days import on_days
-from fuzzytime.language.meaning.repeats_beside import names_day_of
+from fuzzytime.language.meaning.repeats_beside import names_day_of, without_clocks
 from fuzzytime.language.meaning.throughout import each_day, is_clock_time, is_rest_of_days
 from fuzzytime.language.meaning.times_of_day import Half, Part
 from fuzzytime.language.meaning.told_apart import told_apart
@@ -292,4 +292,8 @@ def _day_of(sketch: Sketch, *, heads: bool) -> _Day | None:
         time = said.time
         if isinstance(time, Wall) and time.days is not None and (time.clock or time.part) is not None:
             return _Day(Said(Wall(time.days)), part=part_before(sketch, said))
+        daily = without_clocks(time) if isinstance(time, Repeat) and phrase.span[1] <= start else None
+        if daily is not None:
+            # "Every evening at six feed the hens, and at seven shut the coop"
+            return _Day(Said(daily, Constraint.EVERY))
     return None

@@ -1,4 +1,4 @@
-"""Weekdays beside what is done each week: "every monday put the bins out and bring them in on tuesday"."""
+"""Days beside what is done on others: "every monday put the bins out and bring them in on tuesday"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -6,6 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
+from fuzzytime.language.meaning.relations import Away, Relative, days_onward
 from fuzzytime.language.meaning.repeats_beside import MOMENTS
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
@@ -16,18 +17,28 @@ def each_week(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[S
     """Let a weekday be that of each week, where its sentence says before it that something is done weekly.
 
     That is said in front of the first order, which holds for all; behind it, it holds for what is done with
-    the same thing.
+    the same thing. "The next day" is behind each day of a repetition, and in the next sentence, too, of what
+    is done with the same thing.
     """
     found: list[Sketch] = []
     weekly: Phrase | None = None
+    daily: Phrase | None = None
     in_front = False
     for sketch in sketches:
-        if found and ENDS & set(text_between(found[-1], sketch, text)):
+        ended = bool(found) and not ENDS.isdisjoint(text_between(found[-1], sketch, text))
+        if ended:
             weekly = None
         told = sketch
+        if daily is not None and sketch.asks and (not ended or _is_about_it(sketch, lexicon)):
+            told = _told_onward(sketch, daily)
+        elif ended:
+            daily = None
         if weekly is not None and sketch.asks and (in_front or _is_about_it(sketch, lexicon)):
-            told = _told_weekly(sketch, weekly)
+            told = _told_weekly(told, weekly)
         found.append(told)
+        repeated = next((phrase for phrase in sketch.phrases if _is_on_days(phrase)), None)
+        if sketch.operation is not None and sketch.asks:
+            daily = repeated or daily
         own = next((phrase for phrase in sketch.phrases if _is_weekly(phrase)), None)
         if own is not None and sketch.operation is not None and sketch.asks:
             weekly, in_front = own, own.span[1] <= sketch.operation.span[0]
@@ -45,6 +56,38 @@ def _told_weekly(sketch: Sketch, weekly: Phrase) -> Sketch:
         phrases=tuple(told[place] for place in kept),
         references=tuple(sketch.references[place] for place in kept),
     )
+
+
+def _told_onward(sketch: Sketch, daily: Phrase) -> Sketch:
+    """Give an order on the day behind another in its place behind each day of a repetition."""
+    return replace(sketch, phrases=tuple(_behind_each_day(phrase, daily) for phrase in sketch.phrases))
+
+
+def _behind_each_day(phrase: Phrase, daily: Phrase) -> Phrase:
+    """Give "the next day" as the one behind each day of a repetition, from its first on."""
+    time, repeat = phrase.said.time, daily.said.time
+    onward = days_onward(time.days) if isinstance(time, Wall) else None
+    if not isinstance(time, Wall) or not isinstance(repeat, Repeat) or not onward or onward < 0:
+        return phrase
+    starting = repeat.starting
+    if all(wall.days == Cycle(Unit.DAY) for wall in repeat.walls):
+        walls = (replace(time, days=Cycle(Unit.DAY)),)
+        starting = starting or Wall(Relative(onward))
+    else:
+        days = dict.fromkeys(wall.days for wall in repeat.walls if wall.days is not None)
+        walls = tuple(replace(time, days=Away(onward, Unit.DAY, day)) for day in days)
+        starting = starting or (repeat.walls[0] if len(repeat.walls) == 1 else None)
+    again = replace(repeat, walls=walls, starting=starting)
+    return replace(phrase, said=replace(phrase.said, time=again, constraint=Constraint.EVERY))
+
+
+def _is_on_days(phrase: Phrase) -> bool:
+    """Whether it is a repetition on days, and nothing but days tells how often."""
+    time = phrase.said.time
+    if not isinstance(time, Repeat) or not time.walls or time.at is not None or time.within is not None:
+        return False
+    units = {wall.days.grain for wall in time.walls if wall.days is not None}
+    return units == {Unit.DAY} and time.times is None and not time.shared
 
 
 def _is_weekly(phrase: Phrase) -> bool:
