@@ -206,7 +206,7 @@ def few(number: Integer) -> int | None:
 
 
 @grammar.rule(
-    "repeat", "<times> a|an|per|every|each|/ <unit>", "<times> daily", "<few> a|an|per <unit>", weight=0.1
+    "repeat", "<times> a|an|per|every|each|/ <unit>", "<times> daily", "<few> a|an|per <unit>", weight=0.6
 )
 def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     """Twice a day, three times an hour."""

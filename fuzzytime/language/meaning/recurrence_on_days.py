@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import islice
 
-from fuzzytime.language.meaning.recurrence import MOST, CalendarRecurrence, PlainRecurrence, Window
+from fuzzytime.language.meaning.recurrence import JUST_BEFORE, MOST, CalendarRecurrence, PlainRecurrence, Window
 
 MORE = 3
 """How many stretches tell how long one is that has begun."""
@@ -61,6 +61,7 @@ class RecurrenceOnDays(PlainRecurrence):
             time = start + turn * self.step
             if time + self.length < begin or (self.length and time + self.length == begin):
                 continue
-            if time > min(end, until) or (time == end and not self.days.spans):
+            over = time > end - JUST_BEFORE and (self.length > 0 or not self.days.spans)
+            if time > min(end, until) or over:
                 return
             yield max(time, begin), min(time + self.length, end) if self.length else time

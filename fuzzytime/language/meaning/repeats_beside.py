@@ -226,14 +226,30 @@ def _on_side(day: Wall, time: Wall, side: Constraint | None) -> Wall | None:
 
 def _in_share(repeat: Repeat, said: Said) -> Repeat | None:
     """Give what is done so often in some days the time of day of each: "twice a week at noon"."""
-    longer = repeat.shared and repeat.every is not None and repeat.every.seconds > DAY_SECONDS
     time, side = said.time, said.constraint
+    if isinstance(time, Range) and repeat.shared and repeat.every is not None and not repeat.walls:
+        return _in_share_of_hours(repeat, repeat.every.seconds, time)
+    longer = repeat.shared and repeat.every is not None and repeat.every.seconds > DAY_SECONDS
     if not longer or repeat.at is not None or not isinstance(time, Wall) or not is_of_day(time):
         return None
     if side in MOMENTS:
         return None if time.bare and said.preposition is None else replace(repeat, at=time)
     bounded = _on_side(Wall(), time, side)
     return None if bounded is None else replace(repeat, at=bounded)
+
+
+def _in_share_of_hours(repeat: Repeat, step: float, hours: Range) -> Repeat | None:
+    """Give what is done so often each day within hours of it: "three times a day between eight and six"."""
+    open_ = repeat == Repeat(repeat.every, shared=True)
+    if not open_ or step == DAY_SECONDS or not is_of_day(hours.first) or not is_of_day(hours.last):
+        return None
+    daily = within_hours(Repeat(walls=(Wall(Cycle(Unit.DAY)),)), hours.first, hours.last)
+    part = None if daily is None else daily.walls[0].part
+    if part is None or step > DAY_SECONDS:
+        # "Twice a week between six and eight"
+        return None if part is None else replace(repeat, at=Wall(part=part))
+    every = Duration((((part.end - part.start) * step / DAY_SECONDS, Unit.SECOND),))
+    return replace(repeat, every=every, within=daily)
 
 
 def _end_of(stretch: Coming | Rest) -> Time | None:
