@@ -5,7 +5,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import islice
 
-from fuzzytime.language.meaning.recurrence import JUST_BEFORE, MOST, CalendarRecurrence, PlainRecurrence, Window
+from fuzzytime.language.meaning.recurrence import (
+    JUST_BEFORE,
+    MOST,
+    CalendarRecurrence,
+    PlainRecurrence,
+    Window,
+)
 
 MORE = 3
 """How many stretches tell how long one is that has begun."""

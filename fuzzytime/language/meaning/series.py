@@ -177,7 +177,8 @@ def _bounds(repeat: Repeat, moment: Moment) -> tuple[float | None, float | None]
         found = moment.grounding().instants(both)
         return moment.seconds(found.start), moment.seconds(found.end)
     begins, ends = _bound(first, moment, last=False), _bound(last, moment, last=True)
-    if begins is not None and ends is not None and ends <= 0 < begins and _is_timed(first) and _is_timed(last):
+    over = begins is not None and ends is not None and ends <= 0 < begins
+    if over and _is_timed(first) and _is_timed(last):
         # "Every hour between seven and nine", said at nine: the next seven and the nine behind it.
         found = moment.grounding().instants(Range(first, last))
         return moment.seconds(found.start), moment.seconds(found.end)

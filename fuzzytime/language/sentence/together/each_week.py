@@ -70,6 +70,7 @@ def _behind_each_day(phrase: Phrase, daily: Phrase) -> Phrase:
     if not isinstance(time, Wall) or not isinstance(repeat, Repeat) or not onward or onward < 0:
         return phrase
     starting = repeat.starting
+    walls: tuple[Wall, ...]
     if all(wall.days == Cycle(Unit.DAY) for wall in repeat.walls):
         walls = (replace(time, days=Cycle(Unit.DAY)),)
         starting = starting or Wall(Relative(onward))
