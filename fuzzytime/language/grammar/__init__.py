@@ -14,6 +14,6 @@ Whether a reading is a time where it stands (``judging``)
     For any kind of time: ``borders``, ``cuts``, ``titles``, ``no_times``, ``particles``, ``doses``,
     ``dining``, ``events``, ``standing``, ``surroundings``, ``given_times``.
     Behind another time: ``further``.
-    For each kind: ``walls`` with ``bare_hours``, ``run_on_hours`` and ``naming``, ``ranges``,
-    ``lengths``, ``measuring``.
+    For each kind: ``walls`` with ``bare_hours``, ``run_on_hours``, ``dated_entries`` and ``naming``,
+    ``ranges``, ``lengths``, ``measuring``.
 """

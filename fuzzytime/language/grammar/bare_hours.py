@@ -1,6 +1,7 @@
 """Whether a number alone, or two that may be hour and minute, are a clock time where they stand."""
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.dated_entries import LINE_STARTS
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.timetables import (
     counts_nothing,
@@ -21,9 +22,6 @@ YEARS = frozenset(map(str, range(1900, 2100)))
 
 QUARTERS = frozenset({15, 30, 45})
 """Minutes that hardly a price has."""
-
-LINE_STARTS = frozenset({";", "\n", "-", "*", "]", "•"})
-"""Marks that an entry stands behind."""
 
 
 class BareHours(Standing):
@@ -107,6 +105,10 @@ class BareHours(Standing):
         named = (place > 1 and self.words[place - 1].capital) or self.is_called(place)
         spelt = all(text.isalpha() or text == "-" for text in self.texts[piece.start : piece.end])
         happens = before in self.lexicon.happening - self.lexicon.measure_nouns
+        if self.words[piece.start].is_digits and piece.value.time.clock.minute in QUARTERS:
+            # "Dentist 9.30", but "lunch 12.50"
+            taken = self.lexicon.taken - self.lexicon.measure_nouns
+            return place == 1 and (happens or before in taken) and self._ends_order(piece)
         return spelt and (someone or named or happens) and self._ends_order(piece)
 
     def _is_in_front(self, piece: Piece) -> bool:

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
+from fuzzytime.language.grammar.dated_entries import sure_in_front
 from fuzzytime.language.grammar.due import due_then
 from fuzzytime.language.grammar.judging import Judge
 from fuzzytime.language.grammar.lending import appointed, in_half, in_minutes, in_unit, moved_to, one_by_one
@@ -185,6 +186,7 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
         for phrase in read
         for one in (one_by_one(phrase, scanned.words, lexicon) if phrase.said.listed else (phrase,))
     ]
+    found = [sure_in_front(phrase, scanned.words, lexicon) for phrase in found]
     for place in range(1, len(found)):
         found[place] = in_unit(found[place], found[place - 1], scanned.words, lexicon)
     found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]

@@ -15,6 +15,8 @@ STRETCHES = JOINTS | {"-", "=", ">", "→", "⇒"}
 """Marks in two numbers from when to when."""
 HALF_DAY = 12
 """Hours that a number alone may name in a list."""
+QUARTERS = frozenset({"00", "15", "30", "45"})
+"""Minutes that hardly a price has."""
 DAY = 24
 """Hours of a day, which one with minutes may name."""
 MINUTES = 60
@@ -35,6 +37,8 @@ LONGEST_STREET = 3
 """Words of the name of a street at most."""
 CALLED = 3
 """Words of an entry that says who is called when: "call ann 9"."""
+LONE = 1
+"""Words of a number that is not from when to when."""
 SHORTEST = 2
 """Entries of a list at least, and words of an entry."""
 
@@ -95,9 +99,10 @@ def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon)
 def _beside_stretch(entry: Sequence[Word]) -> Word | None:
     """Give the word beside two numbers in front of an entry, or at its end."""
     for words in (entry, entry[::-1]):
-        length = sum(1 for _ in takewhile(lambda word: word.is_digits or word.text in STRETCHES, words))
-        if 0 < length < len(words):
-            return words[length]
+        numbers = list(takewhile(lambda word: word.is_digits or word.text in STRETCHES, words))
+        # "Thu 12th: plumber 8-10" begins with no stretch.
+        if LONE < len(numbers) < len(words):
+            return words[len(numbers)]
     return None
 
 
@@ -116,6 +121,12 @@ def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexico
     if not all(lengths):
         return False
     named = [words[last - length - 1].text for (_, last), length in zip(entries, lengths, strict=True)]
+    said = [
+        (words[last - length : last], name)
+        for (_, last), length, name in zip(entries, lengths, named, strict=True)
+    ]
+    if _are_prices(said, lexicon):
+        return False
     exact = sum(length > 1 for length in lengths)
     goes_on = lexicon.timing | lexicon.timing_alone
     lasting = any(
@@ -131,6 +142,17 @@ def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexico
         words[first].text in lexicon.addressing and last - first == CALLED for first, last in entries
     )
     return exact > 0 or led or called or any(has_time(text, lexicon) for text in named)
+
+
+def _are_prices(said: Sequence[tuple[Sequence[Word], str]], lexicon: Lexicon) -> bool:
+    """Whether numbers with a point are what things cost: "tea 2.50, coffee 3.20".
+
+    So they are where each has a point, some are no quarters of an hour, and nothing is named that has a time.
+    """
+    minutes = [number[-1].text for number, _ in said if [word.text for word in number[1:2]] == ["."]]
+    if len(minutes) < len(said) or all(text in QUARTERS for text in minutes):
+        return False
+    return not any(has_time(name, lexicon) for _, name in said)
 
 
 def _all_lead(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon: Lexicon) -> bool:

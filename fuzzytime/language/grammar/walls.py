@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.bare_hours import LINE_STARTS, BareHours
+from fuzzytime.language.grammar.bare_hours import BareHours
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.dated_entries import HEADS, LINE_STARTS, dates_entry
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.naming import Naming
@@ -88,15 +89,15 @@ class Walls(Standing):
 
     def _leads_event(self, piece: Piece) -> bool:
         """Whether what happens stands behind it, and no meal: "wed dentist 2:30"."""
-        known = has_time(self.around.follower(piece), self.lexicon)
-        return known and not self.around.is_part_or_meal(piece.end)
+        behind = self.around.follower(piece)
+        return has_time(behind, self.lexicon) and not self.around.is_part_or_meal(piece.end)
 
     def _heads_entry(self, piece: Piece) -> bool:
         """Whether a short name of a day begins an entry: "sat: market", "wed dentist"."""
         if piece.start and self.texts[piece.start - 1] not in {",", *LINE_STARTS}:
             return False
         behind = self.around.follower(piece)
-        if behind in {":", "-"} or self._leads_event(piece):
+        if behind in HEADS or self._leads_event(piece):
             return True
         begun = (p + 1 for p, text in enumerate(self.texts[:-1]) if text in {",", *LINE_STARTS})
         others = [p for p in (0, *begun) if p != piece.start]
@@ -155,14 +156,13 @@ class Walls(Standing):
 
     def _is_degrees(self, piece: Piece) -> bool:
         """Whether its number is a temperature: "overnight at 4 degrees"."""
-        last, follower = self.words[piece.end - 1], self.around.follower(piece)
-        return last.is_digits and follower in self.beside.degrees
+        return self.words[piece.end - 1].is_digits and self.around.follower(piece) in self.beside.degrees
 
     def _is_mixed(self, piece: Piece) -> bool:
         """Whether its two numbers are how something is mixed: "dilute it 1:10"."""
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
-        colon = ":" in self.texts[piece.start : piece.end] and self.words[piece.start].is_digits
-        return colon and not self.beside.mixing.isdisjoint(before)
+        parted = ":" in self.texts[piece.start : piece.end] and self.words[piece.start].is_digits
+        return parted and not self.beside.mixing.isdisjoint(before)
 
     def _is_ratio(self, place: int) -> bool:
         """Whether two numbers at a place may be a part of a whole: "3/4"."""
@@ -186,7 +186,8 @@ class Walls(Standing):
             return self.around.may_end(piece)
         # "After the 10 o'clock feed"
         clocked = self.around.follower(piece) in self.beside.of_hours
-        return bound and not clocked and self.around.may_end(piece)
+        bound = bound and not clocked and self.around.may_end(piece)
+        return bound or dates_entry(self.words, piece.start, piece.end, self.lexicon)
 
     def is_left_out(self, piece: Piece) -> bool:
         """Whether it is left out of days: "every monday except the 16th"; but "every page but the first"."""

@@ -1,5 +1,6 @@
 """What the policy decided where words leave it open: said in a sentence, and as a question."""
 
+from calendar import month_name
 from dataclasses import dataclass
 from datetime import UTC, date, datetime, timedelta
 
@@ -100,6 +101,9 @@ class Deciding:
             other = self._otherwise(days, moment) if isinstance(days, Fields) else None
             if other is not None:
                 return (self._noted(f" is taken as {moment:%Y-%m-%d}, not {other:%Y-%m-%d}"),)
+            if isinstance(days, Fields) and days.turnable and days.weekday is None:
+                turned = f"{moment.month} {month_name[moment.day]}"
+                return (self._noted(f" is taken as {moment.day} {moment:%B}, not {turned}"),)
             if isinstance(days, Fields) and self._is_far(days, moment):
                 return (self._noted(f" is taken as {moment:%Y-%m-%d}: none is nearer"),)
         return ()

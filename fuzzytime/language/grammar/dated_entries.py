@@ -1,0 +1,70 @@
+"""Dates in front of an entry that would be none alone: "11/3 dentist 9:30", "12th: plumber 8-10"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.timetables import MINUTED, MINUTES, counts_nothing, has_time
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Phrase, Wall
+
+LINE_STARTS = frozenset({";", "\n", "-", "*", "]", "•"})
+"""Marks that an entry stands behind."""
+
+HEADS = frozenset({":", "-"})
+"""Marks behind a date in front of an entry."""
+
+SLASH = "/"
+
+FEW = 5
+"""Up to here an ordinal with a mark behind it counts steps: "2nd: rinse"."""
+
+LARGEST_SHARE = 10
+"""The largest number that things are parted by: "7/10 pages"."""
+
+
+def dates_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
+    """Whether numbers in front of an entry are its date, and no share of what stands behind them.
+
+    A mark says so ("12th: plumber"), or what happens ("14/3 party"), or a clock time ("11/3 dentist 9:30");
+    "1/2 cup" and "3/4 pages" are shares, and "2nd coat 9:30" is counted.
+    """
+    if (
+        (start and words[start - 1].text not in LINE_STARTS)
+        or end >= len(words)
+        or not words[start].is_digits
+    ):
+        return False
+    typed = any(word.text == SLASH for word in words[start:end])
+    numbers = [int(word.text) for word in words[start:end] if word.is_digits]
+    if not typed and (words[end - 1].text not in lexicon.beside.ordinal_endings or numbers[0] <= FEW):
+        return False
+    if words[end].text in HEADS:
+        # "10/12:30" is none.
+        return not words[end].glued or (end + 1 < len(words) and not words[end + 1].glued)
+    if not typed or not words[end].is_letters:
+        return False
+    if has_time(words[end].text, lexicon):
+        return True
+    share = numbers[0] < numbers[-1] <= LARGEST_SHARE
+    return not share and counts_nothing(words, end, lexicon, plural=True) and _is_clocked(words, end)
+
+
+def sure_in_front(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
+    """Give a time as a sure day, where it is the date of an entry."""
+    time = phrase.said.time
+    weak = isinstance(time, Wall) and time.weak and time.clock is None
+    dated = weak and dates_entry(words, phrase.first, phrase.end, lexicon)
+    return replace(phrase, said=phrase.said.sure) if dated else phrase
+
+
+def _is_clocked(words: Sequence[Word], place: int) -> bool:
+    """Whether a clock time with its minutes stands behind a place in the same entry: "9:30"."""
+    for hour in range(place, len(words) - MINUTED + 1):
+        if words[hour].text in LINE_STARTS:
+            return False
+        number, colon, minute = words[hour : hour + MINUTED]
+        typed = number.is_digits and colon.text == ":" and minute.is_digits
+        if typed and colon.glued and minute.glued and int(minute.text) < MINUTES:
+            return True
+    return False
