@@ -110,3 +110,9 @@ def one_of_these(part: Part) -> Wall | None:
 def all_weekend() -> Wall:
     """All weekend."""
     return Wall(Deictic(Which.THIS, Weekend()))
+
+
+@grammar.rule("said", "weekend", weight=-0.2)
+def weekend_alone() -> Said:
+    """Weekend, in front of what is to be done then."""
+    return Said(Wall(Deictic(Which.THIS, Weekend())))

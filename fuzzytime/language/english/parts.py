@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.feasts import feast_in
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Rest, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Rest, Said, Wall
 from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.nested import Share, WeekOf
 from fuzzytime.language.meaning.relations import Away, Deictic, Relative, Which
@@ -175,6 +175,12 @@ def later_today(share: tuple[float, float], days: Calendar | None = None) -> Wal
 def day_half(days: Calendar, half: Part) -> Wall | None:
     """Tuesday am; but "sunday week 4 pm" is at four."""
     return Wall(days, half) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("said", "<day_half>", weight=-0.2)
+def half_alone(half: Part) -> Said:
+    """AM, in front of what is to be done then."""
+    return Said(Wall(part=half))
 
 
 @grammar.rule("wall", "<share> <days> <part>", weight=0.3)

@@ -11,6 +11,12 @@ from fuzzytime.language.meaning.expressions import Phrase, Wall
 LINE_STARTS = frozenset({";", "\n", "-", "*", "]", "•"})
 """Marks that an entry stands behind."""
 
+HEADS_ALONE = frozenset({"parts.half_alone", "nights_and_weekends.weekend_alone"})
+"""The rules of what is a time only as the head of a list: "AM: post, bank", "weekend: mow the lawn"."""
+
+STOPS = frozenset({",", ".", "!"})
+"""Marks behind an entry or a sentence."""
+
 HEADS = frozenset({":", "-"})
 """Marks behind a date in front of an entry."""
 
@@ -21,6 +27,13 @@ FEW = 5
 
 LARGEST_SHARE = 10
 """The largest number that things are parted by: "7/10 pages"."""
+
+
+def heads_list(words: Sequence[Word], start: int, end: int) -> bool:
+    """Whether a colon behind words makes them the head of what stands behind it: "AM: post, bank"."""
+    begins = not start or words[start - 1].text in LINE_STARTS | STOPS
+    behind = [word.text for word in words[end : end + 1]]
+    return begins and behind == [":"] and end + 1 < len(words)
 
 
 def dates_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.borders import Borders
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.dated_entries import HEADS_ALONE, heads_list
 from fuzzytime.language.grammar.due import is_due
 from fuzzytime.language.grammar.further import Further
 from fuzzytime.language.grammar.lengths import Lengths
@@ -67,7 +68,7 @@ class Judge:
         if self.borders.refuse(piece) or self.measures.is_level(piece):
             return False
         time = said.time
-        if piece.rule == ANOTHER:
+        if piece.rule in {ANOTHER, *HEADS_ALONE}:
             return self._goes_on(piece)
         if self._counts_from_thing(piece, time) or self.ranges.heads_meal(piece, time):
             return False
@@ -101,7 +102,9 @@ class Judge:
         return self._accepts_other(piece, said)
 
     def _goes_on(self, piece: Piece) -> bool:
-        """Whether a number goes on with what was said to last: "for 20 minutes, then another ten"."""
+        """Whether it goes on with a length, or heads a list: "for 20 minutes, then another ten", "AM: …"."""
+        if piece.rule in HEADS_ALONE:
+            return heads_list(self.words, piece.start, piece.end)
         lent = any(self.around.is_unit(place) for place in range(piece.start))
         step = self.around.before(piece) in self.beside.before_another
         return lent and step and self.around.follower(piece) in self.beside.behind_another | {""}

@@ -29,9 +29,13 @@ class Integer:
 
 @dataclass(frozen=True, slots=True)
 class Typed:
-    """Numbers typed in a shape: 8:30:00, 2026-03-04, 3/4, 15h30."""
+    """Numbers typed in a shape: 8:30:00, 2026-03-04, 3/4, 15h30.
+
+    ``ordered`` says that the points between them tell which is which: 10.3.2026.
+    """
 
     parts: tuple[str, ...]
+    ordered: bool = False
 
     def __getitem__(self, place: int) -> int:
         """Give one of the numbers."""

@@ -13,6 +13,9 @@ from fuzzytime.language.sentence.segments.entries import Entry
 HEAD = re.compile(r"\s*([^\d\W][^:,;]*?)\s*(?::(?=\s)|\s[-–—](?=\s))")
 """What may be a head, up to its mark."""
 
+LIST = ": …"
+"""What stands for a list behind a head."""
+
 LONGEST = 6
 """Words of a head at most."""
 
@@ -28,18 +31,26 @@ def head_of(line: str, grammar: Grammar, lexicon: Lexicon) -> tuple[Phrase, int]
     found = HEAD.match(line)
     if found is None or len(words_of(found[1])) > LONGEST:
         return None
-    scanned = Scanned.of(found[1], grammar, lexicon)
+    scanned = Scanned.of(found[1] + LIST, grammar, lexicon)
     phrases = [one for one in phrases_of(scanned, lexicon) if is_head(one)]
-    whole = [one for one in phrases if (one.first, one.end) == (0, len(scanned.words))]
+    whole = [one for one in phrases if not one.first and one.span[1] == len(found[1])]
     return (whole[0], found.end()) if whole else None
 
 
 def is_head(phrase: Phrase) -> bool:
-    """Whether a time is a day, or a repetition of days, and no hour."""
+    """Whether a time is a day, a part of one, or a repetition of days, and no hour."""
     time = phrase.said.time
     if isinstance(time, Repeat):
         return bool(time.walls) and all(wall.clock is None and wall.part is None for wall in time.walls)
-    return isinstance(time, Wall) and time.days is not None and time.clock is None
+    # "Lunch: soup, bread" is what there is for it.
+    bound = phrase.said.preposition is not None or not is_meal(time)
+    return isinstance(time, Wall) and time.clock is None and bound
+
+
+def is_meal(time: object) -> bool:
+    """Whether it is a meal of any day."""
+    part = time.part if isinstance(time, Wall) and time.days is None else None
+    return part is not None and part.meal
 
 
 def headed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from fuzzytime.language.grammar.dated_entries import HEADS_ALONE
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.words import Word, words_of
@@ -32,7 +33,10 @@ def doubts_of(
 ) -> Iterator[Remark]:
     """Give what makes a stretch of a text no instruction; ``sketch`` is that of its words."""
     tree = sketch.part.tree
-    said = [word for word in words if span[0] <= word.start < span[1]]
+    heads = [phrase.span for phrase in sketch.phrases if phrase.rule in HEADS_ALONE]
+    # "AM: post the letters" is not about who speaks.
+    inside = (word for word in words if span[0] <= word.start < span[1])
+    said = [word for word in inside if not any(first <= word.start < end for first, end in heads)]
     behind = next((word.text for word in words if word.start >= span[1]), "")
     has_to = " ".join(word.text for word in said[:2]) in lexicon.beside.obliging and behind != "?"
     if (asks(said, behind, lexicon) and not has_to) or (behind == "?" and _is_inverted(tree)):
