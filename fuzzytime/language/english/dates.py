@@ -99,7 +99,8 @@ def iso(numbers: Typed) -> Fields | None:
 @grammar.rule("date", "<n-n-n>", weight=1.3)
 def typed(numbers: Typed) -> Fields | None:
     """3/3/2015, 31.10.1974."""
-    return _either(numbers[0], numbers[1], century(numbers[2], numbers.parts[2]))
+    found = _either(numbers[0], numbers[1], century(numbers[2], numbers.parts[2]))
+    return found if found is None or not numbers.ordered else replace(found, turnable=False)
 
 
 @grammar.rule("date", "<yyyymmdd>", weight=0.1)

@@ -141,7 +141,7 @@ def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piec
             if pointed or (category in DATES and lexicon.policy.date_order is DateOrder.DAY_MONTH):
                 parts = (parts[1], parts[0], *parts[2:])
             name = "last d.m." if category == "d.m." and not behind else category
-            yield Piece(name, start, ends[match.end()], Typed(parts), 0.0, "shape")
+            yield Piece(name, start, ends[match.end()], Typed(parts, pointed), 0.0, "shape")
 
 
 def _typed_length(words: Sequence[Word], start: int) -> Iterator[Piece]:
