@@ -193,10 +193,10 @@ def sometime_from(first: Clock, last: Clock) -> Said | None:
     return between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
 
 
-@grammar.rule("called at", "<clock> - <clock>", weight=1.0)
-def called_between(first: Clock, last: Clock) -> Said | None:
-    """(call ann) 10-12; beside what else is done the numbers may be of anything."""
-    return sometime_from(first, last)
+@grammar.rule("called at", "<clock> - <clock>", "<clock> <arrow> <clock>", weight=1.0)
+def called_between(first: Clock, *last: Clock | str) -> Said | None:
+    """(call ann) 10-12, (vet) 10 -> 11; beside what else is done the numbers may be of anything."""
+    return sometime_from(first, last[-1]) if isinstance(last[-1], Clock) else None
 
 
 @grammar.rule("said", "<wall> <integer> - <integer>", weight=0.9)

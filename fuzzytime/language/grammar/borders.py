@@ -22,6 +22,9 @@ from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.requirement import Constraint
 
+SIGNS = frozenset({">", "<"})
+"""Marks that bind a time behind them, and compare numbers."""
+
 LONGEST_WISH = 4
 """Words of a hedge such as "if at all possible"."""
 
@@ -63,9 +66,11 @@ class Borders:
         compared = (
             self.around.follower(piece) == "than" and self.texts[piece.end - 1] in self.beside.comparing
         )
-        # "Twenty minutes earlier than usual"
+        # "Twenty minutes earlier than usual", "3 > 2"
         return (
             compared
+            or (self.texts[piece.start] in SIGNS and self.measures.is_number(piece.start - 1))
+            or self._is_state(piece)
             or self._takes_full_stop(piece)
             or self._is_excepted(piece)
             or self.particles.hold(piece)
@@ -93,6 +98,13 @@ class Borders:
             or self._counts_nothing(piece)
             or self._is_way(piece)
         )
+
+    def _is_state(self, piece: Piece) -> bool:
+        """Whether its first word is what a thing is then, and no preposition: "heating on | 6 am"."""
+        time = piece.value.time
+        clock = isinstance(time, Wall) and time.clock is not None and time.days is None and time.part is None
+        led = clock and piece.start > 0 and self.texts[piece.start] == "on"
+        return led and piece.end - piece.start > 1 and self.words[piece.start - 1].is_letters
 
     def _takes_full_stop(self, piece: Piece) -> bool:
         """Whether its dot ends the sentence, as what stands before it is a time word: "in half a mo."."""

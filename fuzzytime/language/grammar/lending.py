@@ -129,6 +129,13 @@ ARROWS = frozenset({">", "→", "⇒"})
 """Marks between an old time and a new one: "move mtg 2 > 3pm"."""
 
 
+def is_moved(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
+    """Whether an arrow stands between the old and the new hour of what is moved: "move mtg 2 > 3"."""
+    arrow = any(word.text in ARROWS for word in words[start:end])
+    named = start > 1 and words[start - 1].is_letters and not words[start - 1].text.endswith("s")
+    return arrow and named and words[start - 2].text in lexicon.moving
+
+
 def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     """Read the second of two times as that of what is given another: "move the meeting from two to three"."""
     said, before = phrase.said, [word.text for word in words[max(0, phrase.first - NEAR) : phrase.first]]

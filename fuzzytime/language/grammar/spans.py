@@ -12,7 +12,15 @@ from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.dated_entries import sure_in_front
 from fuzzytime.language.grammar.due import due_then
 from fuzzytime.language.grammar.judging import Judge
-from fuzzytime.language.grammar.lending import appointed, in_half, in_minutes, in_unit, moved_to, one_by_one
+from fuzzytime.language.grammar.lending import (
+    appointed,
+    in_half,
+    in_minutes,
+    in_unit,
+    is_moved,
+    moved_to,
+    one_by_one,
+)
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.quotes import quotes_in
@@ -167,7 +175,9 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     called = [
         piece
         for piece in scanned.pieces("called at")
-        if judge.walls.is_called(piece.start) or holds_stretch(scanned.words, piece.start, piece.end, lexicon)
+        if judge.walls.is_called(piece.start)
+        or holds_stretch(scanned.words, piece.start, piece.end, lexicon)
+        or is_moved(scanned.words, piece.start, piece.end, lexicon)
     ]
     instead = {(piece.start, piece.end) for piece in called}
     kept = [

@@ -141,7 +141,9 @@ def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexico
     called = any(
         words[first].text in lexicon.addressing and last - first == CALLED for first, last in entries
     )
-    return exact > 0 or led or called or any(has_time(text, lexicon) for text in named)
+    # "Lights on 6; off 8"
+    switched = len(set(named)) > 1 and lexicon.beside.switched.issuperset(named)
+    return exact > 0 or led or called or switched or any(has_time(text, lexicon) for text in named)
 
 
 def _are_prices(said: Sequence[tuple[Sequence[Word], str]], lexicon: Lexicon) -> bool:

@@ -3,7 +3,7 @@
 Lines and sentences
     A ``segment`` ends at a sentence, at "then" (``connectives``, but ``next_ones``), before a verb or
     ``behind_happenings``; ``list_marks``, ``leading_tags``, ``dividers`` between ``entries``, ``heads`` and
-    ``runs`` of them, ``order_words``, ``corrections``, ``corrected_things``, ``retractions``, ``asides``,
+    ``runs`` of them, ``switches``, ``order_words``, ``corrections``, ``corrected_things``, ``retractions``, ``asides``,
     ``asides_of_hours``.
 What is none
     ``messages``: what somebody is told, which begins in ``told_clauses``.

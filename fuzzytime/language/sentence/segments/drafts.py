@@ -38,6 +38,7 @@ from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.runs import run_apart
 from fuzzytime.language.sentence.segments.same_doers import done_next
 from fuzzytime.language.sentence.segments.segment import segments_of
+from fuzzytime.language.sentence.segments.switches import switched_apart
 from fuzzytime.language.sentence.segments.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
 from fuzzytime.language.sentence.trees.tree import Trees
@@ -138,7 +139,7 @@ def drafted(
         steps.append(marks[0].number if marks else None)
         tags.append(leading_tags(text))
         plain = without_tags(without_marks(text, marks), tags[-1])
-        listed = run_apart(divided(plain, grammar, lexicon), lexicon)
+        listed = switched_apart(run_apart(divided(plain, grammar, lexicon), lexicon), lexicon)
         scanned = Scanned.of(listed, grammar, lexicon)
         messages.append(messages_of(scanned, lexicon))
         if messages[-1]:
