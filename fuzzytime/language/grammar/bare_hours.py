@@ -1,14 +1,16 @@
 """Whether a number alone, or two that may be hour and minute, are a clock time where they stand."""
 
+from functools import cached_property
+
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.dated_entries import LINE_STARTS
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.timetables import (
     counts_nothing,
     has_time,
-    in_timetable,
     is_hour_of,
     leads_entry,
+    timetable_of,
 )
 from fuzzytime.language.grammar.words import joins
 from fuzzytime.language.meaning.expressions import Said, Wall
@@ -130,7 +132,12 @@ class BareHours(Standing):
 
     def _is_listed(self, piece: Piece) -> bool:
         """Whether it is the hour of an entry of a list: "vet 10, dentist 3"."""
-        return in_timetable(self.words, piece.start, piece.end, self.lexicon)
+        return self._timetable.get(piece.end, piece.start) < piece.start
+
+    @cached_property
+    def _timetable(self) -> dict[int, int]:
+        """Where the entries of a list begin, by where they end: the same for all of its hours."""
+        return timetable_of(self.words, self.lexicon)
 
     def _leads_entry(self, piece: Piece, said: Said) -> bool:
         """Whether it is the hour in front of an entry of a list: "10am vet; 12 lunch"."""

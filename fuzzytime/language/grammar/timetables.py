@@ -43,19 +43,19 @@ SHORTEST = 2
 """Entries of a list at least, and words of an entry."""
 
 
-def in_timetable(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
-    """Whether words at the end of an entry are its hour, as every entry ends in a number.
+def timetable_of(words: Sequence[Word], lexicon: Lexicon) -> dict[int, int]:
+    """Give where each entry of a list begins, by where it ends, as every entry ends in its hour; else none.
 
     One at least must be surely an hour: by its minutes or half of the day, or as what is named is somebody,
     or happens. What is kneaded for ten, and eggs that are bought, have other numbers.
     """
     entries = list(_entries(words))
-    ends = any(last == end and first < start for first, last in entries)
+    begins = {last: first for first, last in entries}
     numbered = [span for span in entries if _number_at_end(words[slice(*span)], lexicon)]
     if len(numbered) >= SHORTEST and all(_is_plain(words[slice(*e)]) for e in entries if e not in numbered):
         # "Bank 10, dentist 3, pick up cake"
         entries = numbered
-    return ends and len(entries) >= SHORTEST and _all_timed(words, entries, lexicon)
+    return begins if len(entries) >= SHORTEST and _all_timed(words, entries, lexicon) else {}
 
 
 def _is_plain(entry: Sequence[Word]) -> bool:

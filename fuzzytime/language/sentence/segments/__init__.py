@@ -3,8 +3,8 @@
 Lines and sentences
     A ``segment`` ends at a sentence, at "then" (``connectives``, but ``next_ones``), before a verb or
     ``behind_happenings``; ``list_marks``, ``leading_tags``, ``dividers`` between ``entries``, ``heads`` and
-    ``runs`` of them, ``switches``, ``order_words``, ``corrections``, ``corrected_things``, ``retractions``, ``asides``,
-    ``asides_of_hours``.
+    ``runs`` of them, ``switches``, ``order_words``, ``corrections``, ``corrected_things``,
+    ``retractions``, ``asides``, ``asides_of_hours``.
 What is none
     ``messages``: what somebody is told, which begins in ``told_clauses``.
 Further orders of one sentence

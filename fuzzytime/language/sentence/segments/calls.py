@@ -29,7 +29,8 @@ FINITE = frozenset({"VBZ", "VBD", "MD"})
 
 def called_first(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     """Give the segment without whom it calls: "robot 2 weld the frame", "let robot 2 weld it"."""
-    found = None if one.segment.addressee is not None else _called_at(one, part, 0, lexicon)
+    timed = one.timed(part.tree)
+    found = None if one.segment.addressee is not None else _called_at(one, part, 0, timed, lexicon)
     if found is None:
         return []
     called, verb = found
@@ -40,23 +41,29 @@ def called_next(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     """Cut a segment where it calls another: "…, robot 2 stack it", "… and Bob, stack it"."""
     first, last = one.segment.span
     nodes = part.tree.nodes
+    # The words about time of a long list are looked for once.
+    timed = one.timed(part.tree)
     for place in range(2, len(nodes)):
         joined = nodes[place - 1].lower in lexicon.closed.joints_of_orders
         # "Robot 1 and robot 2 stack the boxes"
         together = joined and place - 1 == _length_of_name(nodes, 0, lexicon)
-        found = _called_at(one, part, place, lexicon) if joined and not together else None
+        found = _called_at(one, part, place, timed, lexicon) if joined and not together else None
+        if found is None:
+            continue
         text = one.source.scanned.text[first : nodes[place].start + part.offset]
         end = first + len(JOINT.sub("", text))
-        if found is not None and end > part.offset:
+        if end > part.offset:
             called, verb = found
             further = Segment((verb.start + part.offset, last), addressee=called)
             return [replace(one.segment, span=(first, end)), further]
     return []
 
 
-def _called_at(one: Waiting, part: Part, place: int, lexicon: Lexicon) -> tuple[str, Node] | None:
+def _called_at(
+    one: Waiting, part: Part, place: int, timed: Container[int], lexicon: Lexicon
+) -> tuple[str, Node] | None:
     """Give the name that is called at a place, and the verb behind it; None where nobody is called."""
-    nodes, timed = part.tree.nodes, one.timed(part.tree)
+    nodes = part.tree.nodes
     leads = nodes[place : place + 1] and nodes[place].lower in (
         lexicon.letting | lexicon.causing | lexicon.addressing
     )

@@ -26,7 +26,7 @@ def at_usual_hours(moment: Moment, sketch: Sketch, text: str, lexicon: Lexicon) 
     # "Let me sleep until ten", "don't sleep past nine"
     leading = [text[slice(*phrase.span)].partition(" ")[0] for phrase in sketch.phrases]
     leading += [phrase.said.preposition or "" for phrase in sketch.phrases]
-    named = [*(f"{name} {word}" for name in named for word in leading), *named]
+    named = [*(f"{name} {word}" for name in named for word in dict.fromkeys(leading)), *named]
     dated = [text[slice(*phrase.span)] for phrase in sketch.phrases if phrase.rule == DATED]
     hours = [phrase for phrase in sketch.phrases if phrase.rule == HOURS]
     # "(Opens at eight)" does not say what does, nor does "they open at eight".

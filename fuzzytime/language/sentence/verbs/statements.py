@@ -208,9 +208,11 @@ def _is_brought_about(tree: Tree, place: int) -> bool:
     """Whether it is what is done so that all is prepared: "they come at six so the table is set by five"."""
     helping = {tree.nodes[p].lower for p in tree.children(place, "aux", "auxpass")}
     told = tree.nodes[place].tag == "VBN" and bool(helping) and helping <= tree.lexicon.closed.present_be
+    if not told:
+        return False
     first = min(tree.below(place))
     # A tree has "so" with what stands before it, or with what it leads to.
-    return told and "so" in {tree.nodes[p].lower for p in (first, first - 1) if p >= 0}
+    return "so" in {tree.nodes[p].lower for p in (first, first - 1) if p >= 0}
 
 
 def _is_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
