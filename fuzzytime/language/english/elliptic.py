@@ -31,7 +31,7 @@ def in_hours_and_minutes(numbers: Typed) -> Said | None:
 @grammar.rule("said", "every|each <integer>", weight=0.1)
 def every_number(number: Integer) -> Said | None:
     """(bake for forty minutes, turning) every 10: of the unit that was said before."""
-    duration = Duration(((number.value, Unit.MINUTE),), bare_end=True)
+    duration = Duration(((number.value, Unit.MINUTE),), bare_end=True, unsaid=True)
     return Said(Repeat(duration)) if number.value > 0 else None
 
 
@@ -40,7 +40,9 @@ def after_number(number: Integer) -> Said | None:
     """(bake for forty minutes, turning it) after 30, which is no hour: of the unit that was said before."""
     if number.value <= DAY_HOURS:
         return None
-    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.AFTER, "after")
+    return Said(
+        Duration(((number.value, Unit.MINUTE),), bare_end=True, unsaid=True), Constraint.AFTER, "after"
+    )
 
 
 @grammar.rule("said", "for <integer>", weight=-0.5)
@@ -48,7 +50,7 @@ def for_number(number: Integer) -> Said | None:
     """(simmer) for 40, which is no hour: so many minutes, or of the unit that was said before."""
     if number.value <= DAY_HOURS:
         return None
-    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.FOR, "for")
+    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True, unsaid=True), Constraint.FOR, "for")
 
 
 @grammar.rule("said", "<integer>", weight=-0.9)
@@ -56,13 +58,13 @@ def number_left(number: Integer) -> Said | None:
     """(let it rest) 40, which is no hour: so many minutes."""
     if number.value <= DAY_HOURS:
         return None
-    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.FOR)
+    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True, unsaid=True), Constraint.FOR)
 
 
 @grammar.rule("said", "for <integer> more|longer", "for another <integer>", weight=-0.4)
 def for_more(number: Integer) -> Said | None:
     """(blend) for 10 more: of the unit that was said before."""
-    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.FOR, "for")
+    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True, unsaid=True), Constraint.FOR, "for")
 
 
 @grammar.rule("said", "halfway|midway", "halfway|midway through", "half way through?")

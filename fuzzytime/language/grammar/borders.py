@@ -104,7 +104,8 @@ class Borders:
         time = piece.value.time
         clock = isinstance(time, Wall) and time.clock is not None and time.days is None and time.part is None
         led = clock and piece.start > 0 and self.texts[piece.start] == "on"
-        return led and piece.end - piece.start > 1 and self.words[piece.start - 1].is_letters
+        hour = [word.is_digits for word in self.words[piece.start + 1 : piece.end]][:1]
+        return led and hour == [True] and self.words[piece.start - 1].is_letters
 
     def _takes_full_stop(self, piece: Piece) -> bool:
         """Whether its dot ends the sentence, as what stands before it is a time word: "in half a mo."."""

@@ -11,7 +11,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.beside import lasts_then
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Repeat, Said, Wall
 from fuzzytime.language.meaning.relations import Relative, days_away
-from fuzzytime.language.meaning.times_of_day import DAY_HOURS, Half
+from fuzzytime.language.meaning.times_of_day import DAY_HOURS, Clock, Half
 from fuzzytime.requirement import Constraint, Unit
 
 LENT = frozenset({Constraint.AFTER, Constraint.FOR})
@@ -57,7 +57,8 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
         many = said.constraint is Constraint.FOR and said.time.terms[0][0] > DAY_HOURS
         # "Cool it for an hour and chill it for 40" minutes
         unit = Unit.MINUTE if many and unit is Unit.HOUR else unit
-        return replace(phrase, said=replace(said, time=_counted(said.time, unit)))
+        counted = replace(_counted(said.time, unit), unsaid=length.time.unsaid)
+        return replace(phrase, said=replace(said, time=counted))
     if isinstance(said.time, Repeat) and said.time.every is not None and said.time.every.bare_end:
         return replace(phrase, said=replace(said, time=Repeat(_counted(said.time.every, unit))))
     if not isinstance(said.time, Wall) or not said.time.bare or said.preposition not in {"for", "after"}:
@@ -101,12 +102,16 @@ def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phras
     before, alone = set(texts), lasts_minutes(texts, lexicon) or is_heated(texts, said.time)
     left = is_left_for([word.text for word in words], phrase.first, phrase.end, lexicon)
     if left and said.preposition is None and clock is not None:
-        return replace(phrase, said=Said(Duration(((clock.hour, Unit.MINUTE),)), Constraint.FOR))
+        return replace(phrase, said=Said(_in_minutes(clock), Constraint.FOR))
     measured = before & lexicon.timing and not before & lexicon.appointing
     if not bare or clock is None or not (alone or measured):
         return phrase
-    duration = Duration(((clock.hour, Unit.MINUTE),))
-    return replace(phrase, said=replace(said, time=duration, constraint=Constraint.FOR))
+    return replace(phrase, said=replace(said, time=_in_minutes(clock), constraint=Constraint.FOR))
+
+
+def _in_minutes(number: Clock) -> Duration:
+    """Give so many minutes as a number alone seems an hour."""
+    return Duration(((number.hour, Unit.MINUTE),), unsaid=True)
 
 
 def _as_taken(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Said | None:

@@ -6,7 +6,7 @@ from datetime import UTC, date, datetime, timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Offset, Range, Repeat, Time, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Time, Wall
 from fuzzytime.language.meaning.instants import Instants, is_eve
 from fuzzytime.language.meaning.moment import Moment, zone_of
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
@@ -83,6 +83,12 @@ class Deciding:
         now = self.moment.now
         there = zone_of(zone) if zone is not None else None if now is None else now.tzinfo
         return f"{found.start.replace(tzinfo=there).astimezone(UTC).astimezone(there):%H:%M}"
+
+    def of_unit(self, length: Duration) -> tuple[Remark, ...]:
+        """Say which unit was taken for a number that has none: "knead 10"."""
+        if not length.unsaid:
+            return ()
+        return (self._noted(f" is taken as {length.number:g} {length.unit}s: in what unit is not said"),)
 
     def of_hour(self, found: Instants) -> Remark:
         """Say which hour was chosen for "at half past"."""

@@ -3,7 +3,7 @@
 Nothing here knows a language or the time now; `grounding` turns these into instants.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from fuzzytime.language.meaning.calendar import Calendar
@@ -54,7 +54,7 @@ class Duration:
     """A length of time: amounts of units, its hedges, and the longer end of a range ("five to ten minutes").
 
     ``bare_end`` says that it ends in a number without a unit ("an hour thirty"), ``ordinal_end`` in the word
-    "second", which may be an ordinal.
+    "second", which may be an ordinal. ``unsaid`` says that no words say its unit ("knead 10").
     """
 
     terms: tuple[tuple[float, Unit], ...]
@@ -63,6 +63,7 @@ class Duration:
     bare_end: bool = False
     ordinal_end: bool = False
     indefinite: bool = False
+    unsaid: bool = field(default=False, compare=False)
 
     @property
     def seconds(self) -> float:

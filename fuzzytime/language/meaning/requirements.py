@@ -139,7 +139,9 @@ class _Grounder:
         if constraint is Constraint.FOR:
             seconds = time.seconds if time.until is None else (time.seconds + time.until.seconds) / 2
             return Grounded(
-                requirement=self._requirement(constraint, None, None, duration=time), duration=seconds
+                requirement=self._requirement(constraint, None, None, duration=time),
+                duration=seconds,
+                remarks=self._deciding.of_unit(time),
             )
         return Grounded(requirement=self._counted(time, constraint, 1))
 
