@@ -155,8 +155,8 @@ class Gathering:
     def _make(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
         """Make an instruction's skills, and give their places."""
         before = self.links.instructions
-        inside = going_on(instruction, before, self.skills)
-        behind = behind_of(instruction, before, self.skills) or each_turn_of(instruction, before, self.skills)
+        given = instruction, before, self.skills
+        inside, behind = going_on(*given), behind_of(*given) or each_turn_of(*given)
         made = self._skills_of(wish, reading, instruction, inside or behind)
         if inside is not None and made:
             self.problems.append(_noted_inside(wish, instruction, inside))

@@ -25,8 +25,8 @@ SLASH = "/"
 FEW = 5
 """Up to here an ordinal with a mark behind it counts steps: "2nd: rinse"."""
 
-LARGEST_SHARE = 10
-"""The largest number that things are parted by: "7/10 pages"."""
+LARGEST_SHARE = 8
+"""The largest number that things are parted by, as a rule: "5/8 cup"."""
 
 
 def heads_list(words: Sequence[Word], start: int, end: int) -> bool:

@@ -89,8 +89,8 @@ class Walls(Standing):
 
     def _leads_event(self, piece: Piece) -> bool:
         """Whether what happens stands behind it, and no meal: "wed dentist 2:30"."""
-        behind = self.around.follower(piece)
-        return has_time(behind, self.lexicon) and not self.around.is_part_or_meal(piece.end)
+        meal = self.around.is_part_or_meal(piece.end)
+        return not meal and has_time(self.around.follower(piece), self.lexicon)
 
     def _heads_entry(self, piece: Piece) -> bool:
         """Whether a short name of a day begins an entry: "sat: market", "wed dentist"."""
@@ -138,12 +138,8 @@ class Walls(Standing):
             # "Within a minute of the first", "within an hour of the fall"
             return True
         first = piece.start + (self.texts[piece.start] == "to")
-        if (
-            first
-            and self.texts[first - 1] == "to"
-            and self._is_ratio(first)
-            and not self.given.puts_off(piece)
-        ):
+        led = first > 0 and self.texts[first - 1] == "to"
+        if led and self._is_ratio(first) and not self.given.puts_off(piece):
             # "Fill the tub to 3/4 at eight"
             return True
         whole = wall.clock is not None and not wall.clock.shift
@@ -161,8 +157,8 @@ class Walls(Standing):
     def _is_mixed(self, piece: Piece) -> bool:
         """Whether its two numbers are how something is mixed: "dilute it 1:10"."""
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
-        parted = ":" in self.texts[piece.start : piece.end] and self.words[piece.start].is_digits
-        return parted and not self.beside.mixing.isdisjoint(before)
+        colon = ":" in self.texts[piece.start : piece.end] and self.words[piece.start].is_digits
+        return colon and not self.beside.mixing.isdisjoint(before)
 
     def _is_ratio(self, place: int) -> bool:
         """Whether two numbers at a place may be a part of a whole: "3/4"."""
@@ -186,8 +182,8 @@ class Walls(Standing):
             return self.around.may_end(piece)
         # "After the 10 o'clock feed"
         clocked = self.around.follower(piece) in self.beside.of_hours
-        bound = bound and not clocked and self.around.may_end(piece)
-        return bound or dates_entry(self.words, piece.start, piece.end, self.lexicon)
+        dated = dates_entry(self.words, piece.start, piece.end, self.lexicon)
+        return dated or (bound and not clocked and self.around.may_end(piece))
 
     def is_left_out(self, piece: Piece) -> bool:
         """Whether it is left out of days: "every monday except the 16th"; but "every page but the first"."""
