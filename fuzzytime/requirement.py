@@ -261,6 +261,9 @@ def asked_words(requirements: Iterable[TimeRequirement], joint: str = ", ") -> s
         if last is not None and again and (requirement.alternative or requirement.text == last.text):
             # "One evening this week" is one time of several.
             continue
+        if last is not None and (requirement.text, requirement.span) == (last.text, last.span):
+            # "Once both are done" binds to two.
+            continue
         last = requirement
         between = "" if not words else " or " if requirement.alternative else joint
         words += between + requirement.asked

@@ -11,7 +11,7 @@ Understanding (``interpreter``)
     Who, and how far ahead: ``asked``, ``horizon``.
 
 What binds skills
-    References: ``references``, ``ties``, ``circles``.
+    References: ``references``, ``ties``, ``circles``; what cannot be done during another (``both_hands``).
     Order: ``in_order`` by ``steps``, ``procedures``, ``loosening``.
 
 Planning (``planner``)

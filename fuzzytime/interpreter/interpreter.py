@@ -127,7 +127,7 @@ class Interpreter:
                 gathered.spoken(wish, reading_left, told)
         gathered.finish()
         skills, called = by_agents(as_they_happened(gathered.skills, request.started), request)
-        skills, passing = in_passing(skills, self.rulebook, request.agents)
+        skills, passing = in_passing(skills, self.rulebook, request.agents, gathered.links)
         problems += (*called, *passing)
         skills, precedences, unresolved = link(skills, gathered.links, self.rulebook, request.now)
         order = free_of_circles((*gathered.rows.kept(), *of_places(skills)), precedences)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cached_property
 
+from fuzzytime.interpreter.both_hands import behind_each_other
 from fuzzytime.interpreter.happening import attended, clashes, happening
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
@@ -155,7 +156,11 @@ def scheduled(
         if in_vain or (looser is interpretation and not ran_out):
             break
         interpretation, share = looser, 1.0
-    problems = (*interpretation.problems, *_rejections(interpretation, schedule))
+    problems = (
+        *interpretation.problems,
+        *behind_each_other(interpretation, schedule),
+        *_rejections(interpretation, schedule),
+    )
     return Plan(request=request, interpretation=interpretation, schedule=schedule, problems=problems)
 
 

@@ -71,7 +71,11 @@ class Tie:
         """Give the interval of x."""
         if self.anchor.exact:
             leeway = self._leeway()
-            return Interval(self.lag + leeway.low, self.lag + leeway.high)
+            low = self.lag + leeway.low
+            if self.requirement.constraint is Constraint.AFTER and self.lag > 0:
+                # Nothing is two minutes into what has not begun.
+                low = max(low, 0.0)
+            return Interval(low, self.lag + leeway.high)
         match self.requirement.constraint:
             case Constraint.BEFORE:
                 return Interval(-math.inf, self.anchor.lag - self.this.skill.time_until_done)

@@ -27,6 +27,7 @@ class Doing:
     spending: Words
     finished: Words
     putting: Words
+    being_somewhere: Words
     waiting: Words
     setting: Words
     set_going: Words

@@ -60,6 +60,7 @@ class ClosedClasses:
     indirect_objects: Words
     object_pronouns: Words
     wholes: Words
+    both: Words
     universal_pronouns: Words
     nonrestrictive_relatives: Words
     relatives: Words

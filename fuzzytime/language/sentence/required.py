@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.references.phrase_anchors import (
     of_phrase,
     of_the_beginning,
 )
+from fuzzytime.language.sentence.references.several import of_several
 from fuzzytime.language.sentence.segments.connectives import agreeing, follows_nothing, within_after
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
 from fuzzytime.language.sentence.segments.segment import ENDS
@@ -34,6 +35,10 @@ def required_of(
     """
     requirements, remarks = _of_phrases(sketch, times, anchors, draft)
     for clause in sketch.clauses:
+        several = of_several(clause, anchors, draft.text)
+        if several:
+            requirements += [referred(one, sketch.reference) for one in several]
+            continue
         required, told = of_clause(clause, anchors, sketch, draft)
         repeated = any(requirement.recurrence is not None for requirement in requirements)
         if clause.marker == OF and not repeated and _ends_then(required.anchor, anchors):

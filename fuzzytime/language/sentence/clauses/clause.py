@@ -20,7 +20,9 @@ class Clause:
     ``edge`` is that of the event which it names: "by the end of the lesson"; ``side`` on which side of its
     distance something must be: "no earlier than an hour after lunch"; ``day_part`` the part of the day, a day
     before or after: "the evening before the trip". ``alternative`` says that it may be so instead of the time
-    before it: "at six or when it is full".
+    before it: "at six or when it is full". ``gone_on`` is how long what it names has gone on by then:
+    "when it has simmered for ten minutes". ``where`` are its words from the first on that says where: "in the
+    oven", "on". ``further`` is what else it says is done: "once the car is washed and the lawn is mown".
     """
 
     kind: str
@@ -41,6 +43,17 @@ class Clause:
     side: Constraint | None = None
     day_part: Phrase | None = None
     alternative: bool = False
+    gone_on: Duration | None = None
+    where: str | None = None
+    further: tuple["Clause", ...] = ()
+
+    def since_begun(self) -> "Clause":
+        """Give the same clause counted from where that begins which it says has gone on for so long."""
+        if self.gone_on is None:
+            return self
+        further = () if self.distance is None else self.distance.terms
+        distance = replace(self.gone_on, terms=(*self.gone_on.terms, *further))
+        return replace(self, distance=distance, edge=Edge.START, gone_on=None)
 
     def is_there(self, lexicon: Lexicon) -> bool:
         """Whether it says of somebody that they have come: "when they get here", "while she is in"."""
@@ -52,4 +65,5 @@ class Clause:
     def moved(self, by: int) -> "Clause":
         """Give the same clause that many characters further on."""
         (a, b), (c, d) = self.span, self.content
-        return replace(self, span=(a + by, b + by), content=(c + by, d + by))
+        further = tuple(one.moved(by) for one in self.further)
+        return replace(self, span=(a + by, b + by), content=(c + by, d + by), further=further)

@@ -24,6 +24,9 @@ STATED = frozenset({"when", "if", "until"})
 NAMING = frozenset({"after", "before", "until", "into", "within", "halfway"})
 """Clauses that may name an event."""
 
+NAMED = ("NN", "JJ", "DT", "PDT", "PRP$", "CC", ",")
+"""How tags of words begin that name things one by one."""
+
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 
 
@@ -38,15 +41,11 @@ class Contents:
     def told(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Give a clause with what it says: that something is done, or so, or an event."""
         said = self.tree.text[slice(*clause.span)]
-        verb = self._verb(clause, nodes)
+        verb, *others = self._verbs(clause, nodes) or (None,)
         if verb is not None:
-            done = self._finished(verb, nodes)
-            return replace(
-                clause,
-                verb=self.tree.nodes[done].lemma,
-                object=self._object(done, nodes) or self._object(verb, nodes),
-                condition=condition_of(self.tree, verb, nodes, said),
-            )
+            told = self._done(clause, verb, nodes)
+            further = [self._done(clause, p, sorted({*nodes} & {*self.tree.below(p)})) for p in others if p]
+            return replace(told, further=tuple(one for one in further if one.object is not None))
         if clause.kind in STATED:
             condition = compared(self.tree, nodes, said) or happening(self.tree, nodes, said)
             condition = condition or being(self.tree, nodes, said)
@@ -61,14 +60,29 @@ class Contents:
         goes_on = being(self.tree, nodes, said) if its else None
         return self.event(clause, nodes) if goes_on is None else replace(clause, condition=goes_on)
 
-    def _verb(self, clause: Clause, nodes: Sequence[int]) -> int | None:
-        """Give the clause's own verb: the highest in it."""
+    def _done(self, clause: Clause, verb: int, nodes: Sequence[int]) -> Clause:
+        """Give a clause with what a verb in it says that is done."""
+        done = self._finished(verb, nodes)
+        thing = self._object(done, nodes) or self._object(verb, nodes)
+        condition = condition_of(self.tree, verb, nodes, self.tree.text[slice(*clause.span)])
+        if condition.subject is None and self.tree.children(verb, "auxpass") and thing is not None:
+            condition = replace(condition, subject=thing.lower(), word=self.tree.nodes[verb].lower)
+        return replace(
+            clause,
+            verb=self.tree.nodes[done].lemma,
+            object=thing,
+            condition=condition,
+            where=self._where(verb, nodes),
+        )
+
+    def _verbs(self, clause: Clause, nodes: Sequence[int]) -> list[int]:
+        """Give the clause's own verb, the highest in it, and those that "and" joins to it."""
         verbs = [p for p in nodes if self.tree.nodes[p].is_verb and not self._describes(p, clause, nodes)]
-        if not verbs:
-            return None
         inside = set(nodes)
         tops = [p for p in verbs if not any(a in inside and a in verbs for a in self.tree.above(p))]
-        return tops[0] if tops else verbs[0]
+        first = (tops or verbs)[:1]
+        joined = (p for p in verbs if self.tree.nodes[p].relation == "conj" and p not in first)
+        return [*first, *joined]
 
     def _finished(self, verb: int, nodes: Sequence[int]) -> int:
         """Give what is done that a verb says to be over: "once it has finished welding"."""
@@ -97,19 +111,40 @@ class Contents:
         """Give the verbs that help one, and its "to"."""
         return [p for p in self.tree.children(place, "aux") if p < place]
 
+    def _where(self, verb: int, nodes: Sequence[int]) -> str | None:
+        """Give what is said behind a verb from the first word on that says where, without times."""
+        timed = [range(*phrase.span) for phrase in self.phrases]
+        behind = [p for p in nodes if p > verb and not any(self.tree.nodes[p].start in t for t in timed)]
+        begin = self.lexicon.beside.whereabouts | self.lexicon.particles.keys() | self.lexicon.places
+        first = next((p for p in behind if self.tree.nodes[p].lower in begin), None)
+        if first is None:
+            return None
+        return " ".join(self.tree.nodes[p].text for p in behind if p >= first)
+
     def _object(self, verb: int, nodes: Sequence[int]) -> str | None:
         inside = set(nodes)
+        # "The labels are printed and the boxes are packed": the second may hang on what helps its verb.
+        helped = (p for aux in self.tree.children(verb, "auxpass") for p in self.tree.children(aux, "nsubj"))
         for place in (
             *self.tree.children(verb, "dobj", "nsubjpass"),
             *self.tree.children(verb, "nsubj", "attr"),
+            *helped,
         ):
             if place in inside:
-                text = " ".join(
-                    self.tree.nodes[p].text for p in sorted(self.tree.below(place)) if p in inside
-                )
+                below = {p for p in self.tree.below(place) if p in inside}
+                below |= {*self._joined_in_front(min(below), nodes)}
+                text = " ".join(self.tree.nodes[p].text for p in sorted(below))
                 if text.lower() not in self.lexicon.closed.personal_pronouns:
                     return text
         return None
+
+    def _joined_in_front(self, first: int, nodes: Sequence[int]) -> Sequence[int]:
+        """Give what "and" joins to a thing in front, where a tree has that elsewhere: "rice and beans"."""
+        before = [p for p in nodes if p < first]
+        tags = [self.tree.nodes[p].tag for p in before]
+        if tags[-1:] != ["CC"] or self.tree.nodes[before[-1]].lower not in self.lexicon.closed.additions:
+            return ()
+        return before if all(tag.startswith(NAMED) for tag in tags) and tags[-2].startswith("NN") else ()
 
     def event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""

@@ -11,10 +11,10 @@ from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.distances import HALFWAY
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_sides import FIRST, side_of
+from fuzzytime.language.sentence.references.likeness import best_of
 from fuzzytime.language.sentence.references.mentions import (
     BE,
     Mentions,
-    best_of,
     comes,
     is_done_with,
     owners_in,
@@ -64,7 +64,8 @@ class Anchors:
         # Of equals the nearest: among those before it the last, among those behind the first.
         last = self.position - 1
         condition = clause.condition
-        if condition is not None and condition.subject == "you" and condition.word in self.lexicon.results:
+        you = condition is not None and condition.subject == "you" and clause.object is None
+        if you and condition is not None and condition.word in self.lexicon.results:
             # "Text me when you are finished"
             return last if last >= 0 and not condition.negated else None
         if self._is_done_soon(clause):

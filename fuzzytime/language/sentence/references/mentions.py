@@ -3,7 +3,7 @@
 import heapq
 import re
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import groupby
 
@@ -15,13 +15,6 @@ from fuzzytime.language.sentence.trees.content_words import content_words, stems
 from fuzzytime.language.sentence.trees.named import is_several, may_be_it, names_person
 
 BE = "be"
-WHILE = "while"
-SAME_VERB = 2.0
-"""The worth of the very verb of a clause, to which words that are shared add 1 each."""
-
-ALIKE = 0.5
-"""The worth of a word that is only alike."""
-
 _OWNERS = re.compile(r"(\w+) ?['\u2019]s\b")
 
 
@@ -81,7 +74,7 @@ class Mentions:
         if operation.negated:
             return
         words = content_words(operation.object)
-        for noun in _nouns(operation.lemma)[1:]:
+        for noun in nouns_of(operation.lemma)[1:]:
             self._by_verb.setdefault(noun, []).append(position)
         known = words | content_words(operation.place)
         for word in known | stems(known | {operation.lemma}):
@@ -144,7 +137,7 @@ class Mentions:
     def named_by(self, clause: Clause, stretch: range, *, backwards: bool) -> Iterator[int]:
         """Give the positions in a stretch that a clause may be about, the nearest end first."""
         closed = self.lexicon.closed
-        named, words = _names_of(clause)
+        named, words = names_of(clause)
         # Of operations that only the verb names, the nearest is as good as any.
         single = [self._bare.get(clause.verb or "", [])]
         single += [self._by_verb.get(noun, []) for noun in words]
@@ -152,6 +145,9 @@ class Mentions:
             single.append(self._by_verb.get(clause.verb or "", []))
         end = slice(-1, None) if backwards else slice(1)
         runs = [_within(run, stretch)[end] for run in single]
+        if clause.where is not None:
+            # "Before they go in the oven"
+            words |= content_words(clause.where)
         runs += [_within(self._by_word.get(word, []), stretch) for word in words | stems(words)]
         ordered = (reversed(run) if backwards else iter(run) for run in runs)
         for position, _ in groupby(heapq.merge(*ordered, reverse=backwards)):
@@ -164,10 +160,12 @@ def _person_of(operation: Operation, lexicon: Lexicon) -> str | None:
     return whom if operation.stated and names_person(whom, lexicon) else operation.object
 
 
-def _nouns(verb: str) -> tuple[str, ...]:
-    """Give the words that name what a verb says: the walk, the baking, the incubation, the bath."""
+def nouns_of(verb: str) -> tuple[str, ...]:
+    """Give the words that name what a verb says: the walk, the baking, the addition, the removal."""
     bare = verb.removesuffix("e")
-    nouns = verb, f"{bare}ing", f"{verb}{verb[-1:]}ing", f"{bare}ion", f"{bare}ation", f"{verb}ment"
+    latin = (f"{bare}{ending}" for ending in ("ion", "ation", "ition", "al"))
+    nouns = (verb, f"{bare}ing", f"{verb}{verb[-1:]}ing", f"{verb}ment", *latin)
+    # The bath, where somebody is bathed.
     return (*nouns, bare) if verb.endswith("the") else nouns
 
 
@@ -191,7 +189,7 @@ def is_done_with(
         return False
     known = content_words(operation.object) | content_words(operation.place)
     return owners <= known | owners_in(operation.object) and not words.isdisjoint(
-        known.union(_nouns(operation.lemma))
+        known.union(nouns_of(operation.lemma))
     )
 
 
@@ -199,82 +197,8 @@ def _within(positions: list[int], stretch: range) -> list[int]:
     return positions[bisect_left(positions, stretch.start) : bisect_left(positions, stretch.stop)]
 
 
-def _names_of(clause: Clause) -> tuple[frozenset[str], frozenset[str]]:
+def names_of(clause: Clause) -> tuple[frozenset[str], frozenset[str]]:
     """Give the words of a clause's object, and with them those of its subject."""
     named = content_words(clause.object)
     subject = None if clause.condition is None else clause.condition.subject
     return named, named | content_words(subject)
-
-
-def best_of(
-    clause: Clause, candidates: Iterable[tuple[int, Operation | None]], lexicon: Lexicon
-) -> int | None:
-    """Give the position of the operation that a clause refers to, the first of the best; None for none."""
-    best, found = 0.0, None
-    named, words = _names_of(clause)
-    most = SAME_VERB + max(len(named), len(words) - 1) + ALIKE * clause.is_event
-    for position, operation in candidates:
-        if operation is None or operation.negated:
-            continue
-        worth = _likeness(clause, operation, lexicon)
-        if worth > best:
-            best, found = worth, position
-        if best >= most:
-            break
-    return found
-
-
-def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
-    """How well an operation fits a clause: 0 where it does not."""
-    closed = lexicon.closed
-    named, doing = content_words(clause.object), lexicon.doing
-    known = content_words(operation.object) | content_words(operation.place)
-    shared = len(named & content_words(operation.object))
-    if clause.is_event:
-        # "Before the walk", where the dog is walked; "into the roast", where the meat is roasted.
-        if clause.kind == "length":
-            # "We are at swimming by four. Swimming lasts an hour"
-            shared = len(named & known)
-        same = shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
-        # "During the window" is while it goes on, whatever else is done with it.
-        told = ALIKE if operation.stated and clause.kind == WHILE else 0.0
-        return same + told if same else _named_after(named, operation)
-    word = None if clause.condition is None else clause.condition.word
-    if operation.attended and clause.verb == operation.lemma == BE and word == operation.object:
-        # "Half an hour before we're on"
-        return SAME_VERB
-    # "While she is there" names no dinner that is at seven.
-    same_verb = clause.verb == operation.lemma and (clause.verb != BE or shared > 0)
-    if same_verb and (
-        shared or not named or named <= closed.anaphors | closed.universal_pronouns or not known
-    ):
-        return SAME_VERB + shared
-    if shared and clause.kind != WHILE and comes(operation, lexicon) and clause.is_there(lexicon):
-        # "Once the parts are here", where they arrive at ten.
-        return SAME_VERB + shared
-    goes_on = clause.verb == BE and word in doing.going_on and clause.kind == WHILE
-    if operation.stated and shared and (goes_on or clause.verb in doing.beginning | doing.ending):
-        # "Five minutes before the meeting starts", where the meeting is at three.
-        return SAME_VERB + shared
-    if shared and clause.verb == "go" and operation.lemma in doing.putting:
-        # "20 minutes before the cake goes in", where it is baked.
-        return SAME_VERB + shared
-    condition = clause.condition
-    if condition is not None and condition.word is not None:
-        # "When the rice is done", "once the table is set": its result.
-        subject = content_words(condition.subject)
-        finished = condition.word in lexicon.results or clause.verb in doing.finished
-        if finished and not subject.isdisjoint(_nouns(operation.lemma)):
-            # "Once the print is done", where the bracket is printed.
-            return SAME_VERB
-        if finished and subject & content_words(operation.object):
-            return 1.0 + len(subject & content_words(operation.object))
-        if finished:
-            return _named_after(subject, operation)
-    return 0.0
-
-
-def _named_after(words: frozenset[str], operation: Operation) -> float:
-    """How well a noun for what is done fits an operation: the incubation, where the incubator is used."""
-    known = content_words(operation.object) | content_words(operation.place)
-    return ALIKE * (not stems(words).isdisjoint(stems(known | {operation.lemma})))

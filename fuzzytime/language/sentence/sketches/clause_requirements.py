@@ -55,7 +55,8 @@ def of_clause(
         else:
             message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
             remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
-    requirement = anchors.of_clause(clause, text, what, target)
+    counted = clause if target is None else clause.since_begun()
+    requirement = anchors.of_clause(counted, text, what, target)
     if clause.reference is Reference.FINISH and target is not None:
         requirement = _ending(requirement, clause, anchors)
     if target is None and requirement.anchor is not None:

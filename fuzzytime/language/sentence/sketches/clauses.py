@@ -16,14 +16,14 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_contents import Contents
-from fuzzytime.language.sentence.clauses.clause_sides import at_most_after, sided
+from fuzzytime.language.sentence.clauses.clause_sides import BEHIND, at_most_after, sided
 from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.clauses.times_of_events import dates, happens, is_apart
 from fuzzytime.language.sentence.segments.event_edges import BY, OF_EDGES, is_length
 from fuzzytime.language.sentence.sketches.clause_ends import ClauseEnds
 from fuzzytime.language.sentence.sketches.clause_markers import ClauseMarkers
 from fuzzytime.language.sentence.trees.tree import Tree
-from fuzzytime.requirement import Edge, Unit
+from fuzzytime.requirement import Constraint, Edge, Unit
 
 BEFORE = "before"
 BY_THEN = "by the time"
@@ -202,7 +202,7 @@ class _Clauses:
         told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
         # "By the time the night shift clocks off at six", where a tree finds no verb.
         told = clause if told is None and kind == BY_THEN and time is not None else told
-        found = self._denied(told, place)
+        found = self._gone_on(self._denied(told, place))
         occurs = found is not None and (happens(found, self.lexicon) or self._is_over(found))
         eventful = kind in EVENTFUL or (kind == "when" and occurs)
         # "During the interval, which starts at eight"
@@ -233,6 +233,20 @@ class _Clauses:
         return next(
             (entry.value for entry in entries if entry.category == "beside" and entry.words == form), None
         )
+
+    def _gone_on(self, clause: Clause | None) -> Clause | None:
+        """Give a clause how long what is done in it has gone on: "when it has simmered for ten minutes"."""
+        if clause is None or clause.verb is None or clause.kind not in BEHIND:
+            return clause
+        said = (
+            phrase.said.time
+            for phrase in self.phrases
+            if phrase.said.constraint is Constraint.FOR
+            and clause.content[0] < phrase.span[0]
+            and phrase.span[1] == clause.content[1]
+        )
+        length = next((time for time in said if isinstance(time, Duration)), None)
+        return clause if length is None else replace(clause, gone_on=length)
 
     def _is_over(self, clause: Clause) -> bool:
         """Whether it says of something that it is done: "when the show is over"."""

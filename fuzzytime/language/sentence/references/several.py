@@ -1,0 +1,69 @@
+"""Clauses about several instructions: "once the rice and the beans are done", "when both are done"."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from fuzzytime.language.grammar.words import words_of
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.clauses.clause_sides import BEHIND
+from fuzzytime.language.sentence.references.anchors import Anchors
+from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.requirement import TimeRequirement
+
+BOTH = 2
+
+
+def of_several(clause: Clause, anchors: Anchors, text: str) -> list[TimeRequirement]:
+    """Give what a clause requires that waits for several instructions; nothing where it is about one."""
+    condition = clause.condition
+    if clause.kind not in BEHIND or clause.is_event or (condition is not None and condition.negated):
+        return []
+    targets = _all_meant(clause, anchors, text) or _named(clause, anchors)
+    said, what = text[slice(*clause.span)], text[slice(*clause.content)]
+    required = [anchors.of_clause(clause.since_begun(), said, what, target) for target in targets]
+    # So long after several is so long after the last of them, and longer after the others.
+    return [
+        one if one.anchor is None else replace(one, anchor=replace(one.anchor, exact=False))
+        for one in required
+    ]
+
+
+def _all_meant(clause: Clause, anchors: Anchors, text: str) -> list[int]:
+    """Give the instructions before it that are all meant: "both", "all three", "everything"."""
+    closed, lexicon = anchors.lexicon.closed, anchors.lexicon
+    if clause.condition is None or clause.condition.word not in lexicon.results:
+        return []
+    words = [word.text for word in words_of(text[slice(*clause.content)])]
+    named = content_words(clause.object) - closed.universal_pronouns - closed.anaphors - {*lexicon.numbers}
+    whole = next((word for word in words if word in closed.wholes | closed.both), None)
+    if whole is None or named:
+        return []
+    counted = (lexicon.numbers[word] for word in words if word in lexicon.numbers)
+    many = BOTH if whole in closed.both else next(counted, None)
+    asked = [place for place, one in anchors.just_before() if one.is_asked][:many]
+    return sorted(asked) if len(asked) >= (many or BOTH) else []
+
+
+def _named(clause: Clause, anchors: Anchors) -> list[int]:
+    """Give the instructions that are named one by one, where each is another."""
+    singles = [*_one_by_one(clause, anchors), *clause.further]
+    if len(singles) < BOTH:
+        return []
+    targets = [anchors.target_of(single) for single in singles]
+    found = [target for target in targets if target is not None]
+    return found if len({*found}) == len(targets) else []
+
+
+def _one_by_one(clause: Clause, anchors: Anchors) -> Iterator[Clause]:
+    """Give a clause of several things as clauses of one thing each: "the rice and the beans"."""
+    words = (clause.object or "").split()
+    ends = [p for p, word in enumerate(words) if word.lower() in anchors.lexicon.closed.additions]
+    for first, end in zip([-1, *ends], [*ends, len(words)], strict=True):
+        thing = " ".join(words[first + 1 : end]).rstrip(",")
+        if not thing or not ends:
+            yield from () if ends else (clause,)
+            continue
+        condition = clause.condition
+        if condition is not None:
+            condition = replace(condition, subject=thing.lower())
+        yield replace(clause, object=thing, condition=condition, further=())
