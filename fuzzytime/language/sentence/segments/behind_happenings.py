@@ -1,11 +1,15 @@
 """Where orders begin behind what happens, and lines of timetables: "lunch at noon, cook it beforehand"."""
 
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Wall
+
+MARKS = frozenset({":", "-", "–", "—"})
+"""Marks between what is told and what is to be done for it."""
 
 
 def listed(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
@@ -40,6 +44,27 @@ def behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: 
         taken = lexicon.function_words | lexicon.places | lexicon.closed.alternatives
         if words[behind].is_letters and words[behind].text not in taken and phrases[-1].first != behind:
             yield behind
+
+
+def behind_statements(
+    phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon, ends: AbstractSet[str]
+) -> Iterator[int]:
+    """Give the marks before an order that follows from what is told: "the shop shuts at six: buy milk"."""
+    doing, closed = lexicon.doing, lexicon.closed
+    told = doing.timed | doing.several_timed | doing.arriving | doing.leaving | closed.present_be
+    told |= {f"{verb}{ending}" for verb in doing.arriving | doing.leaving for ending in ("s", "es")}
+    subjects = closed.noun_openers | closed.personal_pronouns | closed.singular_anaphors
+    subjects |= lexicon.happening | lexicon.persons
+    for phrase in phrases:
+        mark = words[phrase.end] if phrase.end + 1 < len(words) else None
+        if mark is None or mark.text not in MARKS or (mark.glued and mark.text != ":"):
+            continue
+        first = next((p + 1 for p in range(phrase.first - 1, -1, -1) if words[p].text in ends), 0)
+        said = [word.text for word in words[first : phrase.first]]
+        behind = words[phrase.end + 1]
+        orders = behind.is_letters and not behind.glued and behind.text not in lexicon.function_words
+        if orders and len(said) > 1 and said[0] in subjects and not told.isdisjoint(said[1:]):
+            yield phrase.end
 
 
 def _is_clock(phrase: Phrase) -> bool:

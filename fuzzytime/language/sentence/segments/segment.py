@@ -9,7 +9,11 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.distances import LATER
 from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord
-from fuzzytime.language.sentence.segments.behind_happenings import behind_happening, listed
+from fuzzytime.language.sentence.segments.behind_happenings import (
+    behind_happening,
+    behind_statements,
+    listed,
+)
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.corrected_things import AFTER_ALL, corrected_things
 from fuzzytime.language.sentence.segments.named_events import beside, counts_event, heads
@@ -71,6 +75,7 @@ def segments_of(
     following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
     following |= set(listed(phrases, words, lexicon))
     following |= set(behind_happening(phrases, words, lexicon))
+    following |= set(behind_statements(phrases, words, lexicon, ENDS))
     following |= set(beside(phrases, words, lexicon))
     following |= {phrase.end for phrase in phrases[:1] if heads(phrase, words)}
     corrections = list(corrected_things(words, phrases, lexicon))

@@ -7,7 +7,7 @@ Words and times
 Days and lengths
     ``headings``, ``days_apart`` (``listed_days``, ``things_alone``), ``mornings``, ``day_by_day``,
     ``days_left_out``, ``left_out_behind``, ``each_week``, ``opening_hours``, ``days_on``, ``lengths``,
-    ``waited``, ``consequences``.
+    ``waited``, ``consequences``, ``reasons_told``.
 What is none
     ``doubts`` (``what_was``), ``denials``, ``naming``.
 """

@@ -31,7 +31,7 @@ def within_opening_hours(sketches: Sequence[Sketch], text: str, lexicon: Lexicon
         closing = bound.said.constraint is not Constraint.AFTER
         before = place - 1
         if before >= 0 and _is_unbound(found[before]) and _is_beside(found[before], sketch, text):
-            if closing or _is_errand(found[before], lexicon):
+            if closing or is_errand(found[before], lexicon):
                 found[before] = found[before].under([bound])
             continue
         behind = place + 1
@@ -40,7 +40,7 @@ def within_opening_hours(sketches: Sequence[Sketch], text: str, lexicon: Lexicon
             behind += 1
         if behind == len(found) or not _is_unbound(found[behind], opened=True):
             continue
-        if _is_beside(found[behind - 1], found[behind], text) and _is_errand(found[behind], lexicon):
+        if _is_beside(found[behind - 1], found[behind], text) and is_errand(found[behind], lexicon):
             found[behind] = found[behind].under([bound])
     return found
 
@@ -70,7 +70,8 @@ def _is_unbound(sketch: Sketch, *, opened: bool = False) -> bool:
     return sketch.asks and not sketch.clauses and not kinds
 
 
-def _is_errand(sketch: Sketch, lexicon: Lexicon) -> bool:
+def is_errand(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether it is done at a place while that is open."""
     return sketch.operation is not None and sketch.operation.lemma in lexicon.doing.errands
 
 

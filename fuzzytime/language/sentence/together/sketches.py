@@ -26,6 +26,7 @@ from fuzzytime.language.sentence.together.first_times import from_first_time
 from fuzzytime.language.sentence.together.left_out_behind import left_out_behind
 from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.opening_hours import within_opening_hours
+from fuzzytime.language.sentence.together.reasons_told import due_before_told
 from fuzzytime.language.sentence.together.said_again import done_again, each_of
 from fuzzytime.language.sentence.together.several_times import of_several_times
 from fuzzytime.language.sentence.together.things_alone import things_alone
@@ -44,6 +45,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     remarks += corrections
     sketches = left_out_behind(sketches, lexicon)
     sketches = within_opening_hours(told_beside(sketches, draft.text, lexicon), draft.text, lexicon)
+    sketches = due_before_told(sketches, draft.text, lexicon)
     sketches = repeated(led(sketches, draft.text), draft.text, lexicon)
     told = shared(at_once(within(sketches, draft.text, lexicon), draft.text), draft.text, lexicon)
     words = draft.scanned.words
