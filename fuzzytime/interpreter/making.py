@@ -154,7 +154,7 @@ class Maker:
         return self.rulebook.resolve(
             with_lasting(requirement),
             self.request.context,
-            verb=operation.phrase if operation is not None else None,
+            verb=operation.going if operation is not None else None,
             duration=duration.hands_on,
             elapsed=duration.elapsed,
             horizon=self.request.horizon or WITHOUT_END,

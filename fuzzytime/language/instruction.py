@@ -72,6 +72,12 @@ class Operation:
         return " ".join(word.lower() for word in (self.lemma, self.particle) if word)
 
     @property
+    def going(self) -> str:
+        """The same with where it leads, if nothing is brought there: "go home", "get to the station"."""
+        where = self.place if self.object is None else None
+        return " ".join(word.lower() for word in (self.phrase, where) if word)
+
+    @property
     def name(self) -> str:
         """The operation in words, without its time: "place the pan on the stove", "wake me up"."""
         inner = (self.particle, self.object)

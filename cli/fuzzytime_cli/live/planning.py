@@ -112,7 +112,7 @@ class Planning:
     def signals_of(self, interpreted: Interpreted) -> frozenset[str]:
         """Give the signals that a skill's wishes depend on, read or not."""
         operation = interpreted.instruction.operation if interpreted.instruction is not None else None
-        verb = operation.phrase if operation is not None else None
+        verb = operation.going if operation is not None else None
         rulebook = self.interpreter.rulebook
         found = [rulebook.signals_for(requirement, verb) for requirement in interpreted.requirements]
         return frozenset[str]().union(*found)

@@ -194,6 +194,7 @@ class BesideTimes:
     ready: Words
     there: Words
     whereabouts: Words
+    states: Words
     marking_order: Words
     no_event: Words
     starts: Words

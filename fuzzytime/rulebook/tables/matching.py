@@ -46,9 +46,9 @@ class Match:
 
 
 def verbs_of(lemma: str | None) -> tuple[str, ...]:
-    """Give a verb as it is looked up: a phrasal verb whole ("turn on"), then its first word."""
-    whole = (lemma or "").lower().replace("_", " ")
-    return tuple(dict.fromkeys((whole, whole.partition(" ")[0]))) if whole else ()
+    """Give a verb as it is looked up: whole ("turn on", "go to bed"), then without its last words."""
+    words = (lemma or "").lower().replace("_", " ").split()
+    return tuple(" ".join(words[:end]) for end in range(len(words), 0, -1))
 
 
 def described(requirement: TimeRequirement, verb: str | None) -> Mapping[str, frozenset[str]]:

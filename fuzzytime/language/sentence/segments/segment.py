@@ -228,11 +228,19 @@ def _behind_opening(
         elif begin in times:
             # "Well before noon" is no "well"
             break
+        elif _is_somewhere(words, begin, times, lexicon):
+            break
         elif words[begin].text in lexicon.addresses or (begin > start and words[begin].text == ","):
             begin += 1
         else:
             break
     return begin
+
+
+def _is_somewhere(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> bool:
+    """Whether everybody is said to be somewhere, and nobody is asked: "everyone out by ten"."""
+    everybody = words[place].text in lexicon.addresses & lexicon.closed.universal_pronouns
+    return everybody and place + 1 not in times and words[place + 1].text in lexicon.beside.states
 
 
 def _asked_before(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> int | None:

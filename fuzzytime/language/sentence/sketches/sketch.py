@@ -206,7 +206,8 @@ def _happening(
     if put is not None and not part.segment.verbless:
         return _moved(put, part)
     due = {place for p in phrases for place in _at(part, p) if p.said.constraint is Constraint.BEFORE}
-    so = due_by_then(part.tree, due, places, lexicon)
+    moments = {place for p in phrases for place in _at(part, p) if p.said.preposition == "at"}
+    so = due_by_then(part.tree, due, moments, places, lexicon)
     if so is not None and not clauses and not part.segment.verbless:
         return _moved(so, part)
     if part.segment.verbless or root is None or not timed:

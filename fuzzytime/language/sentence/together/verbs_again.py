@@ -8,7 +8,7 @@ from fuzzytime.language.instruction import Operation, Span, overlap
 from fuzzytime.language.meaning.distances import LATER
 from fuzzytime.language.meaning.expressions import Offset, Repeat, Said
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.verbs.due_by_then import BE, MUST, MUST_BE, WHERE
+from fuzzytime.language.sentence.verbs.due_by_then import BE, MUST, MUST_BE
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint
 
@@ -85,7 +85,7 @@ def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
         # "Stop for a brew at ten and for lunch at noon"
         return replace(before, place=rest) if [led] == (before.place or "").split()[:1] else None
     # "Kids fed by six, in bed by eight"
-    there = before.due == MUST_BE and led in WHERE
+    there = before.due == MUST_BE and led in lexicon.beside.states
     return replace(before, verb=BE, lemma=BE, due=MUST, place=rest) if there else None
 
 

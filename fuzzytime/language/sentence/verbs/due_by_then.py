@@ -1,4 +1,4 @@
-"""What must be so by a time, said without a verb: "cat fed by six", "kids in bed by eight"."""
+"""What must be so by a time, or at one, said without a verb: "cat fed by six", "all hands on deck at six"."""
 
 from collections.abc import Collection, Sequence
 
@@ -14,25 +14,28 @@ NAMING = NOUNS | {"JJ", "CD", "PRP$", "POS"}
 """Tags of the words that name a thing."""
 
 PARTICIPLES = frozenset({"VBN", "VBD"})
-WHERE = frozenset({"in", "on", "out", "off", "at", "back", "home", "up", "down", "away"})
-"""Words with which begins where a thing is."""
+PLURALS = frozenset({"NNS", "VBZ"})
+"""Tags of things of which there are several: a plural in front is often taken for what one does."""
 
 
 def due_by_then(
-    tree: Tree, due: Collection[int], timed: Collection[int], lexicon: Lexicon
+    tree: Tree, due: Collection[int], moments: Collection[int], timed: Collection[int], lexicon: Lexicon
 ) -> Operation | None:
     """Give what a thing must have become, or where it must be, by the deadline right behind that.
 
-    Nothing but times stands behind; ``due`` are the places of the deadline, ``timed`` those of all times.
+    Nothing but times stands behind; ``due`` are the places of the deadline, ``timed`` those of all times. At
+    one of ``moments`` all of a kind must be somewhere, and things put off, out or down.
     """
     nodes = tree.nodes
     first = 1 if nodes and nodes[0].tag in DETERMINERS else 0
     end = next((place for place in range(first, len(nodes)) if place in timed), len(nodes))
     behind = (place for place in range(end, len(nodes)) if nodes[place].relation != "punct")
-    if end not in due or any(place not in timed for place in behind):
+    if end not in {*due, *moments} or any(place not in timed for place in behind):
         return None
     state = _state(nodes[:end], lexicon)
     if state <= first or _is_ordered(nodes[first:state], lexicon):
+        return None
+    if end not in due and not _is_wished(nodes[:end], state, lexicon):
         return None
     thing = tree.text[nodes[0].start : nodes[state - 1].end]
     said, span = tree.text[nodes[state].start : nodes[end - 1].end], (nodes[state].start, nodes[end - 1].end)
@@ -40,9 +43,10 @@ def due_by_then(
         within = all(node.tag in NAMING | {"IN", "DT"} for node in nodes[first + 1 : state])
         lemma = nodes[state].lemma
         return Operation(verb=said, lemma=lemma, span=span, object=thing, due=MUST_BE) if within else None
-    named = all(node.tag in NAMING or node.tag in DETERMINERS for node in nodes[state + 1 : end])
-    ordered = nodes[first].may_act and nodes[first].lower == nodes[first].lemma
-    if not named or ordered or any(node.tag not in NAMING for node in nodes[first:state]):
+    named = all(node.tag in NAMING | {"IN"} or node.tag in DETERMINERS for node in nodes[state + 1 : end])
+    ordered = not first and nodes[first].may_act and nodes[first].lower == nodes[first].lemma
+    ordered = ordered and nodes[first].lower not in lexicon.doing.recipients
+    if not named or ordered or not _is_thing(nodes[first:state], lexicon):
         # "Report on the sales by friday" may be an order.
         return None
     return Operation(verb=BE, lemma=BE, span=span, object=thing, place=said, due=MUST)
@@ -55,7 +59,31 @@ def _state(nodes: Sequence[Node], lexicon: Lexicon) -> int:
         both = last > 2 and nodes[last - 1].lower in {"and", "&"} and nodes[last - 2].tag in PARTICIPLES
         # "Washed and hoovered"
         return last - 2 if both else last
-    return next((place for place in range(1, len(nodes)) if nodes[place].lower in WHERE), 0)
+    if last > 0 and nodes[last].tag.startswith("JJ") and nodes[last].lower in lexicon.results:
+        # "Camera ready"
+        return last
+    states = lexicon.beside.states
+    return next((place for place in range(1, len(nodes)) if nodes[place].lower in states), 0)
+
+
+def _is_thing(thing: Sequence[Node], lexicon: Lexicon) -> bool:
+    """Whether words name something, of which there may be several: "lights", taken for what one does."""
+    doing = lexicon.doing
+    acts = doing.arriving | doing.leaving | doing.becoming | doing.being | doing.stopping | doing.phases
+    several = len(thing) == 1 and thing[0].tag == "VBZ" and thing[0].lemma not in acts
+    everyone = len(thing) == 1 and thing[0].lower in lexicon.closed.universal_pronouns
+    return several or everyone or all(node.tag in NAMING for node in thing)
+
+
+def _is_wished(nodes: Sequence[Node], state: int, lexicon: Lexicon) -> bool:
+    """Whether it is wished that something is so at a time, and not told: "mum back at six"."""
+    closed = lexicon.closed
+    if nodes[0].lower in closed.universal_pronouns | closed.universal_determiners:
+        return True
+    known = lexicon.happening | lexicon.taken | lexicon.persons | lexicon.travelling | lexicon.moments
+    things = [node for node in nodes[:state] if node.tag not in DETERMINERS]
+    away = nodes[state].lower in lexicon.particles and nodes[state].tag not in PARTICIPLES
+    return away and things[-1].tag in PLURALS and known.isdisjoint(node.lower for node in things)
 
 
 def _is_done(node: Node, before: Node, lexicon: Lexicon) -> bool:
