@@ -127,6 +127,24 @@ def test_the_end_of_nothing_that_was_said_is_pointed_at(text: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "said", "meant"),
+    [
+        ("stir the soup soo", "soo", "soon"),
+        ("call mum laterr, then eat", "laterr", "later"),
+        ("call mum tonigh", "tonigh", "tonight"),
+    ],
+)
+def test_a_slip_where_a_time_stands_is_pointed_at(text: str, said: str, meant: str) -> None:
+    messages = [remark.message for remark in language().read(text, now=NOW).remarks]
+    assert f"{said!r} is no time that is known: did you mean {meant!r}?" in messages
+
+
+@pytest.mark.parametrize("text", ["water the plants late", "the soo line is shut, call Ann at noon", "call Soo"])
+def test_a_word_that_looks_like_a_slip_elsewhere_is_not_pointed_at(text: str) -> None:
+    assert not [r for r in language().read(text, now=NOW).remarks if "did you mean" in r.message]
+
+
+@pytest.mark.parametrize(
     "text",
     [
         "give dad his morning tablets after lunch",

@@ -51,10 +51,24 @@ SHORTEST = 3
 
 def leftovers(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> list[Remark]:
     """Give a remark for each stretch that looks like time and was not understood."""
-    return [
+    found = [
         Remark(RemarkKind.NOT_UNDERSTOOD, span, not_understood(scanned.text, span))
         for span in _joined(scanned, sorted(set(_looking(scanned, explained, lexicon))))
     ]
+    return [*found, *_clipped(scanned, explained, lexicon)]
+
+
+def _clipped(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[Remark]:
+    """Point at what ends an order like a time without its last letter: "stir the soup soo"."""
+    for place, word in enumerate(scanned.words):
+        meant = lexicon.clipped.get(word.text)
+        behind = scanned.words[place + 1].text if place + 1 < len(scanned.words) else ""
+        if meant is None or not place or behind[:1].isalnum() or word.capital:
+            continue
+        if not _meets(explained, word, word):
+            span = (word.start, word.end)
+            message = f"{scanned.text[slice(*span)]!r} is no time that is known: did you mean {meant!r}?"
+            yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
 
 
 def not_understood(text: str, span: Span) -> str:

@@ -148,6 +148,8 @@ class Lexicon:
         Words that may follow a bare number without making it a count.
     misspelt
         What is meant by words as they are often mistyped.
+    clipped
+        What may be meant by words whose last letter is left out or doubled: they are pointed at.
     """
 
     entries: Mapping[str, tuple[Entry, ...]]
@@ -229,6 +231,7 @@ class Lexicon:
     foreign: frozenset[str]
     function_words: frozenset[str]
     misspelt: Mapping[str, str]
+    clipped: Mapping[str, str]
     usual_hours: Mapping[tuple[str, ...], Hours]
     policy: Policy = field(default_factory=Policy)
 

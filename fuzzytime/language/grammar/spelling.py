@@ -20,6 +20,16 @@ def misspellings(words: Iterable[str], known: Collection[str]) -> Mapping[str, s
     return found
 
 
+def clipped(words: Iterable[str], known: Collection[str]) -> Mapping[str, str]:
+    """Give what may be meant by some words whose last letter is left out or doubled: "soo", "laterr".
+
+    >>> clipped(["soon", "now"], {"no"})
+    {'soo': 'soon', 'soonn': 'soon', 'noww': 'now'}
+    """
+    typed = ((slip, word) for word in words for slip in (word[:-1], word + word[-1]))
+    return {slip: word for slip, word in typed if slip not in known}
+
+
 def _mistyped(word: str) -> Iterator[str]:
     """Give a word with one slip that leaves its first and its last letter in place, or swaps the last two."""
     for place in range(1, len(word) - 1):

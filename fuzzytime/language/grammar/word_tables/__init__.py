@@ -5,7 +5,7 @@ from pathlib import Path
 
 from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
-from fuzzytime.language.grammar.spelling import misspellings
+from fuzzytime.language.grammar.spelling import clipped, misspellings
 from fuzzytime.language.grammar.verb_groups import Doing
 from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, NoTimes
 from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
@@ -165,6 +165,7 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
             **misspellings((form[0] for form in speech.words("spelling", "words")), known),
             **{form[0]: form[-1] for form in speech.words("spelling", "short")},
         },
+        clipped=clipped((form[0] for form in speech.words("spelling", "ending")), known),
         usual_hours=usual_hours,
         policy=policy,
     )
@@ -201,7 +202,7 @@ _ROWS = {
         "wanting", "ordering", "forgetting", "causing", "letting", "intransitive", "alone", "chores",
         "addressing",
     ),
-    "spelling": ("words", "short", "kept"),
+    "spelling": ("words", "short", "ending", "kept"),
     "timing": ("verbs", "alone"),
     "rescheduling": ("moving", "verbs", "switching", "events"),
     "connectives": ("then", "meanwhile", "first"),
