@@ -126,6 +126,15 @@ def test_the_end_of_nothing_that_was_said_is_pointed_at(text: str) -> None:
     assert "is the end of something" in remark.message
 
 
+@pytest.mark.parametrize("text", ["cancel the last two", "do the second one first", "skip the first one"])
+def test_what_is_only_said_of_orders_asks_for_nothing(text: str) -> None:
+    reading = language().read(f"call mum at five. call dad at six. {text}", now=NOW)
+    assert [remark.message for remark in reading.remarks if remark.kind is RemarkKind.NOT_UNDERSTOOD] == [
+        f"{text!r} is about what was asked for before: say anew what is meant"
+    ]
+    assert reading.instructions[-1].operation is None
+
+
 @pytest.mark.parametrize(
     ("text", "said", "meant"),
     [
@@ -139,7 +148,9 @@ def test_a_slip_where_a_time_stands_is_pointed_at(text: str, said: str, meant: s
     assert f"{said!r} is no time that is known: did you mean {meant!r}?" in messages
 
 
-@pytest.mark.parametrize("text", ["water the plants late", "the soo line is shut, call Ann at noon", "call Soo"])
+@pytest.mark.parametrize(
+    "text", ["water the plants late", "the soo line is shut, call Ann at noon", "call Soo"]
+)
 def test_a_word_that_looks_like_a_slip_elsewhere_is_not_pointed_at(text: str) -> None:
     assert not [r for r in language().read(text, now=NOW).remarks if "did you mean" in r.message]
 

@@ -13,6 +13,7 @@ from fuzzytime.language.sentence.segments.corrected_things import (
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.retractions import retractions
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.together.orders_again import told_again
 
 
 def after_all(
@@ -39,6 +40,11 @@ def after_all(
         retracted = False
         thing = things.get(sketch.part.segment.span[0])
         before = found[-1] if found else None
+        anew = None if before is None else told_again(before, sketch, draft, lexicon)
+        if anew is not None:
+            found[-1], remark = anew
+            remarks += [] if remark is None else [remark]
+            continue
         if before is None or thing is None or sketch.part.segment.connective != AFTER_ALL:
             again = before is not None and _is_time_again(found, sketch, things, draft.text)
             if before is not None and again:

@@ -11,6 +11,7 @@ from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.orders_again import is_about_orders
 from fuzzytime.language.sentence.together.what_was import tells_what_was
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
@@ -57,6 +58,10 @@ def doubts_of(
         return
     if _shifts(said, lexicon):
         message = f"{text[slice(*span)]!r} is about when something else is: say the new time of that itself"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+        return
+    if is_about_orders(sketch.operation, lexicon):
+        message = f"{text[slice(*span)]!r} is about what was asked for before: say anew what is meant"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
         return
     told = _tells(sketch, lexicon)

@@ -1,0 +1,79 @@
+"""What is said of orders given before: "call mum at five. Do it at six", "cancel the last two"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import words_of
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.requirement import Constraint
+
+DO = "do"
+
+
+def told_again(
+    before: Sketch, sketch: Sketch, draft: Draft, lexicon: Lexicon
+) -> tuple[Sketch, Remark | None] | None:
+    """Give an order with the time that is said of it anew, and what to say of its old one; None elsewhere.
+
+    "Do it" names what is asked for right before it, and so does the same verb behind "no" or "actually".
+    """
+    if not _is_again(before, sketch, draft, lexicon) or not (sketch.phrases or sketch.clauses):
+        return None
+    pairs = list(zip(before.phrases, before.references, strict=True))
+    lengths = [(one, about) for one, about in pairs if one.said.constraint is Constraint.FOR]
+    times = [one for one, _ in pairs if one.said.constraint is not Constraint.FOR]
+    pairs = [*lengths, *zip(sketch.phrases, sketch.references, strict=True)]
+    segment = before.part.segment
+    whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
+    mended = replace(
+        before,
+        part=replace(before.part, segment=whole),
+        phrases=tuple(phrase for phrase, _ in pairs),
+        references=tuple(reference for _, reference in pairs),
+        clauses=sketch.clauses,
+    )
+    said = [*(phrase.span for phrase in times), *(clause.span for clause in before.clauses)]
+    if not said:
+        return mended, None
+    text, first = draft.text, min(said)
+    new = min([*(phrase.span for phrase in sketch.phrases), *(clause.span for clause in sketch.clauses)])
+    message = f"{text[slice(*first)]!r} is corrected by {text[slice(*new)]!r}"
+    return mended, Remark(RemarkKind.CORRECTED, (first[0], new[0]), message)
+
+
+def _is_again(before: Sketch, sketch: Sketch, draft: Draft, lexicon: Lexicon) -> bool:
+    """Whether an order is the one before it, and names nothing else."""
+    old, new = before.operation, sketch.operation
+    if old is None or new is None or not (old.is_asked and new.is_asked) or sketch.part.segment.connective:
+        return False
+    if any((new.particle, new.place, new.complement, new.manner, new.order, new.addressee)):
+        return False
+    thing = (new.object or "").lower()
+    if new.lemma == DO and old.lemma != DO:
+        return thing in lexicon.closed.singular_anaphors
+    same = new.lemma == old.lemma and old.object is not None and thing in lexicon.closed.all_anaphors
+    return same and _is_correction(before, sketch, draft, lexicon)
+
+
+def _is_correction(before: Sketch, sketch: Sketch, draft: Draft, lexicon: Lexicon) -> bool:
+    """Whether words between two orders take back the first: "no wait, …"."""
+    end = before.part.segment.span[1]
+    verb = end if sketch.operation is None else sketch.operation.span[0]
+    places = [p for p, word in enumerate(draft.scanned.words) if end <= word.start < verb]
+    return any(longest_match(draft.scanned.words, place, lexicon.corrections) for place in places)
+
+
+def is_about_orders(operation: Operation | None, lexicon: Lexicon) -> bool:
+    """Whether what is to be done is only said of orders by their number: "cancel the last two"."""
+    if operation is None or operation.stated or operation.object is None:
+        return False
+    drops = (operation.lemma,) in lexicon.conversation["dropping"]
+    if not drops and not (operation.lemma == DO and operation.order is not None):
+        return False
+    closed = lexicon.closed
+    words = {word.text for word in words_of(operation.object)}
+    counting = lexicon.ordinals.keys() | lexicon.numbers.keys() | closed.general_ordinals | closed.both
+    named = words - counting - closed.noun_openers - closed.anaphors - {"of"}
+    return not words.isdisjoint(counting) and not named
