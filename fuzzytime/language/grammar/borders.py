@@ -131,7 +131,10 @@ class Borders:
 
     def _is_way(self, piece: Piece) -> bool:
         """Whether it begins with a way that somebody goes: "on the way after lunch"."""
-        return self.texts[piece.start] == "way" and self.around.before(piece) in self.beside.before_ways
+        return (
+            self.texts[piece.start] in self.beside.ways
+            and self.around.before(piece) in self.beside.before_ways
+        )
 
     def _begins_order(self, piece: Piece) -> bool:
         """Whether its last word is an order behind a day: "tomorrow close the blinds"."""

@@ -41,10 +41,6 @@ OF_HOURS = frozenset(
 ANOTHER = "elliptic.another_alone"
 """The rule of a number that goes on with a length: "then another ten"."""
 
-SAME_TIME = ["same", "time"]
-
-EACH_TIME = (["each", "time"], ["every", "time"])
-
 
 class Judge:
     """What stands around a reading, and whether it makes it doubtful."""
@@ -169,12 +165,13 @@ class Judge:
 
     def _says_which(self, piece: Piece) -> bool:
         """Whether words behind say which time is meant, or each of what: "at the same time as the rice"."""
-        said, follower = self.texts[piece.start : piece.end], self.around.follower(piece)
-        if said in EACH_TIME:
+        said, follower = " ".join(self.texts[piece.start : piece.end]), self.around.follower(piece)
+        if said in self.beside.turns:
             # "Check her pulse each time"; but "each time you turn her", "five minutes each time"
             behind = piece.start == 0 or self.around.timely(piece.start - 1)
             return behind or follower not in {"", ".", "!", ";", ","}
-        return said[-2:] == SAME_TIME and follower in self.beside.behind_same_time
+        same = any(said.endswith(words) for words in self.beside.same_time)
+        return same and follower in self.beside.behind_same_time
 
     def _is_past(self, piece: Piece, said: Said) -> bool:
         """Whether it is the time just gone: "what was said in the last hour"; not "in the last hour of X"."""

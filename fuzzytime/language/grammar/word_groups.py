@@ -217,9 +217,12 @@ class BesideTimes:
     before_another: Words
     behind_another: Words
     sized: Words
+    ways: Words
     before_ways: Words
     each_time: Words
     at_the_same_time: Words
+    turns: Words
+    same_time: Words
     behind_same_time: Words
     around_denials: Words
     denying_weekdays: Words
