@@ -194,6 +194,8 @@ class BesideTimes:
     ready: Words
     there: Words
     whereabouts: Words
+    away_from: Words
+    wishes: Words
     states: Words
     marking_order: Words
     no_event: Words

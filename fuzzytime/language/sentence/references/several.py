@@ -31,16 +31,20 @@ def of_several(clause: Clause, anchors: Anchors, text: str) -> list[TimeRequirem
 def _all_meant(clause: Clause, anchors: Anchors, text: str) -> list[int]:
     """Give the instructions before it that are all meant: "both", "all three", "everything"."""
     closed, lexicon = anchors.lexicon.closed, anchors.lexicon
-    if clause.condition is None or clause.condition.word not in lexicon.results:
+    if clause.condition is None:
         return []
+    over = clause.condition.word in lexicon.results
     words = [word.text for word in words_of(text[slice(*clause.content)])]
-    named = content_words(clause.object) - closed.universal_pronouns - closed.anaphors - {*lexicon.numbers}
+    named = content_words(clause.object) - closed.universal_pronouns - closed.anaphors
+    named -= lexicon.numbers.keys() | lexicon.beside.wishes
     whole = next((word for word in words if word in closed.wholes | closed.both), None)
     if whole is None or named:
         return []
     counted = (lexicon.numbers[word] for word in words if word in lexicon.numbers)
     many = BOTH if whole in closed.both else next(counted, None)
-    asked = [place for place, one in anchors.just_before() if one.is_asked][:many]
+    # "Once both are calibrated"
+    done = ((place, one) for place, one in anchors.just_before() if over or one.lemma == clause.verb)
+    asked = [place for place, one in done if one.is_asked][:many]
     return sorted(asked) if len(asked) >= (many or BOTH) else []
 
 

@@ -23,6 +23,9 @@ def elsewhere(clause: Clause, operation: Operation, lexicon: Lexicon) -> bool:
         return False
     gets = clause.verb in lexicon.doing.being_somewhere
     place, there = _place(operation), _places(clause)
+    if gets and place and _leaves(_words(clause.where), lexicon) != _leaves(_of_place(operation), lexicon):
+        # "Before they come out of the oven" is no putting in.
+        return True
     placed = place or (gets and operation.is_asked and operation.particle is None)
     if there and placed and there.isdisjoint(place):
         return gets or clause.verb == operation.lemma
@@ -69,6 +72,11 @@ def _is_result(clause: Clause, lexicon: Lexicon) -> bool:
     return clause.condition is not None and clause.condition.word in lexicon.results
 
 
+def _leaves(words: frozenset[str], lexicon: Lexicon) -> bool:
+    """Whether words say from where something gets: "out of the oven"."""
+    return not words.isdisjoint(lexicon.beside.away_from)
+
+
 def _words(text: str | None) -> frozenset[str]:
     return frozenset(word.text for word in words_of(text or ""))
 
@@ -81,6 +89,11 @@ def _places(clause: Clause) -> frozenset[str]:
 def _place(operation: Operation) -> frozenset[str]:
     """Give the words that name where something is done, or put."""
     return content_words(operation.place) | content_words(operation.complement)
+
+
+def _of_place(operation: Operation) -> frozenset[str]:
+    """Give all words that say where something is done or put."""
+    return _words(operation.particle) | _words(operation.place)
 
 
 def _particle(operation: Operation) -> frozenset[str]:

@@ -42,6 +42,7 @@ def of_clause(
         named = _named(said, _meant_by_pronoun(clause, anchors, sketch), lexicon)
         target = anchors.target_of(replace(clause, condition=named))
     target = meal_of(clause, anchors) if target is None else target
+    target = _begun(clause, anchors, sketch) if target is None else target
     if target is None and said is not None and clause.kind in STATING:
         condition = replace(said, text=text, comparisons=numbers)
         return _of_condition(clause, condition, anchors, sketch), []
@@ -62,6 +63,22 @@ def of_clause(
     if target is None and requirement.anchor is not None:
         requirement = replace(requirement, anchor=replace(requirement.anchor, comparisons=numbers))
     return referred(requirement, sketch.reference), remarks
+
+
+def _begun(clause: Clause, anchors: Anchors, sketch: Sketch) -> int | None:
+    """Give what set going what has gone on for so long: "start it, and stop it when it has run for an hour".
+
+    What has been in a state for so long waits for that state: "when the pan has been hot for two minutes".
+    """
+    doing = anchors.lexicon.doing
+    if (
+        clause.gone_on is None
+        or clause.condition is None
+        or clause.verb in doing.being - doing.being_or_doing
+    ):
+        return None
+    named = _named(clause.condition, _meant_by_pronoun(clause, anchors, sketch), anchors.lexicon)
+    return anchors.done_with(named.subject)
 
 
 def _ending(requirement: TimeRequirement, clause: Clause, anchors: Anchors) -> TimeRequirement:

@@ -9,6 +9,7 @@ from fuzzytime.language.sentence.segments.asides_of_hours import bounding
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.opening_hours import is_errand
 from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Constraint
 
 LEADING = frozenset({"so", ", so", "; so", ", and so", "- so", "– so", ":", "-", "–", "—"})
@@ -56,7 +57,7 @@ def _ends(sketch: Sketch, lexicon: Lexicon) -> bool:
 
 
 def _begins(sketch: Sketch, lexicon: Lexicon) -> bool:
-    """Whether something is told to begin, to come or to go."""
+    """Whether something is told to begin, to come or to go, or what who speaks does then."""
     operation, doing = sketch.operation, lexicon.doing
     if operation is None:
         return False
@@ -64,7 +65,11 @@ def _begins(sketch: Sketch, lexicon: Lexicon) -> bool:
     happens = operation.complement is None and not named.isdisjoint(lexicon.happening | lexicon.taken)
     begins = (doing.beginning | doing.leaving) - doing.opening_up
     becomes = operation.lemma in doing.becoming and not named.isdisjoint(lexicon.impersonal)
-    return operation.lemma in begins or becomes or (operation.lemma == BE and happens)
+    tree, root = sketch.part.tree, sketch.part.tree.root
+    doers = () if root is None else tree.children(root, *SUBJECTS)
+    # "We fly at nine, so pack the bags"
+    ours = any(tree.nodes[place].lower in lexicon.closed.first_person for place in doers)
+    return operation.lemma in begins or becomes or ours or (operation.lemma == BE and happens)
 
 
 def _is_open(sketch: Sketch) -> bool:

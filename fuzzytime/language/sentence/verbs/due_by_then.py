@@ -27,7 +27,8 @@ def due_by_then(
     one of ``moments`` all of a kind must be somewhere, and things put off, out or down.
     """
     nodes = tree.nodes
-    first = 1 if nodes and nodes[0].tag in DETERMINERS else 0
+    whole = bool(nodes) and nodes[0].lower in lexicon.closed.universal_determiners and len(nodes) > 1
+    first = 1 if nodes and (nodes[0].tag in DETERMINERS or (whole and nodes[1].tag in NOUNS | PLURALS)) else 0
     end = next((place for place in range(first, len(nodes)) if place in timed), len(nodes))
     behind = (place for place in range(end, len(nodes)) if nodes[place].relation != "punct")
     if end not in {*due, *moments} or any(place not in timed for place in behind):
