@@ -154,9 +154,9 @@ def both(first: Repeat, second: Wall | Repeat, third: Repeat | None = None) -> R
     return replace(first, every=None, walls=tuple(dict.fromkeys((*first.walls, *other.walls))))
 
 
-@grammar.rule("repeat", "<repeat> ,? <repeat>", weight=0.4)
+@grammar.rule("repeat", "<repeat> ,? on? <repeat>", weight=0.4)
 def weeks_on_weekdays(weeks: Repeat, weekdays: Repeat) -> Repeat | None:
-    """Every other week on mondays."""
+    """Every other week on mondays, once a week on saturday mornings."""
     weekly = all(isinstance(wall.days, Fields) and wall.days.weekly for wall in weekdays.walls)
     if [wall.days for wall in weeks.walls] != [Cycle(Unit.WEEK)] or not weekly or weekdays.skip != 1:
         return None

@@ -7,8 +7,12 @@ from fuzzytime.language.english.ranges import between
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.expressions import Edge, Ending, Goal, Said, Wall
+from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
+
+UNBOUND = frozenset({"from", "until", "since"})
+"""Bounds that nothing is made for."""
 
 
 @grammar.rule("goal off", "<beside> the? <goal>", weight=0.4)
@@ -34,6 +38,30 @@ def release_off(preposition: Preposition, goal: Goal) -> Said | None:
 def _edge_of(goal: Goal) -> Edge:
     """Give which edge of a time is meant: before it its start, after it its end."""
     return Edge.END if goal.hedges[0].endswith("after") else Edge.START
+
+
+@grammar.rule("said", "for <preposition_before>|<preposition_after> <goal>", weight=0.3)
+def for_bound(preposition: Preposition, goal: Goal) -> Said | None:
+    """(an alarm) for no later than eight: made for a time that is a bound; but "for after lunch"."""
+    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
+    if not clocked or preposition.name in UNBOUND:
+        return None
+    side = deadline if preposition.constraint is Constraint.BEFORE else release
+    return side(preposition, goal)
+
+
+@grammar.rule("said", "for between <goal> and <goal>", weight=1.2)
+def for_between(first: Goal, last: Goal) -> Said | None:
+    """(a table) for between seven and eight."""
+    clocked = all(isinstance(goal.time, Wall) and goal.time.clock is not None for goal in (first, last))
+    return between(first, last) if clocked else None
+
+
+@grammar.rule("said", "for <goal off>", weight=0.3)
+def for_off(goal: Goal) -> Said | None:
+    """(an alarm) for just before eight."""
+    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
+    return Said(goal.time, None, None, goal.hedges, _edge_of(goal), beside=True) if clocked else None
 
 
 @grammar.rule(

@@ -13,6 +13,9 @@ grammar = Grammar()
 FULL_DIGITS = 4
 """Digits of hour and minute together: "1830"."""
 
+QUARTERS = frozenset({15, 30, 45})
+"""Minutes of an hour that is surely one."""
+
 NOON_HOUR = NOON // 3600
 
 EARLIEST_WITH_H = 8
@@ -81,8 +84,11 @@ def early_military(hour: Integer) -> Clock | None:
 
 @grammar.rule("clock", "<integer> <integer> hours|hrs", weight=0.4)
 def spaced_military(hour: Integer, minute: Integer) -> Clock | None:
-    """17 30 hours; but "in 2 10 hours" is none."""
-    if not len(hour.digits) == len(minute.digits) == 2 or hour.value > 24 or minute.value >= 60:
+    """17 30 hours, eighteen thirty hours; but "in 2 10 hours" is none."""
+    typed = len(hour.digits) == len(minute.digits) == 2
+    # "Fifteen, twenty hours" is a length.
+    spoken = not (hour.digits or minute.digits) and hour.value > NOON_HOUR and minute.value in QUARTERS
+    if not (typed or spoken) or hour.value > 24 or minute.value >= 60:
         return None
     return Clock(hour.value % 24, minute.value, 0, Unit.MINUTE, full_day=True)
 

@@ -6,6 +6,7 @@ from fuzzytime.language.english.clocks import EARLIEST_WITH_H, minutes_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.distances import UPPER
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
     Coming,
@@ -104,7 +105,9 @@ def after_duration(first: str | Duration, second: Duration | None = None) -> Sai
     if duration is None:
         return None
     hedges = (first,) if isinstance(first, str) else ()
-    return _length(duration.hedged(*hedges), Constraint.AFTER, "after")
+    # "After not more than two minutes"
+    bounded = not UPPER.isdisjoint(duration.hedges) and duration.until is None
+    return _length(duration.hedged(*hedges), Constraint.BEFORE if bounded else Constraint.AFTER, "after")
 
 
 @grammar.rule(

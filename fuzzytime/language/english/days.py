@@ -255,6 +255,14 @@ def stretch(first: object, second: object, third: object = None) -> Wall | Comin
     return Coming(duration, direction)
 
 
+@grammar.rule("stretch", "the? <deictic> <unit> and a? <fraction>", weight=0.3)
+def stretch_of_one_and_a_half(which: Which, unit: UnitWord, fraction: float) -> Coming | None:
+    """The next hour and a half; but "the next week and a half" has no days."""
+    if unit.unit not in SUB_DAY or which is not Which.NEXT or len(unit.form) == 1:
+        return None
+    return Coming(Duration(((unit.count * (1 + fraction), unit.unit),)))
+
+
 @grammar.rule("stretch", "the? <deictic> <unit>", "the? <deictic> <unit> and <duration>", weight=0.15)
 def stretch_of_one(which: Which, unit: UnitWord, more: Duration | None = None) -> Coming | None:
     """The next hour, the last minute, the next day and five hours."""

@@ -261,6 +261,16 @@ def at_least_and_at_most(shorter: Duration, hedge: str, longer: Quantity | Durat
     return replace(shorter, hedges=(), until=longer)
 
 
+@grammar.rule("duration", "<quantity> ,? and|but <duration>", weight=0.4)
+def at_least_and_no_more(shorter: Quantity, longer: Duration) -> Duration | None:
+    """At least two but no more than six hours."""
+    upper = next(iter(longer.hedges), "") if len(longer.hedges) == 1 else ""
+    if shorter.hedges != ("at least",) or len(longer.terms) != 1:
+        return None
+    first = Duration(((shorter.value, longer.terms[0][1]),), shorter.hedges)
+    return at_least_and_at_most(first, upper, replace(longer, hedges=()))
+
+
 @grammar.rule(
     "duration",
     "<duration> ,? give or take <quantity>|<duration>",

@@ -1,5 +1,6 @@
 """Working days, weekends and parts of them, again and again: "every weeknight", "every other weekend"."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from fuzzytime.language.english.repetitions import daily
@@ -10,7 +11,7 @@ from fuzzytime.language.meaning.expressions import Duration, Offset, Repeat, Sai
 from fuzzytime.language.meaning.nested import EachDay
 from fuzzytime.language.meaning.relations import Deictic, Stretch, Which
 from fuzzytime.language.meaning.repeats_beside import narrowed_repeat
-from fuzzytime.language.meaning.times_of_day import Clock, Part
+from fuzzytime.language.meaning.times_of_day import NOON, Clock, Part
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -18,14 +19,25 @@ grammar = Grammar()
 WORKING, FREE = range(5), range(5, 7)
 """Days of the week, 0 for Monday."""
 
+BEFORE_WORKING = (6, *range(4))
+"""Days whose nights come before working ones."""
+
 SOON = 7
 """Days of which one is meant by "one of these"."""
 
 LONGEST_MONTH = 31
 
 
-def _on(days: range, *parts: Part) -> Repeat:
+def _on(days: Iterable[int], *parts: Part) -> Repeat:
     return Repeat(walls=tuple(Wall(Fields(weekday=day), part) for part in parts for day in days))
+
+
+@grammar.rule("repeat", "every|each school <part>", "on? school <parts>", weight=0.2)
+def school_nights(part: Part) -> Repeat | None:
+    """On school mornings, and on school nights: those before a day of school."""
+    if part.meal or part.is_point:
+        return None
+    return _on(WORKING if part.end <= NOON else BEFORE_WORKING, part)
 
 
 @grammar.rule("repeat", "every|each <weeknight>", "on? <weeknight>")

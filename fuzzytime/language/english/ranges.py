@@ -29,6 +29,12 @@ grammar = Grammar()
 
 NOON = 12
 
+QUARTER = 15
+"""Minutes that are said as a part of an hour."""
+
+NEAR_HOURS = 2
+"""Hours between two clock times of which the first may as well be minutes."""
+
 
 def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
     last = _in_hour(first, last)
@@ -139,7 +145,13 @@ def minutes_after(minutes: float) -> float:
     weight=1.2,
 )
 def between_minutes(minutes: float, more: float, clock: Clock) -> Said | None:
-    """Between quarter to and quarter past nine, between ten and twenty past three."""
+    """Between quarter to and quarter past nine, between ten and twenty past three.
+
+    In "between ten and half past eleven" the first is an hour.
+    """
+    part_of_hour = more % QUARTER == 0 and minutes % QUARTER
+    if part_of_hour and 0 < clock.hour - minutes <= NEAR_HOURS:
+        return None
     first, last = moved(clock, minutes), moved(clock, more)
     if minutes >= more or first is None or last is None:
         return None

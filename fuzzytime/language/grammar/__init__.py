@@ -8,11 +8,11 @@ From a text to readings
     ``verb_groups``, ``timetables``, ``spelling``, ``numerals``.
     Rules applied, and the best readings chosen: ``chart``, ``spans``.
     What times lend each other: ``lending``, ``lent``; what is ``due`` behind "for"; what is ``denied``.
-    What looks like a time and is none: ``leftovers``.
+    What looks like a time and is none: ``leftovers``, but ``called_things``.
 
 Whether a reading is a time where it stands (``judging``)
     For any kind of time: ``borders``, ``cuts``, ``titles``, ``no_times``, ``particles``, ``doses``,
-    ``dining``, ``events``, ``standing``, ``surroundings``, ``given_times``.
+    ``dining``, ``events``, ``standing``, ``surroundings``, ``looked_up``, ``given_times``.
     Behind another time: ``further``.
     For each kind: ``walls`` with ``bare_hours``, ``run_on_hours``, ``dated_entries`` and ``naming``,
     ``ranges``, ``lengths``, ``measuring``.

@@ -45,8 +45,12 @@ class BareHours(Standing):
             return False
         if self._is_counted(piece, said):
             return False
-        hour = self.measures.is_sure(piece.end - 1) or (
-            wall.clock is not None and wall.clock.grain is Unit.HOUR
+        # "At fourteen hundred"
+        spelt = self.texts[piece.end - 1] == "hundred" and wall.clock is not None and wall.clock.full_day
+        hour = (
+            spelt
+            or self.measures.is_sure(piece.end - 1)
+            or (wall.clock is not None and wall.clock.grain is Unit.HOUR)
         )
         sure = said.preposition == "at" and hour and not self.measures.named(piece)
         if not sure and said.preposition != "for" and self.measures.measured(piece):
@@ -120,7 +124,9 @@ class BareHours(Standing):
         leads = self._begins_line(piece) and counts_nothing(self.words, piece.end, self.lexicon)
         if not typed or not leads:
             return False
-        return clock.hour >= self.lexicon.policy.bare_pair_from or clock.minute in QUARTERS
+        # "7.00 bake the rolls": no price is done.
+        done = not self.closed.noun_openers.isdisjoint(self.texts[piece.end + 1 : piece.end + 2])
+        return done or clock.hour >= self.lexicon.policy.bare_pair_from or clock.minute in QUARTERS
 
     def _begins_line(self, piece: Piece) -> bool:
         """Whether it stands at the start of a text, or of an entry."""

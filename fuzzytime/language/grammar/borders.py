@@ -96,6 +96,7 @@ class Borders:
             or self._is_from_the_past(piece)
             or self._is_asked(piece)
             or self._counts_nothing(piece)
+            or self._says_how_much(piece)
             or self._is_way(piece)
         )
 
@@ -128,6 +129,11 @@ class Borders:
         other = self.closed.first_person_objects | self.lexicon.particles.keys()
         particle = self.texts[first - 1] not in other and self.particles.hold(replace(piece, start=first))
         return clock is not None and clock.hour == 1 and near and not particle
+
+    def _says_how_much(self, piece: Piece) -> bool:
+        """Whether the number that it ends in counts units: "shift it this afternoon by one | hour"."""
+        led = self.texts[piece.end - 2 : piece.end - 1] == ["by"]
+        return led and self.measures.is_number(piece.end - 1) and self.around.is_unit(piece.end)
 
     def _is_way(self, piece: Piece) -> bool:
         """Whether it begins with a way that somebody goes: "on the way after lunch"."""

@@ -91,9 +91,11 @@ class Cuts(Standing):
             return True
         if self.around.ends_in_order(piece):
             return True
-        ordinal = tens and self.lexicon.ordinals.get(first, TENS) < TENS
+        one = self.lexicon.ordinals.get(first, self.lexicon.numbers.get(first, TENS))
+        # "On the twenty | fourth", "set it to sixty | eight until nine"
+        within = tens and one < TENS
         paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
-        return ordinal or (paired and self.around.follower(piece) in {"on", "to"})
+        return within or (paired and self.around.follower(piece) in {"on", "to"})
 
     def _is_long(self, place: int) -> bool:
         """Whether a number has as many digits as the parts of telephone numbers."""

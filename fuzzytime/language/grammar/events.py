@@ -7,7 +7,10 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import Measures
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Offset, Said, Wall
+from fuzzytime.language.meaning.expressions import Offset, Range, Said, Wall
+
+BESIDE = 2
+"""Words from an article to what is behind its noun: "a spa morning"."""
 
 
 class Events:
@@ -34,7 +37,7 @@ class Events:
         if counted and self.around.follower(piece) in self.beside.of_hours:
             # "Two hours before the 6 am flight"
             return True
-        if self._is_in_name(piece):
+        if self._is_in_name(piece) or self._ends_name(piece) or self._is_given_time(piece):
             return True
         wall = said.time.anchor if isinstance(said.time, Offset) else said.time
         if not isinstance(wall, Wall) or wall.clock is None or self.around.may_end(piece):
@@ -50,6 +53,25 @@ class Events:
     def _is_marked(self, piece: Piece) -> bool:
         """Whether it begins like a clause: "after", "before", "during"."""
         return longest_match(self.words, piece.start, self.lexicon.clauses) is not None
+
+    def _ends_name(self, piece: Piece) -> bool:
+        """Whether it begins with the last word of what happens: "date night on friday", "good night at 8"."""
+        first, before = piece.start, self.around.before(piece)
+        again = not self.beside.repeating.isdisjoint(self.texts[first + 1 : first + 2])
+        if not (again or isinstance(piece.value.time, (Wall, Range))) or not self.around.ends_name(first):
+            return False
+        # "Wash up evening at six"
+        acted = self.lexicon.alone | self.lexicon.intransitive | self.lexicon.addressing
+        led = self.texts[max(0, first - BESIDE) : first - 1]
+        bound = self.around.follower(piece) in self.closed.prepositions_of_points | {"on"}
+        named = piece.end - first > 1 or bound or not self.closed.noun_openers.isdisjoint(led)
+        return named and before not in acted
+
+    def _is_given_time(self, piece: Piece) -> bool:
+        """Whether it begins with a part of the day that gets a time: "set bedtime for eight"."""
+        given = self.around.before(piece) in self.lexicon.moving | self.lexicon.appointing
+        bound = self.texts[piece.start + 1 : piece.start + 2]
+        return given and bool({*bound} & {"for", "to", "at"}) and self.around.is_part(piece.start)
 
     def _is_in_name(self, piece: Piece) -> bool:
         """Whether its part of the day is in the name of what happens then: "after the night shift, sleep"."""

@@ -45,7 +45,7 @@ class GivenTimes:
         ):
             begin -= 1
         clock = begin < place and self.texts[begin] in self.closed.noun_openers
-        named = clock or self.texts[place] in self.lexicon.events
+        named = clock or self.texts[place] in self.lexicon.events or self.around.is_part(place)
         return named and bool(self.lexicon.rescheduling & set(self.texts[max(0, begin - NEAR) : begin + 1]))
 
     def changes_length(self, piece: Piece) -> bool:

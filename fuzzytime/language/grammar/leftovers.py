@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from fuzzytime.language.grammar.called_things import is_event, is_played, says_which
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -44,6 +45,9 @@ LONGEST_COUNT = 3
 
 SIGNS = frozenset({"-", "+"})
 """Marks between such a letter and the number: before it, and behind."""
+
+BOUND = frozenset({"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"})
+"""Prepositions that make a day of what is named behind them."""
 
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
@@ -106,6 +110,11 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     or (around.describes(piece) and around.follower(piece) not in lexicon.beside.ahead)
                     or _is_compound(piece, around)
                     or _is_owner(piece, around)
+                    or is_event(piece, around)
+                    or around.has_title(start)
+                    or around.is_somebody(start)
+                    or says_which(piece, around)
+                    or is_played(start, around)
                     or _is_from_the_past(piece, around)
                 ):
                     continue
@@ -259,6 +268,9 @@ def _is_compound(piece: Piece, around: Surroundings) -> bool:
 
 def _is_noun(piece: Piece, around: Surroundings) -> bool:
     """Whether it is a unit that is a thing, or a manner: "mark the day", "sort the bills by month"."""
+    if piece.category == "unit" and around.before(piece) == "into":
+        # "Cut it into quarters"
+        return True
     if piece.category == "unit" and "by" in around.texts[max(0, piece.start - 3) : piece.start]:
         # "Push the meeting back by half an hour": how much later, and no time.
         return True
@@ -271,14 +283,16 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
         # "Year 4"
         return True
     called = around.before(piece)
-    if piece.category == "unit" and around.texts[piece.start].endswith("s") and called.isalpha():
-        # "Visiting hours", "office hours"
+    led = around.texts[max(0, piece.start - 3) : piece.start - 1]
+    one = bool(led) and BOUND.isdisjoint(led)
+    if piece.category == "unit" and called.isalpha() and (around.texts[piece.start].endswith("s") or one):
+        # "Visiting hours", "it's trash day"; but "on boss day"
         known = called in around.lexicon.function_words or called in around.lexicon.entries
         if not known and called not in around.lexicon.numbers:
             return True
     named = around.before(piece) in around.closed.of_units
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""
-    bound = behind in {"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"}
+    bound = behind in BOUND
     return piece.category == "unit" and named and not bound
 
 

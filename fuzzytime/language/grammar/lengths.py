@@ -41,6 +41,9 @@ class Lengths(Standing):
         if short and alone and self.beside.no_length & asked and not waits:
             # "Give me a second", "just a minute"; but "wait just a minute"
             return False
+        if last.ordinal_end and said.preposition is None and self._is_of_timer(piece):
+            # "Set a ninety second timer"
+            return True
         if last.ordinal_end or last.bare_end:
             # "An hour or two before the guests arrive"
             away = duration.until is not None and self._is_before_marker(piece.end)
@@ -86,6 +89,11 @@ class Lengths(Standing):
             thing.isalpha() and thing not in self.lexicon.function_words and not self.around.timely(place - 1)
         )
         return named and self.measures.is_number(place - 2)
+
+    def _is_of_timer(self, piece: Piece) -> bool:
+        """Whether it stands between "a" and what goes on for so long: "a thirty second timer"."""
+        led = self.around.before(piece) in self.closed.indefinite_determiners
+        return led and self.around.follower(piece) in self.lexicon.lasting
 
     def _is_helped(self, place: int) -> bool:
         """Whether a helping verb stands right before a word, which is a verb then: "should last"."""

@@ -6,6 +6,8 @@ from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.requirement import Unit
 
+ABOUT = "about"
+
 NAMING = frozenset({"on", "to", "for", "of"})
 """Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
 
@@ -56,7 +58,8 @@ class Naming(Standing):
         # "Turn on the ten o'clock news", "the slides for the Monday meeting"
         owned = bool(self.closed.noun_openers & set(self.texts[piece.start + 1 : piece.end][:1]))
         inside = said.preposition == "in" and isinstance(wall.days, Fields) and wall.days.weekly
-        if (said.preposition in NAMING or inside) and owned and not self.around.may_end(piece):
+        about = self.texts[piece.start] == ABOUT
+        if (said.preposition in NAMING or inside or about) and owned and not self.around.may_end(piece):
             return True
         # "My day planner"
         return (

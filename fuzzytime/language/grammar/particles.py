@@ -26,7 +26,7 @@ class Particles:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
         first, *rest = self.texts[piece.start : piece.end]
         stray = first in self.beside.prefixes and not self._prefixes(piece)
-        if any((stray, self._visits(piece), self._stands_apart(piece))):
+        if any((stray, self._visits(piece), self._stands_apart(piece), self._tells_what_is_on(piece))):
             return True
         if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
@@ -64,6 +64,14 @@ class Particles:
         # "Put the washing on first"
         follows = first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
         return follows or self._counts_from_that(piece)
+
+    def _tells_what_is_on(self, piece: Piece) -> bool:
+        """Whether "on" says that something is, and what is behind it when: "what's on this weekend"."""
+        first, *rest = self.texts[piece.start : piece.end]
+        *_, asked, before = ("", "", *self.texts[: piece.start])
+        being = before in self.beside.being_on or (before in {"is", "'s"} and asked == "what")
+        now = rest[:1] == ["this"] or self.around.is_day_from_now(piece.start + 1)
+        return first == "on" and being and now
 
     def _stands_apart(self, piece: Piece) -> bool:
         """Whether a distance from something has it before it: "put the roast in | two hours before lunch"."""

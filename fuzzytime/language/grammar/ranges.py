@@ -1,5 +1,7 @@
 """Whether a stretch from one time to another is one where it stands: not "the Monday to Friday timetable"."""
 
+from collections.abc import Sequence
+
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.meaning.calendar import Fields
@@ -33,6 +35,8 @@ class Ranges(Standing):
             # "At most half an hour after 1730"
             return self.around.may_end(piece)
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
+        if self._are_levels(piece, ends):
+            return False
         clocked = isinstance(time.last, Wall) and time.last.clock is not None
         if (
             isinstance(time.first, Wall)
@@ -48,6 +52,13 @@ class Ranges(Standing):
             dated = all(isinstance(end.days, Fields) and end.days.is_day_of_month for end in ends)
             return between and (dated or not self.measures.measured(piece)) and self.around.may_end(piece)
         return True
+
+    def _are_levels(self, piece: Piece, ends: Sequence[Wall]) -> bool:
+        """Whether the hour stands behind two numbers: "turn the heating from 17 to 20 at half past four"."""
+        numbers = len(ends) > 1 and all(end.bare for end in ends) and self.texts[piece.start] == "from"
+        hour = self.measures.is_number(piece.end + 1) or self.around.timely(piece.end + 1)
+        hour = hour or bool({*self.texts[piece.end + 1 : piece.end + 2]} & self.beside.parts_of_hours)
+        return numbers and self.around.follower(piece) == "at" and hour
 
     def heads_meal(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
         """Whether a dash stands in front, between a clock time and the meal then: "12:00 - lunch"."""

@@ -1,7 +1,8 @@
-"""Clock times said one after the other without commas: "alarms for six six fifteen and six thirty"."""
+"""Several clock times in a row, as on one day: "for six six fifteen and six thirty", "at 8, 12 and 4"."""
 
 from collections.abc import Iterator
 
+from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.meaning.times_of_day import Clock
@@ -18,7 +19,7 @@ Stretch = tuple[int, int]
 
 
 class RunOnHours:
-    """Lists of clock times in ascending order, with "and" before the last."""
+    """Lists of clock times within half a day, each behind the one before it, with "and" before the last."""
 
     def __init__(self, lexicon: Lexicon, around: Surroundings) -> None:
         self.lexicon, self.around, self.texts = lexicon, around, around.texts
@@ -27,21 +28,28 @@ class RunOnHours:
         """Give where the clock times behind the first of a list stand, which ends at a place; [] without."""
         if clock is None or not clock.is_open:
             return []
-        found = self._rest(place, clock.hour % HOURS * MINUTES + clock.minute)
+        found = self._rest(place, clock.hour % HOURS * MINUTES + clock.minute, 0)
         return found if len(found) >= LEAST else []
 
-    def _rest(self, place: int, before: int) -> list[Stretch]:
-        """Give the clock times from a place on, each later than the one before it."""
+    def _rest(self, place: int, first: int, before: int) -> list[Stretch]:
+        """Give the clock times from a place on, each so many minutes after the first, and after the last."""
+        place += self.texts[place : place + 1] == [","]
         last = self.texts[place : place + 1] == [LAST]
         for end, minutes in self._clocks(place + last):
-            if minutes <= before:
+            behind = (minutes - first) % (HOURS * MINUTES)
+            if behind <= before:
                 continue
-            if last and self._number(end) is None and not self.around.is_unit(end):
+            if last and self._ends(place, end):
                 return [(place + 1, end)]
-            more = [] if last else self._rest(end, minutes)
+            more = [] if last else self._rest(end, first, behind)
             if more:
                 return [(place, end), *more]
         return []
+
+    def _ends(self, place: int, end: int) -> bool:
+        """Whether nothing is counted by the last of them: "cut boards at 3, 5 and 8 feet"."""
+        piece = Piece("said", place, end, None, 0.0, "")
+        return self._number(end) is None and not self.around.is_unit(end) and self.around.may_end(piece)
 
     def _clocks(self, place: int) -> Iterator[tuple[int, int]]:
         """Give where an hour, with minutes or without, ends that begins at a place, and its minutes."""

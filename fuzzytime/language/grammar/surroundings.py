@@ -1,50 +1,22 @@
 """What stands before and behind a stretch of words, and whether that makes it a part of a noun."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.looked_up import LookedUp
 from fuzzytime.language.meaning.calendar import Fields, Weekend
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
-from fuzzytime.language.meaning.relations import Deictic, Relative
-
-TIMELY = frozenset(
-    {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
-    | {"part", "day", "weekday", "month", "day_part", "unit"}
-)
-"""Categories of words that may follow a time and belong to it, or to another."""
+from fuzzytime.language.meaning.relations import Deictic
 
 HER = "her"
 """Who is asked, or whose something is."""
 
 
-class Surroundings:
+class Surroundings(LookedUp):
     """The words of a text, and what stands around a piece of it."""
-
-    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
-        self.words = words
-        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
-        self.texts = [word.text for word in words]
-        self._pieces: dict[int, list[Piece]] = {}
-
-    def pieces(self, place: int) -> list[Piece]:
-        """Give what the tables say of the words from a place on, none at the end: looked up once."""
-        if place not in self._pieces:
-            inside = place < len(self.words)
-            self._pieces[place] = list(self.lexicon.pieces(self.words, place)) if inside else []
-        return self._pieces[place]
-
-    def before(self, piece: Piece) -> str:
-        """Give the word before it."""
-        return self.texts[piece.start - 1] if piece.start else ""
-
-    def follower(self, piece: Piece) -> str:
-        """Give the word behind it."""
-        return self.texts[piece.end] if piece.end < len(self.texts) else ""
 
     def may_end(self, piece: Piece) -> bool:
         """Whether what follows does not make its last word count or describe something."""
@@ -58,7 +30,7 @@ class Surroundings:
         if not follower or not follower[0].isalnum():
             return follower not in {"%", "°", "€", "$"}
         known = follower in self.lexicon.function_words or self.timely(piece.end)
-        known = known or self._is_taken_back(piece.end)
+        known = known or self._is_taken_back(piece.end) or follower in self.beside.saying_more
         return known or self._is_in_front(piece) or self._is_before_order(piece)
 
     def _is_taken_back(self, place: int) -> bool:
@@ -100,6 +72,8 @@ class Surroundings:
         number = any(
             self.words[place].is_digits or self.texts[place] in self.lexicon.numbers for place in ends
         )
+        # "On friday the thirteenth add a film night"
+        number = number or (self.texts[piece.end - 2] == "the" and self.is_weekday(piece.end - 3))
         # "On the 12th meet Ann", where a number alone may count: "at 5 text messages"
         dated = self.words[piece.end - 1].glued and self.words[piece.end - 2].is_digits
         named = dated and behind[:1].isalpha() and behind not in self.lexicon.function_words
@@ -138,8 +112,7 @@ class Surroundings:
             before = self.texts[piece.start]
         if before not in self.closed.before_numbers | self.closed.possessives:
             return False
-        if before == HER and piece.start > 1 and self.texts[piece.start - 2] in self.lexicon.addressing:
-            # "Remind her tomorrow"
+        if before == HER and self._is_behind_person(piece):
             return False
         # "A monday morning call": times behind it describe the same noun.
         last = replace(
@@ -154,42 +127,6 @@ class Surroundings:
         thing = self.texts[place - 2]
         return thing.isalpha() and thing not in self.lexicon.function_words and not self.timely(place - 2)
 
-    def timely(self, place: int) -> bool:
-        """Whether the word at a place begins a time."""
-        return any(piece.category in TIMELY for piece in self.pieces(place))
-
-    def is_day(self, place: int) -> bool:
-        """Whether the word at a place names a day."""
-        return any(piece.category in {"day", "weekday", "month"} for piece in self.pieces(place))
-
-    def is_weekday(self, place: int) -> bool:
-        """Whether the word at a place names a day of the week."""
-        return any(piece.category == "weekday" for piece in self.pieces(place))
-
-    def is_day_from_now(self, place: int) -> bool:
-        """Whether the word at a place names a day, or a part of one, by where it is from now: "tonight"."""
-        return any(
-            piece.category == "day_part" or (piece.category == "day" and isinstance(piece.value, Relative))
-            for piece in self.pieces(place)
-        )
-
-    def is_part(self, place: int) -> bool:
-        """Whether the word at a place names a part of the day."""
-        return any(piece.category == "part" for piece in self.pieces(place))
-
-    def names_time(self, place: int) -> bool:
-        """Whether the word at a place is a day, a part of one, or a unit of time."""
-        named = {"part", "day", "weekday", "month", "day_part", "unit"}
-        return any(piece.category in named for piece in self.pieces(place))
-
-    def is_meal(self, place: int) -> bool:
-        """Whether the word at a place names a meal."""
-        return any(piece.category == "meal" for piece in self.pieces(place))
-
-    def is_part_or_meal(self, place: int) -> bool:
-        """Whether the word at a place names a part of the day, or a meal."""
-        return self.is_part(place) or self.is_meal(place)
-
     def is_object(self, place: int) -> bool:
         """Whether a part of the day is what something is done to: "film the sunrise"."""
         before = self.texts[place - 2] if place > 1 and self.texts[place - 1] == "the" else ""
@@ -197,6 +134,30 @@ class Surroundings:
         # "Pack the bags the evening before the trip"
         led = self.texts[place + 1 : place + 2] in (["before"], ["after"])
         return acted and not led and not self.timely(place - 2) and self.is_part(place)
+
+    def ends_name(self, place: int) -> bool:
+        """Whether a word ends what something is called: "movie night", "good morning"; not "cat morning"."""
+        before = self.texts[place - 1] if place else ""
+        one = self.lexicon.persons | self.lexicon.animals
+        known = before in self.lexicon.function_words or (before in one and not looks_plural(before))
+        timed = self.timely(place - 1) or before in self.lexicon.numbers
+        named = before.isalpha() and not known and not timed and not self.words[place - 1].capital
+        return named and self.texts[place] in self.beside.ending_names
+
+    def has_title(self, place: int) -> bool:
+        """Whether the title of a person stands before a word: "Mrs. Noon"."""
+        before = [text for text in self.texts[:place] if text != "."][-1:]
+        return self.words[place].capital and not self.beside.titles_of_persons.isdisjoint(before)
+
+    def is_somebody(self, place: int) -> bool:
+        """Whether a part of the day, or a month, has the capital of a name: "call Dawn", "hug April"."""
+        before = self.texts[place - 1] if place else ""
+        begun = place == 1 and before.isalpha() and before not in self.lexicon.function_words
+        # "Call Ann At Noon" is written in capitals.
+        small = any(word.is_letters and not word.capital for word in self.words[1:])
+        named = any(piece.category in {"part", "month"} for piece in self.pieces(place))
+        named = named and self.texts[place] not in self.beside.ending_names
+        return begun and self.words[place].capital and named and (small or len(self.words) == place + 1)
 
     def is_spent(self, piece: Piece) -> bool:
         """Whether it is what somebody does something in: "spend the evening sorting photos"."""
@@ -264,7 +225,15 @@ class Surroundings:
 
     def is_owned(self, piece: Piece) -> bool:
         """Whether whose it is stands before it: "my three o'clock", "tomorrow's ten o'clock"."""
-        return self.before(piece) in self.closed.possessives or self.before(piece).endswith("'s")
+        before = self.before(piece)
+        if before == HER and self._is_behind_person(piece):
+            return False
+        return before in self.closed.possessives or before.endswith("'s")
+
+    def _is_behind_person(self, piece: Piece) -> bool:
+        """Whether "her" is who, and not whose: "remind her tomorrow", "ring her between nine and ten"."""
+        bound = self.texts[piece.start] in self.closed.prepositions_of_time | self.beside.binding_ranges
+        return bound or ({*self.texts[: piece.start - 1][-1:]} <= self.lexicon.addressing and piece.start > 1)
 
     def cites(self, place: int) -> bool:
         """Whether two numbers with a colon are of a text, or a ratio: "John 3:16"; but "call John 3:16"."""
@@ -276,10 +245,6 @@ class Surroundings:
             and before[-1] in self.lexicon.citing
             and not self.lexicon.addressing & {*before}
         )
-
-    def is_unit(self, place: int) -> bool:
-        """Whether the word at a place is a unit, which a number before it counts."""
-        return any(piece.category == "unit" and len(piece.value.form) > 1 for piece in self.pieces(place))
 
     def names(self, piece: Piece, wall: Wall) -> bool:
         """Whether it belongs to the noun behind it: "the Sunday suit", "Christmas tree", "midnight blue"."""

@@ -22,6 +22,8 @@ class Titles(Standing):
             or self._is_of_feast(piece)
             or self._is_of_other_calendar(piece)
             or self.around.is_title(piece)
+            or self.around.has_title(piece.start)
+            or (self.around.is_part(piece.start) and self.around.is_somebody(piece.start))
         )
 
     def _is_played(self, piece: Piece) -> bool:
@@ -34,6 +36,9 @@ class Titles(Standing):
         if piece.value.preposition not in {None, "of"} or clocked or isinstance(time, TimeWord):
             return False
         verb = piece.start - 1
+        if self.texts[piece.start] == "this" and self.texts[verb] not in self.lexicon.playing:
+            # "Watch the sunset this evening"
+            return False
         # "Play blue monday by new order"
         named = self.around.follower(piece) == "by" and not self.around.timely(piece.end + 1)
         named = named and not self.around.is_day_from_now(piece.start)

@@ -29,6 +29,7 @@ class Doing:
     putting: Words
     being_somewhere: Words
     waiting: Words
+    taking_care: Words
     setting: Words
     set_going: Words
     repeating: Words
@@ -41,6 +42,7 @@ class Doing:
     finding_out: Words
     asking: Words
     learning: Words
+    more_said_of: Words
     recalling: Words
     messaging: Words
     marking: Words

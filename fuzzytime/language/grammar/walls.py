@@ -71,7 +71,7 @@ class Walls(Standing):
             # "Before the sun goes down"
             return False
         # "The sun", "in the sun": a weekday never stands with "in".
-        words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
+        words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "a", "in"}]
         if self._doubtful_feast(piece, said, wall) is not None:
             ends = self.around.may_end(piece) and self.around.follower(piece) != "of"
             return said.preposition not in {None, "to"} and ends

@@ -187,6 +187,11 @@ class BesideTimes:
     stating: Words
     due: Words
     over: Words
+    titles_of_persons: Words
+    saying_more: Words
+    being_on: Words
+    parts_of_hours: Words
+    ending_names: Words
     looking_after: Words
     plurals: Words
     spending: Words

@@ -45,7 +45,7 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
     morning = _of_morning(here, moments, clock, named=named)
     if morning is not None:
         chosen = morning
-    elif here.since is not None and _is_late(here, here.since, moments):
+    elif here.since is not None and not here.usual and _is_late(here, here.since, moments):
         # "The interval is at 20:35", "strike the set at ten": that evening, however late.
         chosen = next(moment for moment in moments if here.since < moment)
     elif here.since is not None and chosen < here.since:

@@ -160,6 +160,10 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     if said.constraint is Constraint.BEFORE:
         # "Three alarms ten minutes apart before seven": how many is said, and any of them may be then.
         return None if repeat.apart else replace(repeat, until=time)
+    if said.lasting is not None and isinstance(time, Wall) and repeat.every is not None:
+        # "Every five minutes from noon for half an hour"
+        longer = not repeat.walls and said.lasting.seconds > repeat.every.seconds
+        return replace(repeat, starting=time, until=Offset(said.lasting, 1, time)) if longer else None
     if is_release(said):
         first = first_time(said)
         return None if first is None else replace(repeat, starting=first)

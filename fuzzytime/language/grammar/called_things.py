@@ -1,0 +1,35 @@
+"""Words about time that what they are in is called by: a song, an evening, the 10 minute rice."""
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.meaning.expressions import UnitWord
+
+
+def is_played(start: int, around: Surroundings) -> bool:
+    """Whether a word is of the title of what is played: "play yesterday by the beatles", "Play Sunday Rain".
+
+    That is the time words right behind the verb, or words with capitals.
+    """
+    verb = next((p for p, text in enumerate(around.texts[:start]) if text in around.lexicon.playing), start)
+    title = range(verb + 1, start + 1)
+    capital = all(around.words[p].capital for p in title)
+    timely = all(around.timely(p) or around.is_counting(p) for p in title)
+    return verb < start and around.opens(verb) and (capital or timely)
+
+
+def says_which(piece: Piece, around: Surroundings) -> bool:
+    """Whether a length says which thing it is: "the 10 minute rice"; but "boil a ten minute egg" may last."""
+    unit = isinstance(piece.value, UnitWord) and not around.texts[piece.start].endswith("s")
+    thing = around.follower(piece)
+    named = thing.isalpha() and thing not in around.lexicon.function_words and not around.timely(piece.end)
+    counted = piece.start > 1 and around.is_counting(piece.start - 1)
+    led = around.texts[piece.start - 2] if counted else ""
+    known = led in around.closed.sure_noun_openers - around.closed.indefinite_determiners
+    # "The cheddar, aged twelve months"
+    return counted and ((unit and named and known) or led == "aged")
+
+
+def is_event(piece: Piece, around: Surroundings) -> bool:
+    """Whether it ends what happens, or a greeting, or gets a time: "parents evening", "set bedtime for 8"."""
+    given = around.before(piece) in around.lexicon.moving | around.lexicon.appointing
+    return around.ends_name(piece.start) or (given and piece.category == "part")

@@ -1,0 +1,83 @@
+"""Words of a text with what the tables say of each, looked up once."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.relations import Relative
+
+TIMELY = frozenset(
+    {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
+    | {"part", "day", "weekday", "month", "day_part", "unit"}
+)
+"""Categories of words that may follow a time and belong to it, or to another."""
+
+
+class LookedUp:
+    """The words of a text, and what each of them names."""
+
+    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
+        self.words = words
+        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
+        self.texts = [word.text for word in words]
+        self._pieces: dict[int, list[Piece]] = {}
+
+    def pieces(self, place: int) -> list[Piece]:
+        """Give what the tables say of the words from a place on, none at the end: looked up once."""
+        if place not in self._pieces:
+            inside = place < len(self.words)
+            self._pieces[place] = list(self.lexicon.pieces(self.words, place)) if inside else []
+        return self._pieces[place]
+
+    def before(self, piece: Piece) -> str:
+        """Give the word before it."""
+        return self.texts[piece.start - 1] if piece.start else ""
+
+    def follower(self, piece: Piece) -> str:
+        """Give the word behind it."""
+        return self.texts[piece.end] if piece.end < len(self.texts) else ""
+
+    def timely(self, place: int) -> bool:
+        """Whether the word at a place begins a time."""
+        return any(piece.category in TIMELY for piece in self.pieces(place))
+
+    def is_counting(self, place: int) -> bool:
+        """Whether the word at a place is a number, in words or in digits."""
+        return self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
+
+    def is_day(self, place: int) -> bool:
+        """Whether the word at a place names a day."""
+        return any(piece.category in {"day", "weekday", "month"} for piece in self.pieces(place))
+
+    def is_weekday(self, place: int) -> bool:
+        """Whether the word at a place names a day of the week."""
+        return any(piece.category == "weekday" for piece in self.pieces(place))
+
+    def is_day_from_now(self, place: int) -> bool:
+        """Whether the word at a place names a day, or a part of one, by where it is from now: "tonight"."""
+        return any(
+            piece.category == "day_part" or (piece.category == "day" and isinstance(piece.value, Relative))
+            for piece in self.pieces(place)
+        )
+
+    def is_part(self, place: int) -> bool:
+        """Whether the word at a place names a part of the day."""
+        return any(piece.category == "part" for piece in self.pieces(place))
+
+    def names_time(self, place: int) -> bool:
+        """Whether the word at a place is a day, a part of one, or a unit of time."""
+        named = {"part", "day", "weekday", "month", "day_part", "unit"}
+        return any(piece.category in named for piece in self.pieces(place))
+
+    def is_meal(self, place: int) -> bool:
+        """Whether the word at a place names a meal."""
+        return any(piece.category == "meal" for piece in self.pieces(place))
+
+    def is_part_or_meal(self, place: int) -> bool:
+        """Whether the word at a place names a part of the day, or a meal."""
+        return self.is_part(place) or self.is_meal(place)
+
+    def is_unit(self, place: int) -> bool:
+        """Whether the word at a place is a unit, which a number before it counts."""
+        return any(piece.category == "unit" and len(piece.value.form) > 1 for piece in self.pieces(place))
