@@ -51,10 +51,8 @@ def test_bounds_and_lengths_below_a_day_are_on_that_day() -> None:
         "Friday:", "load the boxes, about two hours", "return the van by 6 pm", "make the bed in the morning"
     )
     assert [part.earliest for part in load if part.text == "Friday"] == [2 * DAY - 9 * 3600]
-    assert [(part.text, part.latest) for part in back] == [
-        ("Friday", 3 * DAY - 9 * 3600),
-        ("by 6 pm", 2 * DAY + 9 * 3600),
-    ]
+    assert [(part.text, part.latest) for part in back] == [("by 6 pm", 2 * DAY + 9 * 3600)]
+    assert [part.earliest is not None and part.earliest > DAY for part in back] == [True]
     assert [part.latest for part in make] == [2 * DAY + 3 * 3600]
 
 
@@ -88,3 +86,32 @@ def test_what_says_no_time_heads_nothing(line: str) -> None:
 def test_a_day_may_head_lines_with_more_words() -> None:
     (mow,) = _times("Friday in the garden:", "mow the lawn")
     assert [part.text for part in mow] == ["Friday in the garden"]
+
+
+def test_a_title_with_a_day_holds_for_the_hours_below() -> None:
+    get_up, dressed, leave = _times(
+        "Exam day, tomorrow", "get up at 6:15", "be dressed by seven", "leave at 8"
+    )
+    assert [part.earliest for part in get_up + leave] == [DAY - 2.75 * 3600, DAY - 3600]
+    assert [part.latest for part in dressed] == [DAY - 2 * 3600]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("Dentist Friday", "call mum at six", "bath at seven", "bed at eight"),
+        ("Exam day, tomorrow", "wash the car", "call mum", "feed the cat at six"),
+        ("Moving day: Friday", "van at 8", "pizza at 7", "call mum on saturday at six"),
+        ("call Ann friday", "van at 8", "pizza at 7", "tea at four"),
+    ],
+)
+def test_an_entry_with_a_day_is_no_title(lines: tuple[str, ...]) -> None:
+    first = Language.shipped().read_all([(line, NOW) for line in lines])[0]
+    assert not any("lines below it" in remark.message for remark in first.remarks)
+
+
+def test_what_is_due_on_the_day_of_a_heading_is_done_on_it() -> None:
+    ((bins,),) = _times("Thursday:", "put the bins out before 7 am")
+    assert (bins.constraint, bins.latest) == (Constraint.BETWEEN, DAY - 2 * 3600)
+    assert bins.earliest is not None
+    assert bins.earliest > 0

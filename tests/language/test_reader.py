@@ -435,8 +435,25 @@ def test_a_reference_reaches_over_many_instructions() -> None:
 
 
 def test_an_order_that_is_not_planned_is_pointed_at() -> None:
-    reading = language().read("i want to go to the outdoor movie screening this weekend remind me", now=NOW)
+    reading = language().read("we leave for the airport remind me", now=NOW)
     assert [reading.text[slice(*remark.span)] for remark in reading.remarks] == ["remind me"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "cut the loaf into quarters",
+        "play eight days a week",
+        "hug April",
+        "use the 10 minute rice",
+        "call Dawn after lunch",
+        "in a bowl, mix flour and salt",
+        "say good night at 8 pm",
+        "set bedtime for 8 pm",
+    ],
+)
+def test_what_is_called_like_a_time_is_not_pointed_at(text: str) -> None:
+    assert language().read(text, now=NOW).remarks == ()
 
 
 def test_words_without_a_verb_that_is_understood_are_pointed_at() -> None:

@@ -13,7 +13,39 @@ BELOW_ZERO = re.compile(r"[-−]\d+(\.\d+)?$")
 
 def with_whole_things(tree: Tree) -> Tree:
     """Give a tree whose things have all their words."""
-    return _with_level(_with_next_one(_with_numbered_subject(_with_last_noun(tree))))
+    return _with_level(
+        _with_next_one(_with_numbered_subject(_with_last_noun(_with_second(_with_somebody(tree)))))
+    )
+
+
+def _with_second(tree: Tree) -> Tree:
+    """Give "chop the onions and the May turnips" both things, where a tree hangs the second on the verb."""
+    root = tree.root
+    if root is None or not tree.nodes[root].is_verb:
+        return tree
+    for thing in tree.children(root, "dobj"):
+        joints = tree.children(thing, "cc")
+        for second in tree.children(root, "conj"):
+            named = tree.nodes[second].tag in {"NN", "NNS", "NNP"} and bool(tree.children(second, "det"))
+            if named and tree.reach(second)[0] - 1 in joints:
+                nodes = list(tree.nodes)
+                nodes[second] = replace(nodes[second], head=thing)
+                return tree.with_nodes(nodes)
+    return tree
+
+
+def _with_somebody(tree: Tree) -> Tree:
+    """Give "help grandpa after lunch" who is helped, whom a tree has for what is done."""
+    root = tree.root
+    behind = (root or 0) + 1
+    for person in tree.children(root, "xcomp", "ccomp") if root is not None else ():
+        node = tree.nodes[person]
+        if person != behind or node.may_act or node.tag not in {"VB", "VBP"}:
+            continue
+        nodes = [replace(n, head=behind - 1) if n.head == person else n for n in tree.nodes]
+        nodes[person] = replace(node, tag="NN", relation="dobj", lemma=node.lower, head=behind - 1)
+        return tree.with_nodes(nodes)
+    return tree
 
 
 def _with_last_noun(tree: Tree) -> Tree:
@@ -66,6 +98,27 @@ def _with_level(tree: Tree) -> Tree:
         bare = not any(p > place - 1 for p in tree.children(place - 1))
         if BELOW_ZERO.match(node.text) and node.relation == "punct" and nodes[place - 1].tag == "IN" and bare:
             nodes[place] = replace(node, tag="CD", relation="pobj", head=place - 1)
+    return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
+def with_event_names(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "have a quiz night" its thing, whose last word a tree has for when that is."""
+    nodes = list(tree.nodes)
+    for place in range(1, len(nodes)):
+        node, before = nodes[place], nodes[place - 1]
+        known = node.lower in tree.lexicon.beside.ending_names and node.relation == "npadvmod"
+        if not known or place in timed or place - 1 in timed or not nodes[node.head].is_verb:
+            continue
+        beside = before.head == node.head and before.relation in {"dobj", "pobj"}
+        if beside and before.tag.startswith("NN"):
+            nodes = [
+                replace(n, head=place) if n.head == place - 1 and p < place else n
+                for p, n in enumerate(nodes)
+            ]
+            nodes[place - 1] = replace(before, relation="compound", head=place)
+        elif before.head != place:
+            continue
+        nodes[place] = replace(node, relation="dobj")
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
 
 

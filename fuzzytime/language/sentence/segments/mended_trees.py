@@ -24,7 +24,7 @@ def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
     tree = _with_manner(_with_name_in_front(_with_numbered_things(tree, lexicon), lexicon))
     mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
-    mended = mended or _orders_verb(tree, lexicon) or _lets_know(tree, lexicon)
+    mended = mended or _orders_verb(tree, lexicon) or _lets_know(tree, lexicon) or _does_event(tree, lexicon)
     return _with_list(_wants_done(mended or _does_compound(tree, lexicon) or tree))
 
 
@@ -74,6 +74,28 @@ def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
     numbered = any(node.tag == "CD" and node.text.isalpha() for node in tree.nodes[LET:])
     orders = orders or (not numbered and _orders_several(tree.nodes[0], tree.nodes[1], lexicon))
     return tree.with_nodes(_with_thing_done(tree, 1, 1)) if orders else None
+
+
+def _does_event(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "schedule a team call" its verb, where what happens was taken for what the first word does."""
+    root = tree.root
+    if root is None or root < LEAST_DONE - 1 or tree.children(root, "aux"):
+        return None
+    first, led, event = tree.nodes[0], tree.nodes[1], tree.nodes[root]
+    names = lexicon.happening | lexicon.taken | lexicon.events | lexicon.lasting
+    bare = first.tag == "VB" and first.relation == "nsubj" and first.head == root
+    if (
+        not bare
+        or led.tag != "DT"
+        or event.lower not in names
+        or tree.nodes[root - 1].tag not in {"NN", "JJ"}
+    ):
+        return None
+    moved = _with_thing_done(tree, root, root)
+    for place in range(1, root):
+        moved[place] = replace(moved[place], head=root)
+    moved[root - 1] = replace(moved[root - 1], relation="compound")
+    return tree.with_nodes(moved)
 
 
 def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:

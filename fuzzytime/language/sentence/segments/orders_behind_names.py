@@ -10,8 +10,8 @@ LEAST_TOLD = 4
 LEAST_NAMED = 2
 """Words of "dinner today", at least."""
 
-NAMING = frozenset({*SINGULAR, *DETERMINERS, "JJ"})
-"""Tags of words that name one thing."""
+NAMING = frozenset({*SINGULAR, *DETERMINERS, "JJ", "IN"})
+"""Tags of words that name one thing: "dentist for Mia"."""
 
 BESIDE = frozenset({"advcl", "ccomp", "npadvmod", "dep", "nsubj", "nsubjpass", "nmod", "parataxis"})
 """How trees hang what is named in front on a clause behind it."""
@@ -85,7 +85,7 @@ def behind_run_on(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
     """Give what who speaks does behind an order that nothing parts from it: "put the tea on I'll be home"."""
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
     speaks = bool(subjects) and tree.nodes[subjects[0]].lower in lexicon.closed.first_person
-    if not speaks or not tree.children(root, "aux"):
+    if not speaks or not (tree.children(root, "aux") or tree.nodes[root].lemma == "be"):
         return None
     start = subjects[0]
     tops = {p for p in range(start) if tree.nodes[p].head >= start}

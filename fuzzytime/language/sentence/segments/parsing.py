@@ -5,8 +5,14 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
-from fuzzytime.language.sentence.segments.mended_things import with_object_of_aim, with_whole_things
+from fuzzytime.language.sentence.segments.mended_things import (
+    with_event_names,
+    with_object_of_aim,
+    with_whole_things,
+)
 from fuzzytime.language.sentence.segments.mended_trees import as_acting, as_done, as_order
+from fuzzytime.language.sentence.segments.places_in_front import with_places_in_front
+from fuzzytime.language.sentence.segments.reminded_of import with_reminded
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 from fuzzytime.language.sentence.verbs.called import with_called, with_clause, with_event, with_worker
@@ -44,6 +50,7 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list
             bare = as_order(tree.without_carrier(carrier, texts[place], skipped))
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
+    found = with_places_in_front(waiting, found, trees, lexicon)
     told = [place for place, one in enumerate(waiting) if one.segment.doer is not None]
     led = trees([f"{waiting[place].segment.doer} {texts[place]}" for place in told])
     for place, tree in zip(told, led, strict=True):
@@ -52,6 +59,8 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list
         found[place] = as_acting(alone)
     found = [with_whole_things(tree) for tree in found]
     found = [with_object_of_aim(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
+    found = [with_event_names(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
+    found = [with_reminded(tree, lexicon) for tree in found]
     found = [with_worker(with_event(with_clause(tree, lexicon), lexicon), lexicon) for tree in found]
     found = [with_called(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
     found = [

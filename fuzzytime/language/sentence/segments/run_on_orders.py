@@ -1,7 +1,8 @@
 """Orders one behind the other without a joint: "feed the baby at six bath her at seven".
 
-One tree of them all mostly goes wrong, as it does for clauses in front (``fronts``). So it is tried:
-wherever a bare verb governs something and nothing joins it to what stands before, both parts are parsed.
+So is an order behind what is told with its time: "the gym opens at six remind me to pack". One tree of both
+mostly goes wrong, as it does for clauses in front (``fronts``). So it is tried: wherever a bare verb governs
+something and nothing joins it to what stands before, both parts are parsed.
 """
 
 from collections.abc import Iterator, Sequence
@@ -12,7 +13,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER, binds, is_bare, is_order
 from fuzzytime.language.sentence.segments.orders_in_front import denied_from
 from fuzzytime.language.sentence.segments.waiting import Waiting
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 
 LEAST = 2
@@ -31,11 +32,15 @@ FINITE = frozenset({"VBZ", "VBD"})
 
 @dataclass(frozen=True, slots=True)
 class _Try:
-    """A place at which a further order may begin, with both parts; ``timed`` where a time ends the first."""
+    """A place at which a further order may begin, with both parts.
+
+    ``timed`` where a time ends the first, ``tells`` where that may be no order.
+    """
 
     one: int
     start: int
     timed: bool
+    tells: bool
     before: str
     behind: str
 
@@ -52,23 +57,29 @@ def run_on_orders(
         for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
         for attempt in _tries(place, one, tree, lexicon)
     ]
-    before = trees([CARRIER + attempt.before for attempt in tries])
+    carriers = ["" if attempt.tells else CARRIER for attempt in tries]
+    before = trees([carrier + one.before for carrier, one in zip(carriers, tries, strict=True)])
     behind = trees([CARRIER + attempt.behind for attempt in tries])
     cut: dict[int, int] = {}
-    for attempt, first, second in zip(tries, before, behind, strict=True):
-        one = first.without_carrier(CARRIER, attempt.before, 0)
+    for attempt, carrier, first, second in zip(tries, carriers, before, behind, strict=True):
+        one = first.without_carrier(carrier, attempt.before, 0)
         other = second.without_carrier(CARRIER, attempt.behind, 0)
-        if attempt.one not in cut and _is_whole(one, lexicon, timed=attempt.timed) and _governs(other):
+        whole = _tells(one) if attempt.tells else _is_whole(one, lexicon, timed=attempt.timed)
+        if attempt.one not in cut and whole and _governs(other):
             cut[attempt.one] = attempt.start
     return cut
 
 
 def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
-    if not tree.nodes or not tree.nodes[0].may_act:
+    if not tree.nodes:
         return
     source, end, timed = one.source, one.segment.span[1], one.timed(tree)
+    tells = not tree.nodes[0].may_act
     for here in range(LEAST, len(tree.nodes) - 1):
         if here in timed or not _may_begin(tree, here, timed, lexicon):
+            continue
+        if tells and here - 1 not in timed:
+            # "The kids have to make their beds"
             continue
         led = next((place for place in range(here - 1, -1, -1) if place not in timed), 0)
         joined = tree.nodes[led].lower in lexicon.closed.joints_of_orders
@@ -83,7 +94,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             # "Stir it when the chef asks the waiter": what is in a clause.
             return
         before, behind = source.sound[one.main : start].strip(), source.sound[verb:end]
-        yield _Try(place, start, here - 1 in timed, before, behind)
+        yield _Try(place, start, here - 1 in timed, tells, before, behind)
 
 
 def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
@@ -112,6 +123,8 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
         # "Open the hatch wait ten seconds and close it"
         return node.lower in lexicon.doing.waiting
     led = behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns
+    # "The fair is on friday book two tickets"
+    led = led or (behind.tag == "CD" and place - 1 in timed)
     further = tree.nodes[place + 2 : place + 3]
     carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
     return led or (carried and further[0].tag in DETERMINERS)
@@ -136,6 +149,17 @@ def _is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
     leads = lemma in lexicon.letting | lexicon.causing | lexicon.wanting | lexicon.addressing | doing.watching
     named = any(tree.nodes[place].tag != "CD" for place in tree.children(verb, *OBJECTS))
     return (timed or not leads) and named
+
+
+def _tells(tree: Tree) -> bool:
+    """Whether words tell what somebody does, or what is, from their first: "we're having guests at seven"."""
+    root = tree.root
+    if root is None or not tree.nodes[root].is_verb:
+        return False
+    subjects = tree.children(root, *SUBJECTS, "expl")
+    verbs = (root, *tree.children(root, "aux", "auxpass"))
+    finite = any(tree.nodes[place].tag in FINITE | {"VBP", "MD"} for place in verbs)
+    return finite and any(tree.reach(place)[0] == 0 for place in subjects)
 
 
 def _governs(tree: Tree) -> bool:

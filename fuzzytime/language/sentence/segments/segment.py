@@ -230,6 +230,9 @@ def _behind_opening(
             break
         elif _is_somewhere(words, begin, times, lexicon):
             break
+        elif words[begin + 1].text in lexicon.closed.stative_verbs:
+            # "Everyone is picked up at six"
+            break
         elif words[begin].text in lexicon.addresses or (begin > start and words[begin].text == ","):
             begin += 1
         else:

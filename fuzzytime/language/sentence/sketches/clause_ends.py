@@ -6,6 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.segments.waiting import goes_on_behind
+from fuzzytime.language.sentence.trees.tree import Tree
 
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
@@ -18,8 +19,14 @@ class ClauseEnds:
     """The ends of clauses among the words of an instruction, of which some are covered by times."""
 
     def __init__(
-        self, words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon, covered: set[int]
+        self,
+        tree: Tree,
+        words: Sequence[Word],
+        phrases: Sequence[Phrase],
+        lexicon: Lexicon,
+        covered: set[int],
     ) -> None:
+        self.tree = tree
         self.words, self.phrases, self.lexicon, self.covered = words, phrases, lexicon, covered
 
     def of(self, first: int) -> int:
@@ -32,7 +39,7 @@ class ClauseEnds:
         That is a mark, "and" or "or" before a time or another clause, or what begins a condition.
         """
         text = self.words[place].text
-        if self._adds_condition(first, place):
+        if self._adds_condition(first, place) or self._is_asked(first, place):
             return True
         if text == "," and (self._is_inside(place) or self._goes_on(place)):
             return False
@@ -53,6 +60,16 @@ class ClauseEnds:
         before = {word.text for word in self.words[max(first, place - ASKED) : place]}
         further = self.words[begin].text in self.lexicon.closed.further_conditions
         return further and self.lexicon.doing.learning.isdisjoint(before)
+
+    def _is_asked(self, first: int, place: int) -> bool:
+        """Whether what somebody is asked to do begins: "remind me when it is over | to take out the dog"."""
+        word, nodes = self.words[place], self.tree.nodes
+        found = self.tree.at(word.start, word.end) if word.text == "to" and place > first else ()
+        verbs = (nodes[p].head for p in found if nodes[p].relation == "aux")
+        led = (
+            verb for verb in verbs if nodes[verb].relation == "xcomp" and nodes[verb].head == self.tree.root
+        )
+        return any(nodes[nodes[verb].head].start < self.words[first].start for verb in led)
 
     def _goes_on(self, place: int) -> bool:
         """Whether a clause in front goes on behind a comma: "when it is hot, and the oil shimmers, …"."""

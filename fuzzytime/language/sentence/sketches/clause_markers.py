@@ -11,7 +11,7 @@ from fuzzytime.language.sentence.sketches.clause_ends import ASKED, ClauseEnds
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Edge
 
-AS, WHEN = "as", "when"
+AFTER, AS, WHEN = "after", "as", "when"
 
 
 class ClauseMarkers:
@@ -31,7 +31,16 @@ class ClauseMarkers:
             or is_wish(self.tree, self.words[place:])
             or self._inquires(place, form)
             or self._marks(place, form)
+            or self._is_of_verb(place)
         )
+
+    def _is_of_verb(self, place: int) -> bool:
+        """Whether it belongs to the verb right before it: "look after the baby"."""
+        if not place or self.words[place].text != AFTER:
+            return False
+        before = self.words[place - 1]
+        lemmas = {self.tree.nodes[p].lemma for p in self.tree.at(before.start, before.end)}
+        return not self.lexicon.doing.taking_care.isdisjoint(lemmas)
 
     def other(self, place: int) -> tuple[str, ...] | None:
         """Give what begins a clause at a place though the lexicon has no such marker."""

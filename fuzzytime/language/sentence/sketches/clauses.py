@@ -110,7 +110,7 @@ class _Clauses:
         self.named = named
         self.contents = Contents(tree, phrases, lexicon)
         self.before = BeforeMarker(words, phrases, lexicon, covered)
-        self.ends = ClauseEnds(words, phrases, lexicon, covered)
+        self.ends = ClauseEnds(tree, words, phrases, lexicon, covered)
         self.markers = ClauseMarkers(tree, words, lexicon, self.before, self.ends)
 
     def leads_to_distance(self, place: int, form: tuple[str, ...]) -> bool:

@@ -86,7 +86,10 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
             continue
         first = min(part.tree.below(subjects[0]))
         so = first - 1 - (nodes[first - 1].lower == "that")
-        if nodes[so].lower != "so" or nodes[subjects[0]].lower in part.tree.lexicon.closed.anaphors:
+        lexicon = part.tree.lexicon
+        own_end = nodes[subjects[0]].lower in lexicon.closed.anaphors
+        if nodes[so].lower != "so" or (own_end and nodes[verb].lemma not in lexicon.doing.arriving):
+            # "Soak it overnight so it's ready by six"; but "order it today so that it comes on friday"
             continue
         start, end = nodes[so].start + part.offset, nodes[-1].end + part.offset
         own = any(phrase.span[1] <= start for phrase in phrases)

@@ -71,6 +71,10 @@ def _is_in(clock: Clock, first: time, last: time) -> bool:
 def _is_thing(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     """Whether a word names a thing, and nothing of the day: "bed 5", "make the bed"."""
     behind = words[place + 1 : place + 2]
+    named = words[place].text in lexicon.beside.ending_names
+    if named and behind and behind[0].is_letters and behind[0].text not in lexicon.function_words:
+        # "Buy night cream", but "add a movie night"
+        return True
     if behind and (behind[0].is_digits or behind[0].text in lexicon.numbers):
         return True
     led = place > 0 and words[place - 1].text in lexicon.closed.noun_openers

@@ -156,7 +156,22 @@ def _under(sketch: Sketch, heading: Heading) -> Sketch:
     if sketch.part.segment.connective not in JOINED and not sketch.phrases:
         # What comes "then" comes on the day of what it follows.
         return sketch
-    return replace(sketch.under(heading.phrases), headed=heading.clauses)
+    due = _due_on_day(sketch, heading)
+    return replace(due or sketch.under(heading.phrases), headed=heading.clauses)
+
+
+def _due_on_day(sketch: Sketch, heading: Heading) -> Sketch | None:
+    """Give what is due by an hour of the day of a line above: "Thursday:", then "bins out before seven"."""
+    walls = [phrase.said.time for phrase in heading.phrases]
+    day = walls[0] if len(walls) == 1 else None
+    if not isinstance(day, Wall) or day.days is None or day.clock is not None or day.part is not None:
+        return None
+    due = [phrase for phrase in sketch.phrases if phrase.said.constraint is Constraint.BEFORE]
+    if len(due) != 1 or not isinstance(due[0].said.time, Wall) or due[0].said.time.clock is None:
+        return None
+    (bound,) = due
+    kept = replace(bound, said=replace(bound.said, within=Wall(day.days)))
+    return replace(sketch, phrases=tuple(kept if one is bound else one for one in sketch.phrases))
 
 
 def _tells_when(phrase: Phrase) -> bool:

@@ -6,13 +6,16 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Phrase, Range, TimeWord, Wall
 from fuzzytime.language.meaning.told_apart import told_apart
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
 
 MARK = ":"
 """What ends a heading."""
+
+FEWEST = 3
+"""Lines below a title, at least."""
 
 CALLED = 2
 """Words that call a worker: "Robot 2:"."""
@@ -24,6 +27,8 @@ def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
     A part of the day, or a clause, is of the day that a line above it names.
     """
     headings = [_heading_of(draft, lexicon) for draft in drafts]
+    if headings and headings[0] is None:
+        headings[0] = _title_of(drafts, lexicon)
     found: list[Draft] = []
     heading: Heading | None = None
     day: Heading | None = None
@@ -69,6 +74,42 @@ def _heading_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
         return None
     held = tuple(replace(phrase, first=0, end=0, span=(0, 0), rule=HEADED) for phrase in phrases)
     return Heading(draft.text.strip(" :.-*#_"), draft.text, draft.scanned, held, clauses)
+
+
+def _title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
+    """Give the day that the first of some lines names behind what they are about: "Early shift Thursday".
+
+    The lines below have clock times, and no days of their own; what somebody attends is no title.
+    """
+    first, below = drafts[0], [draft for draft in drafts[1:] if draft.now == drafts[0].now]
+    clocked = sum(any(_is_clocked(phrase) for phrase in draft.phrases) for draft in below)
+    dated = any(_names_day(phrase) for draft in below for phrase in draft.phrases)
+    if len(below) < FEWEST or dated or 2 * clocked < len(below) or len(first.phrases) != 1:
+        return None
+    (day,) = first.phrases
+    named = [word.text for word in first.scanned.words[: day.first] if word.is_letters]
+    ends = not any(word.is_letters for word in first.scanned.words[day.end :])
+    if not (day.said.is_day and _is_of_calendar(day) and named and ends) or day.said.preposition is not None:
+        return None
+    events = lexicon.taken | lexicon.happening | lexicon.function_words
+    done = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
+    if named[-1] in events - lexicon.frames or named[0] in done:
+        return None
+    held = replace(day, first=0, end=0, span=(0, 0), rule=HEADED)
+    return Heading(first.text[slice(*day.span)], first.text, first.scanned, (held,))
+
+
+def _is_clocked(phrase: Phrase) -> bool:
+    """Whether it has a time of day, and no day."""
+    time = phrase.said.time
+    ends = (time.first, time.last) if isinstance(time, Range) else (time,)
+    return all(isinstance(end, Wall) and end.clock is not None and end.days is None for end in ends)
+
+
+def _names_day(phrase: Phrase) -> bool:
+    """Whether it says on which day."""
+    time = phrase.said.time
+    return isinstance(time, Wall) and time.days is not None
 
 
 def _called(draft: Draft, lexicon: Lexicon) -> str | None:

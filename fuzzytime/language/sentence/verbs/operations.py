@@ -16,7 +16,7 @@ OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
 
-IF, FIND = "if", "find"
+AFTER, IF, FIND = "after", "if", "find"
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +52,7 @@ class Reader(VerbWords):
             lemma="be" if stated and (self._has_frame(verb) or self._is_standing(verb)) else node.lemma,
             span=(self.tree.nodes[whole_verb[0]].start, node.end),
             object=direct,
-            place=self.said(where),
+            place=self._within_sentence(where),
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=complement,
             manner=None if stated and node.lemma == "be" else self._how(verb, [*whole, *places, *where]),
@@ -82,8 +82,11 @@ class Reader(VerbWords):
         return direct, complement
 
     def _how(self, verb: int, taken: list[int]) -> str | None:
-        """Give how it is done, in small letters where that begins the sentence: "quickly wash the car"."""
-        words = self.manner(verb, taken)
+        """Give how it is done: "quickly wash the car"."""
+        return self._within_sentence(self.manner(verb, taken))
+
+    def _within_sentence(self, words: list[int]) -> str | None:
+        """Give words without the capital that begins a sentence."""
         said = self.said(words)
         return said if said is None or 0 not in words else said[:1].lower() + said[1:]
 
@@ -118,7 +121,8 @@ class Reader(VerbWords):
             # "Make sure everyone is out"
             return None
         for place in range(verb + 1, len(self.tree.nodes)):
-            verbs = self.lexicon.particles.get(self.tree.nodes[place].lower)
+            text = self.tree.nodes[place].lower
+            verbs = self.lexicon.doing.taking_care if text == AFTER else self.lexicon.particles.get(text)
             if self.tree.nodes[place - 1].tag == "CC" or self._is_between(place):
                 # "To the gate and back", "with a rest in between"
                 continue
@@ -132,7 +136,7 @@ class Reader(VerbWords):
                 continue
             stands_before = place == verb + 1 and self.tree.nodes[verb].lemma in verbs
             bare = not self.tree.children(verb, "dobj") or not self.tree.children(place)
-            if self._governs_nothing(place) or (stands_before and bare):
+            if (self._governs_nothing(place) and text != AFTER) or (stands_before and bare):
                 return place
         return None
 

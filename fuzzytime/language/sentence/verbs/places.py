@@ -13,6 +13,11 @@ HOW = ("RB", "JJ", "IN")
 
 PLACES = ("prep", "advmod", "npadvmod")
 
+TIMES = ("part", "unit", "weekday", "month", "day")
+"""Categories of words that say no place: "on a clear night"."""
+
+WAY = "way"
+
 
 def says_where(word: str, lexicon: Lexicon) -> bool:
     """Say whether a word alone may say where: "upstairs", "backwards"."""
@@ -43,7 +48,20 @@ class Places(Wording):
         words = [p for p in self.words(kept, verb) if p not in set(taken)]
         how = [word for p in manners if p < verb for word in sorted(self.tree.below(p))]
         words = self.with_numbers([p for p in words if self.has_content(p, words)])
-        return [*words, *(p for p in how if self.tree.nodes[p].relation != "punct")]
+        return [*self._in_front(verb), *words, *(p for p in how if self.tree.nodes[p].relation != "punct")]
+
+    def _in_front(self, verb: int) -> list[int]:
+        """Give the words in front of all others that say where: "in a bowl, whisk the eggs"."""
+        for place in self.tree.children(verb, "prep"):
+            words = sorted(self.tree.below(place))
+            things = self.tree.children(place, "pobj")
+            # "On the way back drop the cheque"
+            where = any(self.tree.nodes[thing].lower != WAY for thing in things)
+            where = where and self.tree.nodes[place].lower in self.lexicon.places
+            timely = any(self.lexicon.means(self.tree.nodes[p].lower, *TIMES) or self.timed(p) for p in words)
+            if place == words[0] == 0 and where and words[-1] < verb and not timely:
+                return [word for word in words if self.tree.nodes[word].relation != "punct"]
+        return []
 
     def manner(self, verb: int, taken: Iterable[int]) -> list[int]:
         """Give the words that say how something is done, or how often: "read it aloud", "stir it twice"."""

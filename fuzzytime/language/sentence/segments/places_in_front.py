@@ -1,0 +1,98 @@
+"""Where something is done, in front of a verb that no tree sees: "in a bowl mix flour and salt"."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_order
+from fuzzytime.language.sentence.segments.waiting import Waiting
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
+
+LEAST = 3
+"""Words of "in a bowl", before what is done there."""
+
+NOUNS = "NN"
+
+COMMA = ","
+
+ENDING = "ing"
+"""How words end that say which thing it is: "in a mixing bowl"."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Try:
+    """A place at which what is to be done may begin behind the words that say where."""
+
+    one: int
+    here: int
+    front: str
+    order: str
+
+
+def with_places_in_front(
+    waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees, lexicon: Lexicon
+) -> list[Tree]:
+    """Give trees in which words in front that say where hang on what is done there.
+
+    One tree of the whole may have the verb for a part of the thing in front, or of the one behind. So it is
+    tried: wherever a bare verb stands behind such a thing, both parts are parsed.
+    """
+    tries = [
+        attempt
+        for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
+        for attempt in _tries(place, one, tree, lexicon)
+    ]
+    fronts = trees([attempt.front for attempt in tries])
+    orders = trees([CARRIER + attempt.order for attempt in tries])
+    mended = list(found)
+    for attempt, front, carried in zip(tries, fronts, orders, strict=True):
+        order = carried.without_carrier(CARRIER, attempt.order, 0)
+        tree = found[attempt.one]
+        if mended[attempt.one] is tree and _says_where(front) and is_order(order) and _governs(order):
+            mended[attempt.one] = _joined(tree, front, order)
+    return mended
+
+
+def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+    nodes = tree.nodes
+    if len(nodes) <= LEAST or nodes[0].tag != "IN" or nodes[0].lower not in lexicon.places:
+        return
+    if nodes[1].tag not in DETERMINERS:
+        return
+    timed, root = one.timed(tree), tree.root
+    for here in range(LEAST, len(nodes) - 1):
+        node, before = nodes[here], nodes[here - 1]
+        if here in timed or not timed.isdisjoint(range(here)):
+            return
+        if here == root and node.may_act and is_bare(node, lexicon):
+            return
+        led = before.text == COMMA or (before.tag.startswith(NOUNS) and not before.lower.endswith(ENDING))
+        if led and node.may_act and is_bare(node, lexicon) and nodes[here + 1].lower != "of":
+            front, order = tree.text[: before.end], tree.text[node.start :]
+            yield _Try(place, here, front.rstrip(" ,"), order)
+
+
+def _says_where(tree: Tree) -> bool:
+    """Whether words are a preposition and its thing, to the last."""
+    things = tree.children(0, "pobj") if tree.root == 0 else ()
+    return bool(things) and things[-1] == len(tree.nodes) - 1
+
+
+def _governs(tree: Tree) -> bool:
+    return bool(tree.children(0, "dobj"))
+
+
+def _joined(tree: Tree, front: Tree, order: Tree) -> Tree:
+    """Give one tree of what is done and where."""
+    start = tree.text.index(order.text, front.nodes[-1].end)
+    verb = len(front.nodes)
+    led = [
+        replace(node, head=verb, relation="prep") if p == 0 else node for p, node in enumerate(front.nodes)
+    ]
+    behind = [_moved(node, start, verb) for node in order.nodes]
+    return tree.with_nodes((*led, *behind))
+
+
+def _moved(node: Node, by: int, places: int) -> Node:
+    return replace(node, start=node.start + by, end=node.end + by, head=node.head + places)
