@@ -49,10 +49,17 @@ def deadline(preposition: Preposition, goal: Goal) -> Said | None:
     return said_of(_as_clock(goal), preposition.name, Constraint.BEFORE, edge)
 
 
+@grammar.rule("said", "<preposition_before>|<preposition_after> <clock> ,? <days away>", weight=1.5)
+def bound_days_away(preposition: Preposition, clock: Clock, days: Calendar) -> Said:
+    """By 11 a week from today: no eleven a week."""
+    wall = Wall(days, clock=replace(clock, bare=False))
+    return Said(wall, preposition.constraint, preposition.name, (), preposition.edge)
+
+
 @grammar.rule("said", "due|deadline : by|on|at? <goal>", "( due|deadline by|on|at? <goal> )", weight=0.4)
 def due(goal: Goal) -> Said | None:
     """(pay the rent) due: fri, (due friday): as lists of things to do have it."""
-    return said_of(_as_clock(goal), "by", Constraint.BEFORE, Edge.LAST)
+    return said_of(_as_clock(goal), "by", Constraint.BEFORE, Edge.DUE)
 
 
 def _is_prepared_for(goal: Goal) -> bool:

@@ -21,6 +21,9 @@ NOON_HOUR = NOON // 3600
 EARLIEST_WITH_H = 8
 """From here on, "15h" is a clock time, where "3h" is a length."""
 
+EARLIEST_WITH_MINUTES = 6
+"""The same of "6h30", behind what binds a clock time and a length alike."""
+
 EARLIEST_MILITARY = 100
 """From here on, a number is an hour with its minutes: "100 hours" is one o'clock."""
 
@@ -146,9 +149,10 @@ def four_digits_with_hours(hour: Integer) -> Clock | None:
 @grammar.rule("late clock with h", "<15h30>")
 @grammar.rule("late clock with h", "<integer> h")
 def late_with_h(said: Typed | Integer) -> Clock | None:
-    """(not before) 14h30: a length of time is hardly as long; but "not before 2h"."""
+    """(not before) 14h30, 6h30: a length of time is hardly as long, nor as exact; but "not before 2h"."""
     found = typed_with_h(said) if isinstance(said, Typed) else hour_with_h(said)
-    return found if found is not None and found.hour >= EARLIEST_WITH_H else None
+    earliest = EARLIEST_WITH_MINUTES if isinstance(said, Typed) else EARLIEST_WITH_H
+    return found if found is not None and found.hour >= earliest else None
 
 
 # Behind "at", and only there, these are clock times.

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.clocks import EARLIEST_WITH_H, minutes_of
+from fuzzytime.language.english.clocks import EARLIEST_WITH_MINUTES, minutes_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
@@ -232,7 +232,7 @@ def not_for(first: Preposition | Duration, second: Duration | None = None) -> Sa
 def _is_late_clock(duration: Duration) -> bool:
     """Whether hours and minutes are rather a clock time: "not before about 14h30"."""
     hours = duration.seconds / UNIT_SECONDS[Unit.HOUR]
-    return EARLIEST_WITH_H <= hours < UNIT_SECONDS[Unit.DAY] / UNIT_SECONDS[Unit.HOUR]
+    return EARLIEST_WITH_MINUTES <= hours < UNIT_SECONDS[Unit.DAY] / UNIT_SECONDS[Unit.HOUR]
 
 
 @grammar.rule("said", "for the? <stretch>", weight=0.45)

@@ -191,6 +191,7 @@ def weekday_after(*said: int | Duration | Calendar) -> Calendar | None:
     return weekday_at(away, Fields(weekday=number))
 
 
+@grammar.rule("days away", "a week on|from <weekday>")
 @grammar.rule(
     "days",
     "<weekday> week",
@@ -213,6 +214,7 @@ def day_of_month(days: Calendar) -> Calendar | None:
     return days if days.grain is Unit.DAY else None
 
 
+@grammar.rule("days away", "<duration> from <days>|<date>|<day of month>")
 @grammar.rule("days", "<duration> from|after|following|since <days>|<date>|<day of month>", weight=0.2)
 def days_after(duration: Duration, anchor: Calendar) -> Calendar | None:
     """Three days after Easter, a week from tuesday, two day after this day."""

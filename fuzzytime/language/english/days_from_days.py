@@ -61,6 +61,7 @@ def same_day(which: Which, series: Calendar) -> Calendar | None:
     return Away(series.count, series.unit, Relative(0))
 
 
+@grammar.rule("days away", "<duration> on <weekday>")
 @grammar.rule("days", "<duration> on <weekday>", weight=0.6)
 def weeks_on(duration: Duration, weekday: int) -> Calendar | None:
     """A fortnight on friday, a month on monday: so long after the next."""

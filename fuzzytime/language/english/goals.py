@@ -215,7 +215,8 @@ def near(duration: Duration, goal: Goal) -> Goal | None:
 @grammar.rule("goal", "<hedge> <duration> after|past|following <goal>", weight=0.5)
 def at_most_after(hedge: str, duration: Duration, goal: Goal) -> Goal | None:
     """At most ten minutes after noon, no more than two days after monday: from then to then."""
-    if hedge not in UPPER:
+    if hedge not in UPPER or (duration.unit is Unit.QUARTER and not _is_day(goal)):
+        # "Up to a quarter past three" is no quarter of a year behind it.
         return None
     if not _is_day(goal):
         return soon_after(duration, goal)

@@ -6,6 +6,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.distances import LOWER, UPPER
 from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
 from fuzzytime.language.meaning.relations import Relative, days_away
 from fuzzytime.language.meaning.times_of_day import Clock, Part
@@ -146,6 +147,13 @@ def at_clock_beside(clock: Clock, wall: Wall) -> Said | None:
     """At 2.30 tomorrow; but "at seven second helpings are served"."""
     time = joined(Wall(clock=clock), wall)
     return None if time is None else Said(time, None, "at")
+
+
+@grammar.rule("said", "<hedge> <clock> ,? <days away>", weight=1.5)
+def about_clock_days_away(hedge: str, clock: Clock, days: Calendar) -> Said | None:
+    """About ten a week on friday: no ten a week; but "at most ten a week from friday" are so many."""
+    bounded = clock.bare and hedge in UPPER | LOWER
+    return None if bounded else Said(Wall(days, clock=replace(clock, bare=False)), None, None, (hedge,))
 
 
 @grammar.rule(

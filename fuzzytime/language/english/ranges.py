@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.english.clocks import number, typed
+from fuzzytime.language.english.durations import typed as typed_length
 from fuzzytime.language.english.minutes_past import moved
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
@@ -271,6 +272,13 @@ def lasting(first: Goal | Duration, second: Duration | Goal) -> Said | None:
     if not isinstance(goal, Goal) or not isinstance(duration, Duration) or not isinstance(goal.time, Wall):
         return None
     return Said(goal.time, None, "at", goal.hedges, lasting=duration)
+
+
+@grammar.rule("said", "for <15h30> ,? from|at|on? the? <wall>", weight=1.2)
+def lasting_typed(numbers: Typed, wall: Wall) -> Said | None:
+    """For 1h30 on friday at 15:00: of two clock times the first is how long."""
+    duration = typed_length(numbers)
+    return None if duration is None or wall.clock is None else Said(wall, None, None, lasting=duration)
 
 
 @grammar.rule("said", "from <duration>|<integer> to <duration>", weight=-2)

@@ -22,7 +22,7 @@ FRACTIONS = frozenset({3, 6})
 FEW_HOURS = 3
 """Hours between two that something is around, at most."""
 
-NEAR_YEARS = range(26, 40)
+NEAR_YEARS = range(25, 40)
 """Years in two digits that are more than any hour."""
 
 UNITS = (Unit.YEAR, Unit.MONTH, Unit.WEEK, Unit.DAY, Unit.HOUR, Unit.MINUTE, Unit.SECOND)
@@ -100,9 +100,15 @@ def around_hours(hedge: str, first: Integer, last: Integer) -> Said | None:
 
 @grammar.rule("date", "<month day> <month> <integer>", weight=0.9)
 def with_bare_year(day: int, month: int, number: Integer) -> Fields | None:
-    """5 july 26: the number is a year, as an hour stands behind "at"."""
+    """5 july 26: the number is a year, as an hour stands behind "at" and none is as high."""
     near = number.digits and number.value in NEAR_YEARS
     return replace(month_first(month, day), year=century(number.value, number.digits)) if near else None
+
+
+@grammar.rule("date", "<month> <month day> <integer>", "<month> <month day> , <integer>", weight=0.9)
+def with_bare_year_behind(month: int, day: int, number: Integer) -> Fields | None:
+    """July 5 26."""
+    return with_bare_year(day, month, number)
 
 
 def _is_dated(wall: Wall) -> bool:

@@ -7,7 +7,8 @@ From a text to readings
     Words: ``words``, what is quoted (``quotes``), ``word_tables``, ``lexicon``, ``word_groups``,
     ``verb_groups``, ``timetables``, ``spelling``, ``numerals``.
     Rules applied, and the best readings chosen: ``chart``, ``spans``.
-    What times lend each other: ``lending``, ``lent``; what is ``due`` behind "for"; what is ``denied``.
+    What times lend each other: ``lending``, ``lent``; what is ``due`` behind "for", and how long
+    (``typed_hours``); what is ``denied``.
     What looks like a time and is none: ``leftovers``, but ``called_things``.
 
 Whether a reading is a time where it stands (``judging``)

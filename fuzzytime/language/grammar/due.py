@@ -51,5 +51,5 @@ def due_then(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     at = said.constraint in {None, Constraint.AT} and said.preposition == FOR
     if not clocked or not at or not is_due([word.text for word in words], phrase.first, lexicon):
         return phrase
-    due = replace(said, preposition=BY, constraint=Constraint.BEFORE, edge=Edge.LAST)
+    due = replace(said, preposition=BY, constraint=Constraint.BEFORE, edge=Edge.DUE)
     return replace(phrase, said=due)

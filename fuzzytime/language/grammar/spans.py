@@ -25,6 +25,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.quotes import quotes_in
 from fuzzytime.language.grammar.timetables import holds_stretch
+from fuzzytime.language.grammar.typed_hours import clock_of_alarm, lasting_on_day
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Phrase
 
@@ -138,11 +139,12 @@ def _is_inside(words: Sequence[Word], place: int) -> bool:
 
 
 def _is_ellipsis(words: Sequence[Word], place: int) -> bool:
-    """Whether it is one of two points with numbers on either side, and no space between."""
+    """Whether it is one of two points between typed times, and no space between; but "pages 1..10"."""
     first = place - (words[place - 1].text == ".") if place else place
     around = words[first - 1 : first + 3] if first > 0 else ()
     points = [word.text for word in around[1:3]] == [".", "."]
-    return points and len(around) == LONGEST_ELLIPSIS and around[0].is_digits and _is_inside(words, first + 1)
+    typed = points and len(around) == LONGEST_ELLIPSIS and around[0].is_digits and around[0].glued
+    return typed and _is_inside(words, first + 1)
 
 
 def _is_clipped(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
@@ -200,6 +202,8 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     for place in range(1, len(found)):
         found[place] = in_unit(found[place], found[place - 1], scanned.words, lexicon)
     found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]
+    found = [lasting_on_day(phrase, scanned.words, lexicon) for phrase in found]
+    found = [clock_of_alarm(phrase, scanned.words, lexicon) for phrase in found]
     found = [due_then(phrase, scanned.words, lexicon) for phrase in found]
     found = [appointed(moved_to(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found]
     for place in range(len(found) - 2, -1, -1):

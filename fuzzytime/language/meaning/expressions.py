@@ -24,11 +24,15 @@ UNIT_SECONDS = {
 
 
 class Edge(StrEnum):
-    """Which edge of an interval a bound means: its start, the moment it is over, its last moment."""
+    """Which edge of an interval a bound means: its start, the moment it is over, its last moment.
+
+    ``DUE`` is its last moment, too, but the start of a part of the day: "by friday", "by friday evening".
+    """
 
     START = "start"
     END = "end"
     LAST = "last"
+    DUE = "due"
 
 
 @dataclass(frozen=True, slots=True)

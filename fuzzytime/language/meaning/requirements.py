@@ -31,6 +31,9 @@ from fuzzytime.language.meaning.series import recurrence_that_comes
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 
+LAST = frozenset({Edge.LAST, Edge.DUE})
+"""Edges that are the last moment of what is named."""
+
 _NOT_SAID = {
     Constraint.EVERY: "how often is not said: say an interval, as in 'every ten minutes'",
     Constraint.FOR: "how long is not said: say a length or an end, as in 'for ten minutes'",
@@ -241,7 +244,7 @@ class _Grounder:
         elif self.said.constraint is Constraint.BEFORE and start != end:
             if self._counts_from_start(time) and not self._has_begun(time, found, zone):
                 end = start
-            if self.said.edge is Edge.LAST and isinstance(time, Wall) and end != start:
+            if self.said.edge in LAST and isinstance(time, Wall) and time.part is None and end != start:
                 end -= timedelta(seconds=1)
         elif self.said.constraint is Constraint.AFTER and start != end and self.said.edge is Edge.END:
             start = end
@@ -284,7 +287,9 @@ class _Grounder:
             return False
         if self.said.edge is Edge.START:
             return not isinstance(time, (Ending, Range, Rest))
-        return isinstance(time, Wall) and time.part is not None
+        part = time.part if isinstance(time, Wall) else None
+        # A meal is something that begins: "no later than lunch".
+        return part is not None and (self.said.edge is Edge.DUE or part.meal)
 
 
 def _bounded(said: Said) -> Said:

@@ -138,7 +138,7 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
     """Give the time of an event that has one: "before the guests arrive at seven" is before seven."""
     constraint, preposition = BOUNDS[clause.kind]
     # "By close of school on Tuesday"
-    edge = Edge.LAST if clause.edge is EventEdge.END or clause.marker.startswith("by") else Edge.START
+    edge = Edge.DUE if clause.edge is EventEdge.END or clause.marker.startswith("by") else Edge.START
     said = replace(time.said, constraint=constraint, preposition=preposition, edge=edge)
     if clause.day_part is not None and clause.distance is None:
         # "On the morning of the party on friday"

@@ -40,9 +40,17 @@ def day_by_day(sketch: Sketch, text: str, lexicon: Lexicon) -> Sketch:
     return replace(
         sketch,
         phrases=tuple(
-            replace(one, said=one.said.borrowing(told)) if one in both else one for one in sketch.phrases
+            replace(one, said=replace(one.said.borrowing(told), lasting=_lasting(one.said)))
+            if one in both
+            else one
+            for one in sketch.phrases
         ),
     )
+
+
+def _lasting(said: Said) -> Duration | None:
+    """Give how long each time of a repetition is: "an hour a day for a week" is an hour on each day."""
+    return said.lasting if isinstance(said.time, Repeat) else None
 
 
 def each_day_too(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketch:
