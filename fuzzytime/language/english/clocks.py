@@ -30,6 +30,9 @@ EARLIEST_MILITARY = 100
 TO_AN_HOUR = frozenset({15, 20})
 """Hours of the afternoon that, in words, may as well be minutes: "twenty to seven"."""
 
+AS_MINUTES = frozenset({5, 10})
+"""Hours that, in words, may as well be minutes to the one behind them: "tomorrow ten to six"."""
+
 
 @grammar.rule("clock", "<integer>", weight=-0.4)
 def number(hour: Integer) -> Clock | None:
@@ -43,7 +46,8 @@ def number(hour: Integer) -> Clock | None:
     if value > 24 or len(digits) > 2:
         return None
     minutes = value in TO_AN_HOUR and not digits
-    return Clock(value % 24, full_day=value > 12 or digits.startswith("0"), bare=True, minutes=minutes)
+    full_day, hours = value > 12 or digits.startswith("0"), value in AS_MINUTES and not digits
+    return Clock(value % 24, full_day=full_day, bare=True, minutes=minutes, hours=hours)
 
 
 @grammar.rule(

@@ -12,6 +12,9 @@ grammar = Grammar()
 
 HALF_HOUR = 30
 
+NOON_HOUR = 12
+"""Numbers up to it are hours, too."""
+
 
 def moved(clock: Clock, minutes: float) -> Clock | None:
     """Give a clock time that many minutes after the hour, or the half hour, that is said."""
@@ -77,7 +80,11 @@ def bare_past(minutes: float, clock: Clock) -> Clock | None:
 def bare_to(minutes: float, clock: Clock) -> Clock | None:
     """Ten to eleven; it may be a count of something too."""
     found = moved(clock, -minutes)
-    return replace(found, pair=clock.bare) if found is not None else None
+    return (
+        replace(found, pair=clock.bare, hours=clock.bare and minutes <= NOON_HOUR)
+        if found is not None
+        else None
+    )
 
 
 @grammar.rule("called at", "<bare minutes of clock> to|till <clock> -|,? <hedge_after>")
@@ -102,7 +109,8 @@ def spoken_to_hour_of_day(minutes: float, wall: Wall) -> Said | None:
     if clock is None or (wall.days is None and wall.part is None) or clock.hour > minutes:
         return None
     found = moved(clock, -minutes)
-    return None if found is None else Said(replace(wall, clock=found), None, None)
+    hours = clock.bare and minutes <= NOON_HOUR
+    return None if found is None else Said(replace(wall, clock=replace(found, hours=hours)), None, None)
 
 
 @grammar.rule(

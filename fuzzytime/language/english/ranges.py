@@ -37,8 +37,12 @@ NEAR_HOURS = 2
 """Hours between two clock times of which the first may as well be minutes."""
 
 
-def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
+def _range(first: Goal, last: Goal, preposition: str | None, *, minutes: bool = False) -> Said | None:
+    """Give a stretch; ``minutes`` where its first number may be some to its last: "today five to eight"."""
     last = _in_hour(first, last)
+    clock = first.time.clock if isinstance(first.time, Wall) else None
+    if isinstance(first.time, Wall) and clock is not None and clock.hours and not minutes:
+        first = replace(first, time=replace(first.time, clock=replace(clock, hours=False)))
     for time in (first.time, last.time):
         if not isinstance(time, (Wall, Ending, Offset)) and not (
             isinstance(time, TimeWord) and time.word == "now"
@@ -162,6 +166,10 @@ def between_minutes(minutes: float, more: float, clock: Clock) -> Said | None:
 @grammar.rule("said", "<goal> to|through|thru the? <goal>", weight=1.0)
 def from_to(first: Goal, last: Goal) -> Said | None:
     """5 to 6 pm, monday to friday; but two numbers alone are none."""
+    return _side_by_side(first, last, minutes=True)
+
+
+def _side_by_side(first: Goal, last: Goal, *, minutes: bool = False) -> Said | None:
     walls = [goal.time for goal in (first, last) if isinstance(goal.time, Wall)]
     if len(walls) == 2 and all(wall.bare for wall in walls):
         return None
@@ -172,7 +180,7 @@ def from_to(first: Goal, last: Goal) -> Said | None:
     if len(grains) > 1 and walls[0].days is not None and not walls[0].days.fixed:
         # "Q1-2019" and "aug-01-2019" are one date each.
         return None
-    return _range(first, last, "between")
+    return _range(first, last, "between", minutes=minutes)
 
 
 @grammar.rule("said", "<goal> - -? the? <goal>", weight=1.0)
@@ -180,7 +188,7 @@ def with_dash(first: Goal, last: Goal) -> Said | None:
     """9:30 - 11:00, mon-fri; but "friday - june 19", "6 january - 6:30" are one time each."""
     if isinstance(first.time, Wall) and isinstance(last.time, Wall) and is_one(first.time, last.time):
         return None
-    return from_to(first, last)
+    return _side_by_side(first, last)
 
 
 @grammar.rule("arrow", "- >", "= >", ">", "→", "⇒")
@@ -192,7 +200,7 @@ def arrow() -> str:
 @grammar.rule("said", "<goal> <arrow> <goal>", weight=1.0)
 def pointed(first: Goal, _: str, last: Goal) -> Said | None:
     """9:00 -> 9:30, 2 > 3pm."""
-    return from_to(first, last)
+    return _side_by_side(first, last)
 
 
 @grammar.rule(

@@ -13,6 +13,9 @@ from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
+ROUND_MINUTES = 15
+"""Minutes past an hour that two numbers side by side surely say are multiples of it."""
+
 ROUND = 5
 """Hours whose numbers may as well be minutes to the hour behind them are multiples of it."""
 
@@ -35,9 +38,12 @@ def stacked_clock(first: Wall, second: Wall) -> Wall | None:
     """The 20th at 10: a number behind "at" is a clock time."""
     if second.clock is None:
         return None
-    # "The 19th at ten to six" is no range.
-    minutes = second.clock.bare and second.clock.hour % ROUND == 0
-    return joined(first, replace(second, clock=replace(second.clock, bare=False, minutes=minutes)))
+    return joined(first, replace(second, clock=_behind_at(second.clock)))
+
+
+def _behind_at(clock: Clock) -> Clock:
+    """Give a clock time behind "at", whose number may be minutes: "the 19th at ten to six" is no range."""
+    return replace(clock, bare=False, minutes=clock.bare and clock.hour % ROUND == 0, hours=False)
 
 
 @grammar.rule("wall", "<wall> at|@ <clock>", "<wall> , at <clock>", weight=0.3)
@@ -104,11 +110,12 @@ def after_days_at(duration: Duration, wall: Wall) -> Wall | None:
     "wall", "in <duration> time? ,? at <clock>", "in <duration> '|'s time ,? at <clock>", weight=0.5
 )
 def after_days_at_number(duration: Duration, clock: Clock) -> Wall | None:
-    """In two days at five, in a week at 1330."""
-    return after_days_at(duration, Wall(clock=replace(clock, bare=False)))
+    """In two days at five, in a week at 1330; "in three days at ten to six" is no range."""
+    return after_days_at(duration, Wall(clock=_behind_at(clock)))
 
 
 @grammar.rule("wall", "<clock> ,? in <duration> time?", "<clock> ,? in <duration> '|'s time", weight=0.3)
 def clock_after_days(clock: Clock, duration: Duration) -> Wall | None:
-    """Half past five in two days; but "have six in two days" is no time of day."""
-    return None if clock.bare or clock.pair else after_days_at(duration, Wall(clock=clock))
+    """Half past five, six thirty in two days; but "have six in two days" is no time of day."""
+    spoken = clock.shift or clock.minute % ROUND_MINUTES == 0
+    return None if clock.bare or (clock.pair and not spoken) else after_days_at(duration, Wall(clock=clock))

@@ -181,6 +181,7 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
         or holds_stretch(scanned.words, piece.start, piece.end, lexicon)
         or is_moved(scanned.words, piece.start, piece.end, lexicon)
     ]
+    called += [piece for piece in scanned.pieces("hours open") if judge.walls.is_open(piece.start)]
     instead = {(piece.start, piece.end) for piece in called}
     kept = [
         *called,

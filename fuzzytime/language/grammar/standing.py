@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.given_times import GivenTimes
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.measuring import Measures
+from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.run_on_hours import RunOnHours
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
@@ -27,6 +27,13 @@ class Standing:
     def is_ambiguous(self, place: int) -> bool:
         """Whether the word at a place is an English word with another meaning, too: "may", "sun"."""
         return self.texts[place] in self.lexicon.ambiguous
+
+    def is_open(self, place: int) -> bool:
+        """Whether something goes on for hours before a place: "open | ten to six", "my shift is | …"."""
+        last = self.texts[place - 1] if place else ""
+        if last in self.beside.equating:
+            return not self.lexicon.frames.isdisjoint(self.texts[max(0, place - NEAR) : place])
+        return last in self.beside.open_for_hours
 
     def is_called(self, place: int) -> bool:
         """Whether somebody is called right before a place: "call ann | five thirty"; not "call room 1430"."""

@@ -148,6 +148,8 @@ class BesideTimes:
     which_is_not_said: Words
     first_of_repetitions: Words
     binding_ranges: Words
+    open_for_hours: Words
+    equating: Words
     behind_round: Words
     taking_along: Words
     how_late: Words

@@ -6,7 +6,7 @@ from datetime import UTC, date, datetime, timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Time, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, Time, Wall
 from fuzzytime.language.meaning.instants import Instants, is_eve
 from fuzzytime.language.meaning.moment import Moment, zone_of
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
@@ -19,6 +19,10 @@ HALF_OF_DAY_ADVICE = ": say am or pm"
 
 FAR = timedelta(days=62)
 """How far ahead a weekday that is a day of some month is said to be."""
+
+
+LONG_DAY = 8
+"""Hours for which something goes on by day, at most: "ten to six", but not "ten to nine"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +97,31 @@ class Deciding:
     def of_hour(self, found: Instants) -> Remark:
         """Say which hour was chosen for "at half past"."""
         return self._noted(f" is taken as {found.start:%H:%M}: of which hour is not said")
+
+    def of_hours(self, said: Said, found: Instants) -> tuple[Remark, ...]:
+        """Say that "ten to six" is taken as one time, or as a stretch, where it may be the other."""
+        time = said.time
+        if isinstance(time, Range):
+            first = time.first.clock if isinstance(time.first, Wall) else None
+            last = time.last.clock if isinstance(time.last, Wall) else None
+            if first is None or last is None or not first.hours or first.half or last.minute or last.shift:
+                return ()
+            other = found.end - timedelta(minutes=first.hour)
+            return (
+                self._noted(
+                    f" is taken as from {found.start:%H:%M} to {found.end:%H:%M}, not {other:%H:%M}: say at"
+                ),
+            )
+        clock = time.clock if isinstance(time, Wall) and said.preposition is None else None
+        if clock is None or not clock.hours or clock.shift >= 0:
+            return ()
+        if not 0 < (clock.hour + clock.shift // 60) % 12 <= LONG_DAY:
+            return ()
+        return (
+            self._noted(
+                f" is taken as {found.start:%H:%M}, not from {-clock.shift // 60} to {clock.hour}: say from"
+            ),
+        )
 
     def of_weekday(self, time: Time, found: Instants) -> tuple[Remark, ...]:
         """Say which day was chosen, where a weekday does not fit the date beside it."""

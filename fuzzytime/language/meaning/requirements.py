@@ -225,6 +225,7 @@ class _Grounder:
         remarks = (
             *remarks,
             *self._deciding.of_midnight(time, found),
+            *self._deciding.of_hours(self.said, found),
             *self._deciding.of_weekday(time, found),
         )
         if isinstance(time, HourMark) and time.open:

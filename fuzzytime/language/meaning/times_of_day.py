@@ -42,6 +42,7 @@ class Clock:
     it is named by that word, which people say of the end of a day, too. ``apart`` says that it is told by
     how far it is from another ("ten minutes before noon"), ``minutes`` that its number may as well be minutes
     past or to another hour ("twenty"), ``ends_day`` that it is where its day is over, or behind it ("24:00").
+    ``hours`` says that "ten to six" may as well be from one hour to another, or that its number is the first.
     """
 
     hour: int
@@ -57,6 +58,7 @@ class Clock:
     apart: bool = False
     minutes: bool = False
     ends_day: bool = False
+    hours: bool = False
 
     @property
     def may_end_day(self) -> bool:
