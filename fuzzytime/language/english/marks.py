@@ -5,7 +5,7 @@ from itertools import pairwise
 
 from fuzzytime.language.english.counted import in_duration
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.distances import INTO
 from fuzzytime.language.meaning.expressions import Duration, Edge, Offset, Said, UnitWord
 from fuzzytime.requirement import Unit
@@ -14,6 +14,8 @@ grammar = Grammar()
 
 CLOCKED = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 """Units in which people tell how long something has gone on."""
+
+MINUTES = 60
 
 Marks = tuple[Integer | Duration, ...]
 
@@ -29,6 +31,15 @@ def at_mark(duration: Duration) -> Said | None:
 def from_zero(duration: Duration) -> Said:
     """T+5s, at T=120s: counted from when all of it is begun."""
     return in_duration(duration)
+
+
+@grammar.rule("said", "at|@? t + <hh:mm>|<hh:mm:ss>", "at|@ t = <hh:mm>|<hh:mm:ss>", weight=0.6)
+def from_zero_typed(numbers: Typed) -> Said | None:
+    """T+0:30, T+1:02:30: hours and minutes that have gone by, no clock time."""
+    hours, minutes, seconds = (*(numbers[at] for at in range(len(numbers.parts))), 0)[:3]
+    if minutes >= MINUTES or seconds >= MINUTES:
+        return None
+    return from_zero(Duration(((hours * MINUTES + minutes + seconds / MINUTES, Unit.MINUTE),)))
 
 
 @grammar.rule("mark", "<integer>")

@@ -25,7 +25,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.quotes import quotes_in
 from fuzzytime.language.grammar.timetables import holds_stretch
-from fuzzytime.language.grammar.typed_hours import clock_of_alarm, lasting_on_day
+from fuzzytime.language.grammar.typed_hours import clock_of_alarm, gone_by, lasting_on_day
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Phrase
 
@@ -204,7 +204,9 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
         found[place] = in_unit(found[place], found[place - 1], scanned.words, lexicon)
     found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]
     found = [lasting_on_day(phrase, scanned.words, lexicon) for phrase in found]
-    found = [clock_of_alarm(phrase, scanned.words, lexicon) for phrase in found]
+    found = [
+        gone_by(clock_of_alarm(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found
+    ]
     found = [due_then(phrase, scanned.words, lexicon) for phrase in found]
     found = [appointed(moved_to(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found]
     for place in range(len(found) - 2, -1, -1):

@@ -5,9 +5,13 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.distances import INTO
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Said, Wall
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS, Clock
-from fuzzytime.requirement import Unit
+from fuzzytime.requirement import Constraint, Unit
+
+NOUN = 3
+"""Words behind a preposition among which its noun is."""
 
 FEW_HOURS = 8
 """Hours below which they are how long, where a day stands beside; others are of a clock."""
@@ -44,6 +48,21 @@ def clock_of_alarm(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> P
         return phrase
     clock = Clock(hours, minutes, 0, Unit.MINUTE, full_day=True)
     return replace(phrase, said=Said(Wall(clock=clock), None, "for"))
+
+
+def gone_by(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
+    """Read "0:30" before "into" as hours and minutes that have gone by: "at 0:30 into the run"."""
+    said, behind = phrase.said, words[phrase.end : phrase.end + 1]
+    clock = said.time.clock if isinstance(said.time, Wall) and said.time.days is None else None
+    if clock is None or clock.half is not None or clock.shift or not behind or behind[0].text != INTO:
+        return phrase
+    goes_on = lexicon.lasting | lexicon.happening | lexicon.taken | lexicon.frames
+    inside = {word.text for word in words[phrase.end + 1 : phrase.end + 1 + NOUN]}
+    if ":" not in {word.text for word in words[phrase.first : phrase.end]} or goes_on.isdisjoint(inside):
+        # As in "put it at 6:30 into the oven".
+        return phrase
+    length = Duration(((clock.hour, Unit.HOUR), (clock.minute, Unit.MINUTE), (clock.second, Unit.SECOND)))
+    return replace(phrase, said=Said(length, Constraint.FOR))
 
 
 def _is_appointed(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:

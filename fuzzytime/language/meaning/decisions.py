@@ -1,5 +1,6 @@
 """What the policy decided where words leave it open: said in a sentence, and as a question."""
 
+import re
 from calendar import month_name
 from dataclasses import dataclass
 from datetime import UTC, date, datetime, timedelta
@@ -10,6 +11,7 @@ from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repe
 from fuzzytime.language.meaning.instants import Instants, is_eve
 from fuzzytime.language.meaning.moment import Moment, zone_of
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.meaning.series import begins_by_policy, bounds_said
 from fuzzytime.language.policy import Midnight
 from fuzzytime.requirement import Recurrence
@@ -20,6 +22,11 @@ HALF_OF_DAY_ADVICE = ": say am or pm"
 FAR = timedelta(days=62)
 """How far ahead a weekday that is a day of some month is said to be."""
 
+
+TODAY = Relative(0)
+
+GONE_BY = re.compile(r"(?<![\d.:])0:\d\d(?![:\d])")
+"""Hours and minutes that may have gone by, or be a clock time: "0:30"."""
 
 LONG_DAY = 8
 """Hours for which something goes on by day, at most: "ten to six", but not "ten to nine"."""
@@ -101,6 +108,9 @@ class Deciding:
     def of_hours(self, said: Said, found: Instants) -> tuple[Remark, ...]:
         """Say that "ten to six" is taken as one time, or as a stretch, where it may be the other."""
         time = said.time
+        if GONE_BY.search(self.text) and isinstance(time, Wall):
+            taken = f"the clock time {found.start:%H:%M}, not as so long from the start: say T+"
+            return (self._noted(f" is taken as {taken}"),)
         if isinstance(time, Range):
             first = time.first.clock if isinstance(time.first, Wall) else None
             last = time.last.clock if isinstance(time.last, Wall) else None
@@ -124,7 +134,7 @@ class Deciding:
         )
 
     def of_weekday(self, time: Time, found: Instants) -> tuple[Remark, ...]:
-        """Say which day was chosen, where a weekday does not fit the date beside it."""
+        """Say which day was chosen, where a weekday does not fit its date, or today's time has passed."""
         ends = ((time.first, found.start), (time.last, found.end)) if isinstance(time, Range) else ()
         for said, moment in ends or ((time, found.start),):
             days = said.days if isinstance(said, Wall) else None
@@ -133,6 +143,8 @@ class Deciding:
             )
             if not fits and not (isinstance(time, Range) and moment == found.end):
                 return (self._noted(f" is taken as {moment:%Y-%m-%d}, which is a {moment:%A}"),)
+            if self._has_passed(said, moment):
+                return (self._noted(f" is taken as {moment:%Y-%m-%d %H:%M}: today's has passed"),)
             other = self._otherwise(days, moment) if isinstance(days, Fields) else None
             if other is not None:
                 return (self._noted(f" is taken as {moment:%Y-%m-%d}, not {other:%Y-%m-%d}"),)
@@ -148,6 +160,13 @@ class Deciding:
         today = self.moment.grounding().today
         told = None if days.told is None else next(days.told.upcoming(today, today.day), None)
         return None if told is None or told.first == moment.date() else told.first
+
+    def _has_passed(self, said: Time, moment: datetime) -> bool:
+        """Whether a clock time in a part of today is that of the day after: "this morning at three"."""
+        if not isinstance(said, Wall) or said.clock is None or said.part is None or said.days != TODAY:
+            return False
+        # "Tonight at two" is in the night that begins today.
+        return not said.part.half.is_late and moment.date() > self.moment.grounding().today.day
 
     def _is_far(self, days: Fields, moment: datetime) -> bool:
         """Whether a weekday and a day of a month that is not said go together only months from now."""
