@@ -117,6 +117,14 @@ def typed_to_the_second(numbers: Typed) -> Clock | None:
     return None if whole is None or second >= 60 else replace(whole, second=second, grain=Unit.SECOND)
 
 
+@grammar.rule("clock", "<clock> and <integer> seconds", weight=0.6)
+def with_seconds(clock: Clock, seconds: Integer) -> Clock | None:
+    """Six twenty-two and thirty seconds."""
+    if clock.grain is not Unit.MINUTE or clock.bare or clock.shift or not 0 < seconds.value < 60:
+        return None
+    return replace(clock, second=seconds.value, grain=Unit.SECOND, pair=False)
+
+
 @grammar.rule("clock", "<15h30>")
 def typed_with_h(numbers: Typed) -> Clock | None:
     """15h30, 3h18."""

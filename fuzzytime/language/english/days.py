@@ -158,6 +158,12 @@ def days_from_now(duration: Duration) -> Calendar | None:
     return days_away(duration, Relative(0), 1) if not duration.hedges else None
 
 
+@grammar.rule("days", "<duration> ago", weight=-0.3)
+def days_ago(duration: Duration) -> Calendar | None:
+    """Three days ago, beside a time of that day."""
+    return days_away(duration, Relative(0), -1) if not duration.hedges else None
+
+
 @grammar.rule(
     "days",
     "<weekday> ,? <duration> from now|today",

@@ -61,8 +61,8 @@ def same_day(which: Which, series: Calendar) -> Calendar | None:
     return Away(series.count, series.unit, Relative(0))
 
 
-@grammar.rule("days away", "<duration> on <weekday>")
-@grammar.rule("days", "<duration> on <weekday>", weight=0.6)
+@grammar.rule("days away", "<duration> on|come <weekday>")
+@grammar.rule("days", "<duration> on|come <weekday>", weight=0.6)
 def weeks_on(duration: Duration, weekday: int) -> Calendar | None:
     """A fortnight on friday, a month on monday: so long after the next."""
     weeks = duration.unit in {Unit.WEEK, Unit.MONTH} and not duration.hedges
@@ -184,6 +184,12 @@ def weekdays_before(number: Integer, weekday: int, anchor: Calendar) -> Calendar
 def weekdays_after(number: Integer, weekday: int, anchor: Calendar) -> Calendar | None:
     """Two fridays after easter."""
     return _counted(number.value, Fields(weekday=weekday), anchor)
+
+
+@grammar.rule("days", "the? <series> just gone", weight=0.6)
+def just_gone(series: Calendar) -> Calendar:
+    """(on) friday just gone: the last one."""
+    return Deictic(Which.PAST, series)
 
 
 @grammar.rule("days", "the? <series> after this|that one", weight=0.6)

@@ -137,6 +137,7 @@ def on_the_stroke(clock: Clock, days: Calendar | None = None) -> Said:
 
 
 @grammar.rule("said", "at <clock>|<clock behind at> on|of the? <wall>", weight=0.8)
+@grammar.rule("said", "at <clock>|<clock behind at> , on the? <wall>", weight=0.8)
 def at_clock_on(clock: Clock, wall: Wall) -> Said | None:
     """At 2.30 on friday, at 2030 on friday, at seven on the 14th."""
     return at_clock_beside(replace(clock, bare=False), wall)
@@ -210,11 +211,14 @@ def or_shortly_before(said: Said) -> Said | None:
 
 
 def _a_little_off(said: Said, hedge: str) -> Said | None:
-    point = said.constraint in {None, Constraint.AT} and not said.hedges
+    point = said.constraint in {None, Constraint.AT} and not said.beside
     if not point or not isinstance(said.time, (Wall, Ending)):
         return None
     return replace(
-        said, hedges=(hedge,), edge=Edge.END if hedge.endswith("after") else Edge.START, beside=True
+        said,
+        hedges=(hedge, *said.hedges),
+        edge=Edge.END if hedge.endswith("after") else Edge.START,
+        beside=True,
     )
 
 

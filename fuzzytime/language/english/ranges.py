@@ -173,6 +173,8 @@ def _side_by_side(first: Goal, last: Goal, *, minutes: bool = False) -> Said | N
     walls = [goal.time for goal in (first, last) if isinstance(goal.time, Wall)]
     if len(walls) == 2 and all(wall.bare for wall in walls):
         return None
+    if minutes and _is_minutes(first.time, last.time):
+        return None
     if isinstance(first.time, Wall) and is_meal(first.time):
         # "Move lunch to one": a meal is what is moved; "close to six".
         return None
@@ -181,6 +183,18 @@ def _side_by_side(first: Goal, last: Goal, *, minutes: bool = False) -> Said | N
         # "Q1-2019" and "aug-01-2019" are one date each.
         return None
     return _range(first, last, "between", minutes=minutes)
+
+
+def _is_minutes(first: Time, last: Time) -> bool:
+    """Whether a number in words is no hour before the one behind it: "about ten to six pm"."""
+    start, end = (time.clock if isinstance(time, Wall) else None for time in (first, last))
+    return (
+        start is not None
+        and end is not None
+        and start.hours
+        and start.half is None
+        and end.hour <= start.hour
+    )
 
 
 @grammar.rule("said", "<goal> - -? the? <goal>", weight=1.0)

@@ -8,7 +8,7 @@ from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.relations import Relative, days_away
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -52,6 +52,16 @@ def stacked_digits(first: Wall, clock: Clock) -> Wall | None:
     if first.clock is not None or not clock.bare or clock.grain is not Unit.MINUTE:
         return None
     return joined(first, Wall(clock=replace(clock, bare=False)))
+
+
+@grammar.rule("wall", "<wall> of <wall>", weight=0.4)
+def part_of_part(first: Wall, second: Wall) -> Wall | None:
+    """The small hours of sunday morning: of two parts of a morning, the first."""
+    inner, outer = first.part, second.part
+    if inner is None or outer is None or first.days or first.clock or second.clock or second.days is None:
+        return None
+    early = outer.half is Half.AM and inner.end <= outer.end and not (inner.meal or inner.is_point)
+    return replace(second, part=inner) if early else None
 
 
 @grammar.rule("wall", "<date> t <clock> z?", weight=0.5)
