@@ -1,6 +1,5 @@
-"""Dates: "february the 15th", "31st Oct 1974", "2/15", "march 2027"."""
+"""Dates: "february the 15th", "31st Oct 1974", "march 2027"."""
 
-from dataclasses import replace
 from datetime import MAXYEAR
 
 from fuzzytime.language.grammar.chart import Grammar
@@ -22,9 +21,6 @@ LATE_HOURS = range(2100, 2400)
 """Numbers beyond it that are rather hours and minutes than years, too: "friday, 2115"."""
 
 LONGEST_MONTH = 31
-
-MONTHS = 12
-"""Of a year: two numbers up to here may be month and day in either order."""
 
 
 # -- a month and its days -------------------------------------------------------------------------------
@@ -69,84 +65,16 @@ def day_alone(day: int | Integer) -> Fields | None:
     return Fields(day=number) if 1 <= number <= LONGEST_MONTH else None
 
 
-# -- typed dates ----------------------------------------------------------------------------------------
-
-
-def _valid(year: int | None, month: int, day: int | None) -> Fields | None:
+def valid_date(year: int | None, month: int, day: int | None) -> Fields | None:
+    """Give a date, or a month, in numbers; None where there is none."""
     if not 1 <= month <= 12 or (day is not None and not 1 <= day <= LONGEST_MONTH):
         return None
     return Fields(year, month, day)
 
 
-def _either(first: int, second: int, year: int | None) -> Fields | None:
-    """Month and day in the order that is possible; month first where both are."""
-    found = _valid(year, first, second) or _valid(year, second, first)
-    both = found is not None and max(first, second) <= MONTHS and first != second
-    return replace(found, turnable=True) if found is not None and both else found
-
-
 def century(year: int, digits: str) -> int:
     """Give the year that two digits mean: up to 49 in this century."""
     return year if len(digits) > 2 else year + (2000 if year < 50 else 1900)
-
-
-@grammar.rule("date", "<y-m-d>", weight=1.3)
-def iso(numbers: Typed) -> Fields | None:
-    """2015-03-03."""
-    return _valid(numbers[0], numbers[1], numbers[2]) or _valid(numbers[0], numbers[2], numbers[1])
-
-
-@grammar.rule("date", "<n-n-n>", weight=1.3)
-def typed(numbers: Typed) -> Fields | None:
-    """3/3/2015, 31.10.1974."""
-    found = _either(numbers[0], numbers[1], century(numbers[2], numbers.parts[2]))
-    return found if found is None or not numbers.ordered else replace(found, turnable=False)
-
-
-@grammar.rule("date", "<yyyymmdd>", weight=0.1)
-def compact(numbers: Typed) -> Fields | None:
-    """20161016."""
-    return _valid(numbers[0], numbers[1], numbers[2]) if 1900 <= numbers[0] < 2200 else None
-
-
-@grammar.rule("date", "<integer> <integer> <integer>", weight=-0.1)
-def spaced(year: Integer, month: Integer, day: Integer) -> Fields | None:
-    """2016 10 16."""
-    return _valid(year.value, month.value, day.value) if len(year.digits) == 4 else None
-
-
-@grammar.rule("weak date", "<n/n>", "<integer> - <integer>", weight=-0.1)
-def typed_without_year(first: Typed | Integer, second: Integer | None = None) -> Fields | None:
-    """2/15; 3/4 of something is a fraction."""
-    if isinstance(first, Typed):
-        return _either(first[0], first[1], None)
-    if second is None or not (first.digits and second.digits) or len(first.digits + second.digits) > 4:
-        return None
-    return _either(first.value, second.value, None)
-
-
-@grammar.rule("dotted date", "<n.n>")
-def dotted(numbers: Typed) -> Fields | None:
-    """7.6, beside a weekday."""
-    return _either(numbers[0], numbers[1], None)
-
-
-@grammar.rule("weak date", "<last d.m.>", weight=0.2)
-def stopped_at_end(numbers: Typed) -> Fields | None:
-    """On 3.4.: day and month, if a preposition says so, as the full stop may end a sentence."""
-    return stopped(numbers)
-
-
-@grammar.rule("date", "<d.m.>", weight=0.3)
-def stopped(numbers: Typed) -> Fields | None:
-    """20.3. at ten: day and month, as the full stop behind both says."""
-    return _valid(None, numbers[1], numbers[0])
-
-
-@grammar.rule("date", "<weekday> <dotted date>", "<weekday> , <dotted date>")
-def dotted_date(weekday: int, date: Fields) -> Fields:
-    """Friday 7.6."""
-    return replace(date, weekday=weekday)
 
 
 # -- months and years -----------------------------------------------------------------------------------
@@ -223,7 +151,7 @@ def day_month_year(day: int, month: int, number: int) -> Fields:
 def numbered_month(numbers: Typed) -> Fields | None:
     """2014-10, 12/2015."""
     first, second = numbers[0], numbers[1]
-    return _valid(first, second, None) if first > 12 else _valid(second, first, None)
+    return valid_date(first, second, None) if first > 12 else valid_date(second, first, None)
 
 
 @grammar.rule("weak date", "<season>", weight=-0.1)
@@ -248,7 +176,7 @@ def year_alone(number: int) -> Fields | None:
 def spaced_year_and_month(number: int, month: Integer) -> Fields | None:
     """2026 / 11."""
     digits = 0 < len(month.digits) <= 2
-    return _valid(number, month.value, None) if digits and not _is_late_hour(number) else None
+    return valid_date(number, month.value, None) if digits and not _is_late_hour(number) else None
 
 
 @grammar.rule("weak date", "<integer> /|- <year>", weight=-0.2)

@@ -1,4 +1,4 @@
-"""Lengths of time: "ten minutes", "an hour and a half", "1h30", "five to ten minutes"."""
+"""Lengths of time: "ten minutes", "an hour and a half", "1h30"."""
 
 from dataclasses import replace
 
@@ -16,14 +16,12 @@ METRES = 100
 YEARS = range(1800, 2100)
 """Numbers that an "s" makes a decade: "hits of the 1980s"."""
 
-FIVE = 5
-"""What larger numbers of minutes are counted in."""
-
 LARGEST = 1e11
 """Seconds that a length of time may have at most, about three thousand years."""
 
 
-def _length(quantity: Quantity, unit: UnitWord) -> Duration | None:
+def length_of(quantity: Quantity, unit: UnitWord) -> Duration | None:
+    """Give so many units as a length; None where they are hardly one."""
     amount = quantity.value * unit.count
     # "a m" is half of "10 a m".
     # "In a mo": a moment, no month.
@@ -50,26 +48,26 @@ AFTERTHOUGHT = "or so"
 @grammar.rule("duration", "<quantity> <unit>")
 def amount(quantity: Quantity, unit: UnitWord) -> Duration | None:
     """Ten minutes, a few hours, 2.5 h, another week."""
-    return _length(quantity, unit)
+    return length_of(quantity, unit)
 
 
 @grammar.rule("duration", "<fraction> of? a|an|one|the? <unit>", "<quantity> of a|an|the? <unit>")
 def fraction_of(part: float | Quantity, unit: UnitWord) -> Duration | None:
     """Half an hour, a quarter of an hour, three quarters of an hour, one and a quarter of hour."""
     quantity = part if isinstance(part, Quantity) else Quantity(part)
-    return _length(quantity, unit) if quantity.value != 1 and not quantity.indefinite else None
+    return length_of(quantity, unit) if quantity.value != 1 and not quantity.indefinite else None
 
 
 @grammar.rule("duration", "<quantity> <unit> and|- <fraction>")
 def and_a_half(quantity: Quantity, unit: UnitWord, fraction: float) -> Duration | None:
     """An hour and a half, one month and half."""
-    return _length(Quantity(quantity.value + fraction, quantity.hedges), unit)
+    return length_of(Quantity(quantity.value + fraction, quantity.hedges), unit)
 
 
 @grammar.rule("duration", "<quantity> <unit> and a bit|little")
 def and_a_bit(quantity: Quantity, unit: UnitWord) -> Duration | None:
     """An hour and a bit."""
-    length = _length(quantity, unit)
+    length = length_of(quantity, unit)
     return None if length is None else length.hedged("about")
 
 
@@ -140,15 +138,6 @@ def less(longer: Duration, shorter: Duration) -> Duration | None:
     return Duration(((seconds / 60, Unit.MINUTE),), (*longer.hedges, *shorter.hedges))
 
 
-@grammar.rule("duration", "<quantity> <unit> or <quantity>", weight=0.2)
-def one_or_two(quantity: Quantity, unit: UnitWord, more: Quantity) -> Duration | None:
-    """An hour or two."""
-    first, last = _length(quantity, unit), _length(more, unit)
-    if first is None or last is None or more.indefinite or first.seconds >= last.seconds:
-        return None
-    return replace(first, until=replace(last, bare_end=True), indefinite=False)
-
-
 @grammar.rule("duration", "<15h30>", weight=-0.15)
 def typed(numbers: Typed) -> Duration | None:
     """1h30."""
@@ -198,110 +187,10 @@ def whole_of(unit: UnitWord) -> Duration | None:
     return Duration(((unit.count, unit.unit),)) if unit.form != "night" else None
 
 
-@grammar.rule(
-    "duration",
-    "<duration> to|or|- <duration>",
-    "<quantity> to|or|- <duration>",
-    "<quantity> ,? or? maybe|perhaps|possibly|rather|even <duration>",
-    "<duration> ,? or? maybe|perhaps|possibly|even <duration>",
-    "between <quantity> and <duration>",
-)
-def between(shorter: Duration | Quantity, longer: Duration) -> Duration | None:
-    """Five to ten minutes, two or three hours, half an hour to an hour."""
-    if isinstance(shorter, Quantity):
-        if len(longer.terms) != 1 or shorter.indefinite:
-            return None
-        first = Duration(((shorter.value, longer.terms[0][1]),), shorter.hedges)
-    else:
-        first = shorter
-    if (
-        first.until is not None
-        or longer.until is not None
-        or first.seconds >= longer.seconds
-        or first.bare_end
-    ):
-        return None
-    return replace(first, until=longer, ordinal_end=longer.ordinal_end)
-
-
-@grammar.rule("duration", "<integer> <duration>", weight=0.3)
-def one_or_the_next(shorter: Integer, longer: Duration) -> Duration | None:
-    """Two three minutes, five-ten minutes: one or five more; but "two thirty minute walks" are two."""
-    steps = {1, FIVE, 2 * FIVE} if shorter.value % FIVE == 0 else {1}
-    spoken = not shorter.digits and longer.terms[0][0] - shorter.value in steps
-    return between(Quantity(shorter.value), longer) if spoken and not longer.hedges else None
-
-
-@grammar.rule("duration", "<quantity> <unit> ,|or|to <unit> and <fraction>", weight=0.3)
-def one_or_one_and_a_half(
-    quantity: Quantity, unit: UnitWord, again: UnitWord, part: float
-) -> Duration | None:
-    """An hour, hour and a half."""
-    first, last = _length(quantity, unit), _length(Quantity(1 + part), again)
-    if first is None or last is None or unit.unit is not again.unit or quantity.value != 1:
-        return None
-    return replace(first, until=last, indefinite=False)
-
-
-@grammar.rule(
-    "duration",
-    "<duration> ,? and|but <hedge> <quantity>|<duration>",
-    "<duration> , <hedge> <quantity>|<duration>",
-    weight=0.3,
-)
-def at_least_and_at_most(shorter: Duration, hedge: str, longer: Quantity | Duration) -> Duration | None:
-    """At least two hours and no more than four."""
-    bounded = "at least" in shorter.hedges and hedge in {"at most", "less than"}
-    if not bounded or len(shorter.terms) != 1 or shorter.until is not None:
-        return None
-    if isinstance(longer, Quantity):
-        longer = Duration(((longer.value, shorter.terms[0][1]),), bare_end=True)
-    if longer.hedges or longer.until is not None or shorter.seconds >= longer.seconds:
-        return None
-    return replace(shorter, hedges=(), until=longer)
-
-
-@grammar.rule("duration", "<quantity> ,? and|but <duration>", weight=0.4)
-def at_least_and_no_more(shorter: Quantity, longer: Duration) -> Duration | None:
-    """At least two but no more than six hours."""
-    upper = next(iter(longer.hedges), "") if len(longer.hedges) == 1 else ""
-    if shorter.hedges != ("at least",) or len(longer.terms) != 1:
-        return None
-    first = Duration(((shorter.value, longer.terms[0][1]),), shorter.hedges)
-    return at_least_and_at_most(first, upper, replace(longer, hedges=()))
-
-
-@grammar.rule(
-    "duration",
-    "<duration> ,? give or take <quantity>|<duration>",
-    "<duration> ,? plus|+ or|/? minus|- <quantity>|<duration>",
-    "<duration> ± <quantity>|<duration>",
-    "<quantity> give or take <duration>",
-    "<quantity> plus|+ or|/? minus|- <duration>",
-    "<quantity> ± <duration>",
-    weight=0.4,
-)
-def give_or_take(middle: Duration | Quantity, width: Quantity | Duration) -> Duration | None:
-    """Ten minutes give or take two, ten plus or minus two minutes: between eight and twelve."""
-    if isinstance(middle, Quantity):
-        if not isinstance(width, Duration) or len(width.terms) != 1:
-            return None
-        middle = Duration(((middle.value, width.terms[0][1]),), middle.hedges)
-    if len(middle.terms) != 1 or middle.until is not None or middle.bare_end:
-        return None
-    amount, unit = middle.terms[0]
-    seconds = width.seconds if isinstance(width, Duration) else width.value * UNIT_SECONDS[unit]
-    off = seconds / UNIT_SECONDS[unit]
-    if not 0 < off < amount:
-        return None
-    longer = Duration(((amount + off, unit),), bare_end=isinstance(width, Quantity))
-    return Duration(((amount - off, unit),), middle.hedges, until=longer)
-
-
 @grammar.rule("duration", "a|an good|solid <fraction> <unit>", weight=0.1)
 def a_good_part(fraction: float, unit: UnitWord) -> Duration | None:
     """A good half hour: that long, or longer."""
-    found = _length(Quantity(fraction), unit)
+    found = length_of(Quantity(fraction), unit)
     return None if found is None or fraction == 1 else found.hedged("at least")
 
 

@@ -47,3 +47,9 @@ def open_between_on(first: Clock, last: Clock, day: Wall) -> Said | None:
 def open_on_day_between(day: Wall, first: Clock, last: Clock) -> Said | None:
     """(open) tomorrow ten to six."""
     return open_between_on(first, last, day)
+
+
+@grammar.rule("hours open", "<hours open> ,? <hedge_after>")
+def open_about(hours: Said, hedge: str) -> Said:
+    """(open) ten to six or so."""
+    return replace(hours, hedges=(*hours.hedges, hedge))

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 from fuzzytime.language.english.clocks import number, typed
 from fuzzytime.language.english.durations import typed as typed_length
-from fuzzytime.language.english.minutes_past import moved
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
@@ -30,14 +29,8 @@ grammar = Grammar()
 
 NOON = 12
 
-QUARTER = 15
-"""Minutes that are said as a part of an hour."""
 
-NEAR_HOURS = 2
-"""Hours between two clock times of which the first may as well be minutes."""
-
-
-def _range(first: Goal, last: Goal, preposition: str | None, *, minutes: bool = False) -> Said | None:
+def range_of(first: Goal, last: Goal, preposition: str | None, *, minutes: bool = False) -> Said | None:
     """Give a stretch; ``minutes`` where its first number may be some to its last: "today five to eight"."""
     last = _in_hour(first, last)
     clock = first.time.clock if isinstance(first.time, Wall) else None
@@ -88,79 +81,21 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
 )
 def between(first: Goal, last: Goal) -> Said | None:
     """Between 5 and 6 pm, from monday to friday."""
-    return _range(first, last, "between")
+    return range_of(first, last, "between")
 
 
 @grammar.rule("said", "from|since the? <goal> to date", weight=1.3)
 @grammar.rule("said", "since the? <goal> to|-|through|until|till|up to? <word>", weight=1.3)
 def until_now(first: Goal, now: TimeWord | None = None) -> Said | None:
     """From march to date, since monday until now."""
-    return _range(first, Goal(now or TimeWord("now", Constraint.AT)), "between")
+    return range_of(first, Goal(now or TimeWord("now", Constraint.AT)), "between")
 
 
 @grammar.rule("said", "for the? <date>|<weak date> to|until|till|through the? <date>|<weak date>", weight=1.1)
 def for_days(first: Calendar, last: Calendar) -> Said | None:
     """(book it) for the 20th to the 27th."""
     days = first.grain is Unit.DAY and last.grain is Unit.DAY
-    return _range(Goal(Wall(first)), Goal(Wall(last)), "between") if days else None
-
-
-@grammar.rule(
-    "said",
-    "between <clock> and <minutes past>",
-    "from <clock> to|until|till <minutes past>",
-    weight=1.1,
-)
-def until_past(first: Clock, minutes: float) -> Said | None:
-    """Between three and half past, from quarter to ten until quarter past."""
-    if first.minute or first.shift >= minutes * 60:
-        return None
-    last = replace(first, minute=int(minutes), shift=0, grain=Unit.MINUTE, bare=False)
-    return _range(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
-
-
-@grammar.rule("minutes past", "<minutes of clock>|<bare minutes of clock> past")
-def minutes_past(minutes: float) -> float:
-    """Half past: of the hour that was said before, or is said behind it."""
-    return minutes
-
-
-@grammar.rule("minutes off", "<minutes of clock>|<bare minutes of clock> to|before")
-def minutes_to(minutes: float) -> float:
-    """A quarter to: of the hour that is said behind it."""
-    return -minutes
-
-
-@grammar.rule("minutes off", "<minutes past>")
-def minutes_after(minutes: float) -> float:
-    """A quarter past."""
-    return minutes
-
-
-@grammar.rule(
-    "said",
-    "between <minutes of clock>|<bare minutes of clock> and <minutes past> <clock>",
-    "from <minutes of clock>|<bare minutes of clock> to <minutes past> <clock>",
-    weight=1.1,
-)
-@grammar.rule(
-    "said",
-    "between <minutes off> and <minutes off> <clock>",
-    "from <minutes off> to|until|till <minutes off> <clock>",
-    weight=1.2,
-)
-def between_minutes(minutes: float, more: float, clock: Clock) -> Said | None:
-    """Between quarter to and quarter past nine, between ten and twenty past three.
-
-    In "between ten and half past eleven" the first is an hour.
-    """
-    part_of_hour = more % QUARTER == 0 and minutes % QUARTER
-    if part_of_hour and 0 < clock.hour - minutes <= NEAR_HOURS:
-        return None
-    first, last = moved(clock, minutes), moved(clock, more)
-    if minutes >= more or first is None or last is None:
-        return None
-    return _range(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
+    return range_of(Goal(Wall(first)), Goal(Wall(last)), "between") if days else None
 
 
 @grammar.rule("said", "<goal> to|through|thru the? <goal>", weight=1.0)
@@ -182,7 +117,7 @@ def _side_by_side(first: Goal, last: Goal, *, minutes: bool = False) -> Said | N
     if len(grains) > 1 and walls[0].days is not None and not walls[0].days.fixed:
         # "Q1-2019" and "aug-01-2019" are one date each.
         return None
-    return _range(first, last, "between", minutes=minutes)
+    return range_of(first, last, "between", minutes=minutes)
 
 
 def _is_minutes(first: Time, last: Time) -> bool:
@@ -240,7 +175,7 @@ def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
     ends = [number(first), number(last)]
     if wall.clock is not None or wall.weak or None in ends:
         return None
-    said = _range(Goal(Wall(clock=ends[0])), Goal(Wall(clock=ends[1])), "between")
+    said = range_of(Goal(Wall(clock=ends[0])), Goal(Wall(clock=ends[1])), "between")
     return None if said is None else refined(said, wall)
 
 
@@ -250,21 +185,21 @@ def minutes_of_day(wall: Wall, first: Typed, last: Typed) -> Said | None:
     begin, end = typed(first), typed(last)
     if wall.clock is not None or wall.weak or begin is None or end is None:
         return None
-    said = _range(Goal(Wall(clock=begin)), Goal(Wall(clock=end)), "between")
+    said = range_of(Goal(Wall(clock=begin)), Goal(Wall(clock=end)), "between")
     return None if said is None else refined(said, wall)
 
 
 @grammar.rule("said", "from the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def from_until(first: Goal, last: Goal) -> Said | None:
     """From 9:30 until 11."""
-    return _range(first, last, "between")
+    return range_of(first, last, "between")
 
 
 @grammar.rule("said", "the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def then_until(first: Goal, last: Goal) -> Said | None:
     """9:30 until 11; but who is "at work until five" is somewhere."""
     part = first.time.part if isinstance(first.time, Wall) else None
-    return None if part is not None and part.place else _range(first, last, "between")
+    return None if part is not None and part.place else range_of(first, last, "between")
 
 
 @grammar.rule("said", "from? the? <goal> until|till|til|to|- <days> at? <clock>", weight=1.5)
@@ -278,7 +213,7 @@ def until_other_day(first: Goal, days: Calendar, clock: Clock) -> Said | None:
 @grammar.rule("said", "<preposition_after> <goal> but|and <preposition_before> <goal>", weight=0.8)
 def after_and_before(after: Preposition, first: Goal, before: Preposition, last: Goal) -> Said | None:
     """Later than 3:30pm but before 6pm."""
-    return _range(first, last, "between")
+    return range_of(first, last, "between")
 
 
 @grammar.rule(
