@@ -50,8 +50,10 @@ def deadline(preposition: Preposition, goal: Goal) -> Said | None:
 
 
 @grammar.rule("said", "<preposition_before>|<preposition_after> <clock> ,? <days away>", weight=1.5)
-def bound_days_away(preposition: Preposition, clock: Clock, days: Calendar) -> Said:
+def bound_days_away(preposition: Preposition, clock: Clock, days: Calendar) -> Said | None:
     """By 11 a week from today: no eleven a week."""
+    if not clock.bare:
+        return None
     wall = Wall(days, clock=replace(clock, bare=False))
     return Said(wall, preposition.constraint, preposition.name, (), preposition.edge)
 

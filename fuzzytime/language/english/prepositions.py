@@ -153,8 +153,15 @@ def at_clock_beside(clock: Clock, wall: Wall) -> Said | None:
 @grammar.rule("said", "<hedge> <clock> ,? <days away>", weight=1.5)
 def about_clock_days_away(hedge: str, clock: Clock, days: Calendar) -> Said | None:
     """About ten a week on friday: no ten a week; but "at most ten a week from friday" are so many."""
-    bounded = clock.bare and hedge in UPPER | LOWER
-    return None if bounded else Said(Wall(days, clock=replace(clock, bare=False)), None, None, (hedge,))
+    if not clock.bare or hedge in UPPER | LOWER:
+        return None
+    return Said(Wall(days, clock=replace(clock, bare=False)), None, None, (hedge,))
+
+
+@grammar.rule("said", "<beside> <clock> ,? <days away>", weight=1.7)
+def just_off_days_away(hedge: str, clock: Clock, days: Calendar) -> Said | None:
+    """Right after one a week from thursday."""
+    return just_off(hedge, Goal(Wall(days, clock=replace(clock, bare=False)))) if clock.bare else None
 
 
 @grammar.rule(
