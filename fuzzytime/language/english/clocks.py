@@ -27,6 +27,9 @@ EARLIEST_WITH_MINUTES = 6
 EARLIEST_MILITARY = 100
 """From here on, a number is an hour with its minutes: "100 hours" is one o'clock."""
 
+EARLIEST_HUNDREDS = 10
+"""From here on, so many hundred hours are no length of time."""
+
 TO_AN_HOUR = frozenset({15, 20})
 """Hours of the afternoon that, in words, may as well be minutes: "twenty to seven"."""
 
@@ -156,6 +159,12 @@ def hour_with_h(hour: Integer) -> Clock | None:
 def four_digits_with_hours(hour: Integer) -> Clock | None:
     """(not before) 1330 hours: a length of time is hardly as long."""
     return military(hour) if len(hour.digits) == FULL_DIGITS else None
+
+
+@grammar.rule("four digits with hours", "<integer> hundred hours")
+def hundreds_with_hours(hour: Integer) -> Clock | None:
+    """(before) twenty hundred hours: "two thousand hours" is a length."""
+    return oclock(hour) if hour.value >= EARLIEST_HUNDREDS else None
 
 
 @grammar.rule("late clock with h", "<15h30>")

@@ -12,7 +12,7 @@ from fuzzytime.language.meaning.feasts import Yearly
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import Nth
 from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Stretch, Which, days_away
-from fuzzytime.language.meaning.times_of_day import Part
+from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -248,6 +248,12 @@ def lasting_from_then(away: Duration, wall: Wall, duration: Duration) -> Said | 
     """A week from sunday at six for an hour."""
     days = None if wall.days is None or away.hedges else days_away(away, wall.days, 1)
     return None if days is None else Said(replace(wall, days=days), None, None, lasting=duration)
+
+
+@grammar.rule("said", "at <clock> ,? <days away> ,? for <duration>", weight=2.0)
+def lasting_at_clock_then(clock: Clock, days: Calendar, duration: Duration) -> Said:
+    """At six a week from today for an hour: no six a week."""
+    return Said(Wall(days, clock=replace(clock, bare=False)), None, "at", lasting=duration)
 
 
 @grammar.rule("stretch", "the? <duration> <deictic>", weight=-0.3)

@@ -168,13 +168,15 @@ def counted(duration: Duration, preposition: Preposition) -> Goal:
 )
 def before_goal(duration: Duration, goal: Goal) -> Goal | None:
     """Twenty minutes before noon, an hour before about six."""
-    return replace(goal, time=Offset(duration, -1, goal.time)) if _counts_from(goal) else None
+    counts = _counts_from(goal) and not _is_quarter_hour(duration, goal)
+    return replace(goal, time=Offset(duration, -1, goal.time)) if counts else None
 
 
 @grammar.rule("goal", "<duration> after|past|following|from <goal>", weight=0.1)
 def after_goal(duration: Duration, goal: Goal) -> Goal | None:
     """Two hours after lunch, 15 minutes from 1pm."""
-    return replace(goal, time=Offset(duration, 1, goal.time)) if _counts_from(goal) else None
+    counts = _counts_from(goal) and not _is_quarter_hour(duration, goal)
+    return replace(goal, time=Offset(duration, 1, goal.time)) if counts else None
 
 
 @grammar.rule("goal", "<duration> before|til|to|prior <goal>", "<duration> prior to <goal>", weight=2.0)
@@ -215,8 +217,7 @@ def near(duration: Duration, goal: Goal) -> Goal | None:
 @grammar.rule("goal", "<hedge> <duration> after|past|following <goal>", weight=0.5)
 def at_most_after(hedge: str, duration: Duration, goal: Goal) -> Goal | None:
     """At most ten minutes after noon, no more than two days after monday: from then to then."""
-    if hedge not in UPPER or (duration.unit is Unit.QUARTER and not _is_day(goal)):
-        # "Up to a quarter past three" is no quarter of a year behind it.
+    if hedge not in UPPER or _is_quarter_hour(duration, goal):
         return None
     if not _is_day(goal):
         return soon_after(duration, goal)
@@ -281,6 +282,12 @@ def _as_hour(goal: Goal) -> Goal:
     if not isinstance(goal.time, Wall) or goal.time.clock is None:
         return goal
     return replace(goal, time=replace(goal.time, clock=replace(goal.time.clock, bare=False, pair=False)))
+
+
+def _is_quarter_hour(duration: Duration, goal: Goal) -> bool:
+    """Whether a quarter beside a clock time is no quarter of a year: "up to a quarter past three"."""
+    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
+    return duration.unit is Unit.QUARTER and clocked
 
 
 def _is_day(goal: Goal) -> bool:
