@@ -43,7 +43,7 @@ class BareHours(Standing):
         if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
             # "At three to one"
             return False
-        if self._is_counted(piece, said):
+        if self._is_counted(piece, said) or self._counts_either(piece):
             return False
         # "At fourteen hundred"
         spelt = self.texts[piece.end - 1] == "hundred" and wall.clock is not None and wall.clock.full_day
@@ -68,6 +68,15 @@ class BareHours(Standing):
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and (bool(said.hedges) or self._is_listed(piece))
         return True
+
+    def _counts_either(self, piece: Piece) -> bool:
+        """Whether it is the first of two numbers that count what is behind them: "around 3 or 4 cats"."""
+        offered = self.around.follower(piece) in self.closed.alternatives
+        second = piece.end + 1
+        if not offered or not self.measures.is_number(second):
+            return False
+        counted = "".join(self.texts[second + 1 : second + 2])
+        return counted.isalpha() and counted.endswith("s") and counted not in self.lexicon.function_words
 
     def _is_counted(self, piece: Piece, said: Said) -> bool:
         """Whether a number before it makes it the second of two: "two by four", "pages 3 through 7"."""
