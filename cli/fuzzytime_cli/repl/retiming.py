@@ -1,16 +1,57 @@
-"""An instruction's words with another time in place of their own."""
+"""What is asked for said anew: its words with another time in place of their own."""
 
 from collections.abc import Sequence
 from itertools import combinations
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, find_times, merged_time
+from fuzzytime.language import About, AboutKind, Operation, content_words, find_times, merged_time, restated
 from fuzzytime.requirement import Constraint, TimeRequirement
-from fuzzytime_cli.repl.scene import Scene
+from fuzzytime_cli.repl.scene import Scene, number_of
 from fuzzytime_cli.session import Entry
 
 ONE = frozenset({"1", "one", "a", "an"})
 """Numbers behind which a unit has no s."""
+
+
+def said_anew(scene: Scene, words: str) -> str | None:
+    """Give the command that says an instruction anew: "no, feed the dog at seven"; None where none is meant.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the instruction asks for more than that.
+    """
+    language = scene.conversation.interpreter.language
+    anew = restated(words, scene.now, language.lexicon)
+    if anew is None:
+        return None
+    reading = language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.skills])
+    if len(reading.instructions) != 1:
+        return None
+    operation, times = reading.instructions[0].operation, reading.instructions[0].requirements
+    if operation is None or not times:
+        return None
+    same = [one for one in scene.plan.skills if one.reading and _is_same(one.operation, operation)]
+    same.sort(key=lambda one: number_of(one.identifier) == scene.focus)
+    if not same:
+        return None
+    old, number = same[-1], number_of(same[-1].identifier)
+    several = old.reading is not None and len(old.reading.instructions) > 1
+    own = old.instruction.requirements if old.instruction is not None else ()
+    named = (operation.object or "").lower() in anew.lower()
+    if several or not named or len(own) > len(times):
+        # The rest of its words stays, and where it stands "them" is nothing: "no, put them out at seven".
+        moved = About(kind=AboutKind.MOVE, time=times[0].text)
+        anew = with_time(scene, scene.conversation.state.entry(number), moved, own)
+    return f":edit {number} {anew}"
+
+
+def _is_same(one: Operation | None, other: Operation) -> bool:
+    """Whether two operations do the same with the same, in one place as far as the second tells."""
+    if one is None or (one.lemma, one.negated) != (other.lemma, other.negated):
+        return False
+    places = content_words(other.place) in (frozenset(), content_words(one.place))
+    return places and content_words(one.object) == content_words(other.object)
 
 
 def with_time(scene: Scene, entry: Entry, about: About, own: Sequence[TimeRequirement] | None = None) -> str:

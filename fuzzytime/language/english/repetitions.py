@@ -205,9 +205,8 @@ def few(number: Integer) -> int | None:
     return times(number)
 
 
-@grammar.rule(
-    "repeat", "<times> a|an|per|every|each|/ <unit>", "<times> daily", "<few> a|an|per <unit>", weight=0.6
-)
+@grammar.rule("repeat", "<few> a|an|per <unit>", weight=0.1)
+@grammar.rule("repeat", "<times> a|an|per|every|each|/ <unit>", "<times> daily", weight=0.6)
 def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     """Twice a day, three times an hour."""
     if unit is not None and len(unit.form) == 1:

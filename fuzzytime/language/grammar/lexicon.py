@@ -70,6 +70,8 @@ class Lexicon:
         Words around a time, in small groups by what they make of it.
     no_times
         Words around what looks like a time and is none, in small groups by what it is.
+    called
+        Pronouns of persons, with the words that say of somebody that they are called so.
     past
         Irregular forms of verbs of what is over.
     undoing
@@ -181,6 +183,7 @@ class Lexicon:
     closed: ClosedClasses
     beside: BesideTimes
     no_times: NoTimes
+    called: Mapping[str, frozenset[str]]
     past: Mapping[str, frozenset[str]]
     undoing: Mapping[str, frozenset[str]]
     asides: Mapping[str, frozenset[str]]

@@ -107,6 +107,7 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
         closed=closed,
         beside=beside,
         no_times=no_times,
+        called=_by_use(speech, "called"),
         past=_by_use(speech, "past"),
         undoing=_by_use(speech, "undoing"),
         told=_by_use(speech, "told"),
@@ -194,7 +195,7 @@ _SPEECH = (
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
     "passing", "doing", "past", "undoing", "circling", "dosing", "coming_in", "dining", "closed_classes",
-    "beside_times", "no_times",
+    "beside_times", "no_times", "called",
 )  # fmt: skip
 _ROWS = {
     "indicators": ("start", "finish", "throughout"),

@@ -90,12 +90,19 @@ class Mentions:
         operation = self.operations[found[0]] if found else None
         return None if operation is None else operation.object
 
-    def person(self, before: int, *, several: bool) -> str | None:
-        """Give the latest person who was named in an object, or the latest persons."""
+    def person(self, before: int, pronoun: str, *, several: bool) -> str | None:
+        """Give the latest person who was named in an object and is called so, or the latest persons."""
+        called = self.lexicon.called
+        others = {
+            word for one, words in called.items() if pronoun in called and one != pronoun for word in words
+        }
         found = self._people[several]
-        place = bisect_left(found, before) - 1
-        operation = self.operations[found[place]] if place >= 0 else None
-        return None if operation is None else _person_of(operation, self.lexicon)
+        for place in reversed(found[: bisect_left(found, before)]):
+            operation = self.operations[place]
+            person = None if operation is None else _person_of(operation, self.lexicon)
+            if person is not None and others.isdisjoint(person.lower().split()):
+                return person
+        return None
 
     def about(self, words: frozenset[str], before: int) -> int | None:
         """Give the latest position before one whose object has all of some words."""

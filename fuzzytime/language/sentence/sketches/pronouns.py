@@ -135,7 +135,8 @@ def _resolved_person(
         near.add(earlier)
     if several and near.thing(len(own), several=True, strictly=True):
         return None
-    person = near.person(len(own), several=several) or mentions.person(first, several=several)
+    called = pronoun.lower()
+    person = near.person(len(own), called, several=several) or mentions.person(first, called, several=several)
     if person is None or (several and mentions.thing(first, several=True, strictly=True)):
         return None
     article, _, name = person.partition(" ")
