@@ -102,11 +102,11 @@ class Borders:
 
     def _is_state(self, piece: Piece) -> bool:
         """Whether its first word is what a thing is then, and no preposition: "heating on | 6 am"."""
-        time = piece.value.time
+        time, first = piece.value.time, piece.start
+        if self.texts[first] != "on" or first == 0 or piece.end - first == 1:
+            return False
         clock = isinstance(time, Wall) and time.clock is not None and time.days is None and time.part is None
-        led = clock and piece.start > 0 and self.texts[piece.start] == "on"
-        hour = [word.is_digits for word in self.words[piece.start + 1 : piece.end]][:1]
-        return led and hour == [True] and self.words[piece.start - 1].is_letters
+        return clock and self.words[first + 1].is_digits and self.words[first - 1].is_letters
 
     def _takes_full_stop(self, piece: Piece) -> bool:
         """Whether its dot ends the sentence, as what stands before it is a time word: "in half a mo."."""

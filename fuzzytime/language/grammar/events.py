@@ -12,6 +12,9 @@ from fuzzytime.language.meaning.expressions import Offset, Range, Said, Wall
 BESIDE = 2
 """Words from an article to what is behind its noun: "a spa morning"."""
 
+GIVEN = (["for"], ["to"], ["at"])
+"""What stands between a part of the day and the time that it gets."""
+
 
 class Events:
     """The events of a text that have a time in their name."""
@@ -56,22 +59,26 @@ class Events:
 
     def _ends_name(self, piece: Piece) -> bool:
         """Whether it begins with the last word of what happens: "date night on friday", "good night at 8"."""
-        first, before = piece.start, self.around.before(piece)
+        first = piece.start
+        if not self.around.ends_name(first):
+            return False
         again = not self.beside.repeating.isdisjoint(self.texts[first + 1 : first + 2])
-        if not (again or isinstance(piece.value.time, (Wall, Range))) or not self.around.ends_name(first):
+        if not again and not isinstance(piece.value.time, (Wall, Range)):
             return False
         # "Wash up evening at six"
         acted = self.lexicon.alone | self.lexicon.intransitive | self.lexicon.addressing
         led = self.texts[max(0, first - BESIDE) : first - 1]
         bound = self.around.follower(piece) in self.closed.prepositions_of_points | {"on"}
         named = piece.end - first > 1 or bound or not self.closed.noun_openers.isdisjoint(led)
-        return named and before not in acted
+        return named and self.around.before(piece) not in acted
 
     def _is_given_time(self, piece: Piece) -> bool:
         """Whether it begins with a part of the day that gets a time: "set bedtime for eight"."""
-        given = self.around.before(piece) in self.lexicon.moving | self.lexicon.appointing
-        bound = self.texts[piece.start + 1 : piece.start + 2]
-        return given and bool({*bound} & {"for", "to", "at"}) and self.around.is_part(piece.start)
+        if self.texts[piece.start + 1 : piece.start + 2] not in GIVEN:
+            return False
+        before = self.around.before(piece)
+        given = before in self.lexicon.moving or before in self.lexicon.appointing
+        return given and self.around.is_part(piece.start)
 
     def _is_in_name(self, piece: Piece) -> bool:
         """Whether its part of the day is in the name of what happens then: "after the night shift, sleep"."""

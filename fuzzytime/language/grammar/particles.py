@@ -67,11 +67,12 @@ class Particles:
 
     def _tells_what_is_on(self, piece: Piece) -> bool:
         """Whether "on" says that something is, and what is behind it when: "what's on this weekend"."""
-        first, *rest = self.texts[piece.start : piece.end]
-        *_, asked, before = ("", "", *self.texts[: piece.start])
+        if self.texts[piece.start] != "on":
+            return False
+        *_, asked, before = ("", "", *self.texts[max(0, piece.start - 2) : piece.start])
         being = before in self.beside.being_on or (before in {"is", "'s"} and asked == "what")
-        now = rest[:1] == ["this"] or self.around.is_day_from_now(piece.start + 1)
-        return first == "on" and being and now
+        this = self.texts[piece.start + 1 : piece.end][:1] == ["this"]
+        return being and (this or self.around.is_day_from_now(piece.start + 1))
 
     def _stands_apart(self, piece: Piece) -> bool:
         """Whether a distance from something has it before it: "put the roast in | two hours before lunch"."""

@@ -35,6 +35,9 @@ LONGEST_ELLIPSIS = 4
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
 
+ROUNDS = 6
+"""How often the best pieces are chosen anew because the judge refused some of them."""
+
 
 @dataclass(frozen=True, slots=True)
 class Scanned:
@@ -183,15 +186,8 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     ]
     called += [piece for piece in scanned.pieces("hours open") if judge.walls.is_open(piece.start)]
     instead = {(piece.start, piece.end) for piece in called}
-    kept = [
-        *called,
-        *(
-            piece
-            for piece in scanned.pieces("said")
-            if (piece.start, piece.end) not in instead and judge.accepts(piece)
-        ),
-    ]
-    chosen = _best(kept, len(scanned.words))
+    said = [piece for piece in scanned.pieces("said") if (piece.start, piece.end) not in instead]
+    chosen = _best_of(called, said, len(scanned.words), judge)
     chosen += [piece for one in chosen for piece in judge.further.continued(one, scanned.cells, chosen)]
     read = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
     found = [
@@ -212,6 +208,24 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     for place in range(len(found) - 2, -1, -1):
         found[place] = in_half(found[place], found[place + 1], scanned.words, lexicon)
     return tuple(found)
+
+
+def _best_of(called: Sequence[Piece], said: Sequence[Piece], length: int, judge: Judge) -> list[Piece]:
+    """Give the best pieces of those that are called and those said that the judge accepts.
+
+    To judge costs more than to choose, and most pieces lie inside better ones: the best of all are chosen,
+    and only those are judged, until none of them is refused. Where that goes on, all are judged.
+    """
+    left, accepted = list(said), set(map(id, called))
+    for _ in range(ROUNDS):
+        chosen = _best([*called, *left], length)
+        refused = {id(piece) for piece in chosen if id(piece) not in accepted and not judge.accepts(piece)}
+        if not refused:
+            return chosen
+        accepted |= {id(piece) for piece in chosen if id(piece) not in refused}
+        left = [piece for piece in left if id(piece) not in refused]
+    kept = (piece for piece in left if id(piece) in accepted or judge.accepts(piece))
+    return _best([*called, *kept], length)
 
 
 def _best(pieces: Sequence[Piece], length: int) -> list[Piece]:

@@ -137,17 +137,20 @@ class Surroundings(LookedUp):
 
     def ends_name(self, place: int) -> bool:
         """Whether a word ends what something is called: "movie night", "good morning"; not "cat morning"."""
-        before = self.texts[place - 1] if place else ""
-        one = self.lexicon.persons | self.lexicon.animals
-        known = before in self.lexicon.function_words or (before in one and not looks_plural(before))
-        timed = self.timely(place - 1) or before in self.lexicon.numbers
-        named = before.isalpha() and not known and not timed and not self.words[place - 1].capital
-        return named and self.texts[place] in self.beside.ending_names
+        if not place or self.texts[place] not in self.beside.ending_names:
+            return False
+        before = self.texts[place - 1]
+        somebody = before in self.lexicon.persons or before in self.lexicon.animals
+        known = before in self.lexicon.function_words or (somebody and not looks_plural(before))
+        timed = before in self.lexicon.numbers or self.timely(place - 1)
+        return before.isalpha() and not known and not timed and not self.words[place - 1].capital
 
     def has_title(self, place: int) -> bool:
         """Whether the title of a person stands before a word: "Mrs. Noon"."""
+        if not self.words[place].capital:
+            return False
         before = [text for text in self.texts[:place] if text != "."][-1:]
-        return self.words[place].capital and not self.beside.titles_of_persons.isdisjoint(before)
+        return not self.beside.titles_of_persons.isdisjoint(before)
 
     def is_somebody(self, place: int) -> bool:
         """Whether a part of the day, or a month, has the capital of a name: "call Dawn", "hug April"."""
