@@ -32,19 +32,16 @@ def in_passing(
     for one in skills:
         longer = None if often[one.wish.identifier] < 2 else _longer(one, skills, rulebook, agents)
         around = _around(one, skills, rulebook, links) if longer is None and agents == 1 else None
-        if longer is None and around is None:
+        if longer is not None:
+            identifier, why = one.wish.identifier, f"{longer.skill.name} takes longer than the time between"
+        elif around is not None:
+            identifier, why = one.identifier, f"{around.skill.name} goes on"
+        else:
             found.append(one)
             continue
         skill = replace(one.skill, duration=0.0, elapsed=one.skill.time_until_done, in_passing=True)
         found.append(replace(one, skill=skill))
-        message = f"{one.skill.name} is done in passing: " + (
-            f"{around.skill.name} goes on"
-            if around is not None
-            else f"{longer.skill.name} takes longer than the time between"
-            if longer is not None
-            else ""
-        )
-        identifier = one.wish.identifier if around is None else one.identifier
+        message = f"{one.skill.name} is done in passing: {why}"
         problems.setdefault(identifier, problem_of(one.wish, ProblemKind.NOTE, message, None, identifier))
     return found, tuple(problems.values())
 
