@@ -752,3 +752,21 @@ def test_a_timer_tells_what_is_left_and_takes_more() -> None:
     assert "until 09:10" in talk.say("how long is left on the timer?")
     assert ":more s1 5min" in talk.say("add five minutes to the timer")
     assert "until 09:15" in talk.say("how much time is left?")
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("when is the cat fed?", "s1 feed the cat: at 18:00"),
+        ("which one is first?", "s1 feed the cat: at 18:00"),
+        ("earlier, please", "by how much?"),
+        ("sooner", "by how much?"),
+    ],
+)
+def test_questions_name_verbs_in_any_form_and_directions_want_a_length(line: str, said: str) -> None:
+    talk = Talk()
+    talk.say("feed the cat at six pm")
+    talk.say("wash the car at seven pm")
+    assert said in talk.say(line)
+    assert len(talk.entries) == 2

@@ -4,7 +4,8 @@ from datetime import datetime
 
 from rich.text import Text
 
-from fuzzytime.language import About, content_words
+from fuzzytime.interpreter import Interpreted
+from fuzzytime.language import About, content_words, verb_forms
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
@@ -133,10 +134,17 @@ def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
         return [
             position
             for position, one in waiting(scene)
-            if names <= content_words(one.skill.name) | {one.wish.identifier}
+            if names <= _words_of(scene, one) | {one.wish.identifier}
         ]
     entry = entry_of(scene, names)
     return [] if entry is None else [position for position, _ in waiting(scene, entry.number)]
+
+
+def _words_of(scene: Scene, one: Interpreted) -> frozenset[str]:
+    """Give the words that name a skill: those of its name, and its verb in all its forms."""
+    lexicon = scene.conversation.interpreter.language.lexicon
+    verb = frozenset() if one.operation is None else verb_forms(one.operation.lemma, lexicon)
+    return content_words(one.skill.name) | verb
 
 
 def _over(scene: Scene) -> Reply:

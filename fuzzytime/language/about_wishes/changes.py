@@ -142,6 +142,9 @@ def _corrected(said: Said) -> About | None:
     if place and rest.forms[:1] and rest.forms[0] in said.lexicon.doing.keeping and _is_last(rest.behind(1)):
         # "No wait, keep it"
         return About(kind=AboutKind.UNDO, certain=True)
+    if rest.words and not rest.without("earlier")[0].words:
+        # "Earlier, please": by how much is not said
+        return About(kind=AboutKind.DELAY, corrects=place > 0, certain=True)
     delayed = _by(rest)
     if delayed is not None and not delayed[1].words:
         # "Ten minutes later", "no, make it ten minutes earlier"
