@@ -259,10 +259,7 @@ def asked_words(requirements: Iterable[TimeRequirement], joint: str = ", ") -> s
     for requirement in requirements:
         again = last is not None and requirement.span == last.span
         if last is not None and again and (requirement.alternative or requirement.text == last.text):
-            # "One evening this week" is one time of several.
-            continue
-        if last is not None and (requirement.text, requirement.span) == (last.text, last.span):
-            # "Once both are done" binds to two.
+            # "One evening this week" is one time of several, and "once both are done" binds to two.
             continue
         last = requirement
         between = "" if not words else " or " if requirement.alternative else joint

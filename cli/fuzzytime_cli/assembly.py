@@ -105,19 +105,21 @@ class Assembly:
         ConfigError
             If a table breaks a rule, with every mistake.
         """
+        from fuzzytime.errors import FuzzytimeError
         from fuzzytime.language import is_word_table
         from fuzzytime.rulebook import Actor, Profile, Rulebook
 
         files = self.rule_files()
+        for path in files:
+            require_file(path, "rule table")
         actor = self.settings.text("actor")
-        with as_config():
-            for path in files:
-                require_file(path, "rule table")
-                if path.is_file() and is_word_table(path):
-                    raise ConfigError(f"{path}: this holds customs and no rules: --customs takes it")
-            return Rulebook.shipped(
-                Profile(self.settings.text("profile")), Actor(actor) if actor else None, files
-            )
+        profile = Profile(self.settings.text("profile"))
+        try:
+            return Rulebook.shipped(profile, Actor(actor) if actor else None, files)
+        except FuzzytimeError as error:
+            customs = next((path for path in files if path.is_file() and is_word_table(path)), None)
+            mistake = f"{customs}: this holds customs and no rules: --customs takes it" if customs else error
+            raise ConfigError(str(mistake)) from error
 
     def language(self) -> "Language":
         """Load the language, with the cache of parses.
