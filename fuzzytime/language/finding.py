@@ -110,9 +110,22 @@ def check_length(text: str) -> None:
 
 
 def find_times(
-    text: str, now: datetime | None, lexicon: Lexicon | None = None, policy: Policy | None = None
+    text: str,
+    now: datetime | None,
+    lexicon: Lexicon | None = None,
+    policy: Policy | None = None,
+    grammar: Grammar | None = None,
 ) -> Times:
     """Give the times that a text says, by the grammar alone.
+
+    Parameters
+    ----------
+    text, now
+        The text, and when it is said; None for a clock that is not known.
+    lexicon, grammar
+        The word tables and the rules; None for the shipped ones, which are English.
+    policy
+        What decides where words leave it open; None for that of the tables.
 
     Raises
     ------
@@ -127,7 +140,7 @@ def find_times(
     check_length(text)
     text = without_unseen(text)
     words = lexicon or shipped_lexicon()
-    scanned = Scanned.of(text, shipped_grammar(), words)
+    scanned = Scanned.of(text, grammar or shipped_grammar(), words)
     moment = Moment(now, policy or words.policy)
     phrases = tuple(denied(scanned.words, phrases_of(scanned, words), words))
     times = ground_all(phrases, text, moment)

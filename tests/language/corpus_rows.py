@@ -1,5 +1,7 @@
 """The corpora of meanings and phrases, as rows for tests."""
 
+from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
@@ -8,6 +10,9 @@ from typing import Any
 import yaml
 
 from fuzzytime.language import Times
+from fuzzytime.language.grammar.chart import Action, Grammar, Rule
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import seconds_between
 
@@ -29,13 +34,37 @@ class Row:
 
 def rows() -> list[Row]:
     """Give every phrase of every corpus."""
+    return [row for name in MEANINGS for row in rows_in(FOLDER / f"{name}.yaml")]
+
+
+def rows_in(path: Path) -> list[Row]:
+    """Give every phrase of one corpus."""
     found = []
-    for name in MEANINGS:
-        corpus = yaml.safe_load((FOLDER / f"{name}.yaml").read_text("utf-8"))
-        for entry in corpus["rows"]:
-            meaning = {key: value for key, value in entry.items() if key != "phrases"}
-            found += [Row(str(phrase), instant(corpus["now"]), meaning) for phrase in entry["phrases"]]
+    corpus = yaml.safe_load(path.read_text("utf-8"))
+    for entry in corpus["rows"]:
+        meaning = {key: value for key, value in entry.items() if key != "phrases"}
+        found += [Row(str(phrase), instant(corpus["now"]), meaning) for phrase in entry["phrases"]]
     return found
+
+
+def idle_rules(grammar: Grammar, lexicon: Lexicon, texts: Iterable[str]) -> list[str]:
+    """Give the rules of a grammar that make no piece of any text."""
+    made: Counter[str] = Counter()
+
+    def counting(rule: Rule) -> Action:
+        def action(*values: object) -> object:
+            found = rule.action(*values)
+            made[rule.name] += found is not None
+            return found
+
+        return action
+
+    counted = Grammar()
+    for rule in grammar.rules:
+        counted.add(rule._replace(action=counting(rule)))
+    for text in texts:
+        Scanned.of(text, counted, lexicon)
+    return sorted({rule.name for rule in grammar.rules} - {name for name, count in made.items() if count})
 
 
 def sentences() -> list[str]:
