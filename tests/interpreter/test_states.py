@@ -59,3 +59,16 @@ def _second(understanding: Interpreter, wishes: tuple[SpokenWish, ...], awaits: 
     request = Request(now=now, wishes=wishes, context=Context(), awaits_readings=awaits)
     (_, pour) = understanding.interpret(request).skills
     return any(part.condition is not None for part in pour.requirements)
+
+
+@pytest.mark.parametrize(
+    ("lines", "last"),
+    [
+        (["put the bread in the oven at ten", "take it out 40 minutes after it goes in"], "10:41"),
+        (["take the roast out at noon", "carve the roast ten minutes after it comes out"], "12:11"),
+        (["put the buns in at noon", "let the cat in at one", "call mum an hour before they go in"], "11:00"),
+        (["put the buns in at noon", "let the cat in at one", "feed her an hour after it comes in"], "14:01"),
+    ],
+)
+def test_what_is_put_somewhere_gets_there(lines: list[str], last: str) -> None:
+    assert starts(told(lines))[f"s{len(lines)}"] == last

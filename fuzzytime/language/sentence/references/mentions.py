@@ -15,6 +15,10 @@ from fuzzytime.language.sentence.trees.content_words import content_words, stems
 from fuzzytime.language.sentence.trees.named import is_several, may_be_it, names_person
 
 BE = "be"
+
+NEAR = 50
+"""Among how many that are put somewhere the one is looked for that a clause has there."""
+
 _OWNERS = re.compile(r"(\w+) ?['\u2019]s\b")
 
 
@@ -57,6 +61,7 @@ class Mentions:
     _by_word: dict[str, list[int]] = field(default_factory=dict)
     _by_verb: dict[str, list[int]] = field(default_factory=dict)
     _bare: dict[str, list[int]] = field(default_factory=dict)
+    _by_way: dict[str, list[int]] = field(default_factory=dict)
     _things: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
     _people: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
 
@@ -80,6 +85,8 @@ class Mentions:
         for word in known | stems(known | {operation.lemma}):
             self._by_word.setdefault(word, []).append(position)
         self._by_verb.setdefault(operation.lemma, []).append(position)
+        for way in ways_of(operation):
+            self._by_way.setdefault(way, []).append(position)
         if not words | content_words(operation.place):
             self._bare.setdefault(operation.lemma, []).append(position)
 
@@ -153,8 +160,10 @@ class Mentions:
         end = slice(-1, None) if backwards else slice(1)
         runs = [_within(run, stretch)[end] for run in single]
         if clause.where is not None:
-            # "Before they go in the oven"
+            # "Before they go in the oven", "after it comes out"
             words |= content_words(clause.where)
+            run = _within(self._by_way.get(clause.where.partition(" ")[0].lower(), []), stretch)
+            runs.append(run[-NEAR:] if backwards else run[:NEAR])
         runs += [_within(self._by_word.get(word, []), stretch) for word in words | stems(words)]
         ordered = (reversed(run) if backwards else iter(run) for run in runs)
         for position, _ in groupby(heapq.merge(*ordered, reverse=backwards)):
@@ -165,6 +174,12 @@ def _person_of(operation: Operation, lexicon: Lexicon) -> str | None:
     """Give who is named by an operation: of "the physio comes for Mr Brandt", him."""
     _, _, whom = (operation.place or "").partition(" ")
     return whom if operation.stated and names_person(whom, lexicon) else operation.object
+
+
+def ways_of(operation: Operation) -> frozenset[str]:
+    """Give the particle of a verb, and the first word of where something is put: "in" of "in the oven"."""
+    words = ((operation.particle or "").split(), (operation.place or "").split()[:1])
+    return frozenset(word.lower() for said in words for word in said)
 
 
 def nouns_of(verb: str) -> tuple[str, ...]:

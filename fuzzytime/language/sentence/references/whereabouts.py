@@ -4,6 +4,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.references.mentions import ways_of
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.named import is_several
 
@@ -46,15 +47,11 @@ def gets_there(clause: Clause, operation: Operation, lexicon: Lexicon) -> bool:
         return False
     if _is_result(clause, lexicon):
         return False
-    if clause.verb not in doing.being_somewhere or not (place := _place(operation) | _particle(operation)):
+    if clause.verb not in doing.being_somewhere or not (place := _place(operation) | ways_of(operation)):
         return False
     there = _places(clause)
-    first = clause.where.split()[0].lower()
-    if there and _place(operation):
-        agrees = not there.isdisjoint(place)
-    else:
-        agrees = first in place | {(operation.place or " ").split(" ")[0].lower()}
-    if not agrees:
+    way = clause.where.split()[0].lower()
+    if place.isdisjoint(there if there and _place(operation) else {way}):
         return False
     subject, closed = condition.subject or "", lexicon.closed
     if subject in closed.first_and_second_person:
@@ -94,8 +91,3 @@ def _place(operation: Operation) -> frozenset[str]:
 def _of_place(operation: Operation) -> frozenset[str]:
     """Give all words that say where something is done or put."""
     return _words(operation.particle) | _words(operation.place)
-
-
-def _particle(operation: Operation) -> frozenset[str]:
-    """Give the particle of a verb, or the first word of where something is put."""
-    return _words(operation.particle) | _words((operation.place or "").partition(" ")[0])
