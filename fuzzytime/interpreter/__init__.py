@@ -7,7 +7,8 @@ Understanding (``interpreter``)
     Values: ``request``, ``interpretation``.
     Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``, ``joining``.
     In other words: ``retold``, ``told_anew``, ``lasting``, ``waits``.
-    Repeated beside something else: ``inside``, ``behind``, ``each_turn``, ``passing``; done ``meanwhile``.
+    Repeated beside something else: ``inside``, ``behind``, ``each_turn``, ``passing``, ``turns_in_bounds``.
+    Done ``meanwhile``.
     Who, and how far ahead: ``asked``, ``horizon``.
 
 What binds skills

@@ -28,25 +28,28 @@ def behind_of(
     before: Sequence[range],
     skills: Sequence[Interpreted],
 ) -> Behind | None:
-    """Give what counted turns come behind; None where they have a time of their own, or follow nothing.
+    """Give what turns come behind; None where they have a time of their own, or follow nothing.
 
     It is what words name ("then"), or the latest that was asked for of the same thing: "fold it four times".
     ``before`` are the positions of the skills of all instructions so far.
     """
     repeated = next((part for part in instruction.requirements if part.recurrence is not None), None)
     recurrence = None if repeated is None else repeated.recurrence
-    if recurrence is None or recurrence.endless or recurrence.interval is None:
+    if recurrence is None or recurrence.interval is None:
         return None
-    if recurrence.windows(recurrence.interval)[:1] != ((0.0, 0.0),):
+    counted = not recurrence.endless
+    # What is counted begins at once, and all else so long behind: "every hour after the meeting".
+    begin = 0.0 if counted else recurrence.interval
+    if recurrence.windows(recurrence.interval)[:1] != ((begin, begin),):
         return None
     operation = instruction.operation
     target = next((p.anchor.target for p in instruction.requirements if _follows(p) and p.anchor), None)
-    if target is None and operation is not None and operation.again:
+    if target is None and counted and operation is not None and operation.again:
         target = _about(operation.object, before, skills)
     if target is None or not 0 <= target < len(before) or len(before[target]) != 1:
         return None
     one = skills[before[target][0]]
-    return None if one.operation is None or one.stated else Behind(target)
+    return None if one.operation is None or (counted and one.stated) else Behind(target)
 
 
 def _about(thing: str | None, before: Sequence[range], skills: Sequence[Interpreted]) -> int | None:

@@ -18,6 +18,7 @@ from fuzzytime.interpreter.remarks import notes_of, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, Request, SpokenWish
 from fuzzytime.interpreter.retold import behind_ends
 from fuzzytime.interpreter.told_anew import as_they_happened
+from fuzzytime.interpreter.turns_in_bounds import turns_out_of_bounds, without
 from fuzzytime.language import Language, Reading, check_length, with_words
 from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.rulebook import Rulebook
@@ -131,6 +132,10 @@ class Interpreter:
         problems += (*called, *passing)
         skills, precedences, unresolved = link(skills, gathered.links, self.rulebook, request.now)
         order = free_of_circles((*gathered.rows.kept(), *of_places(skills)), precedences)
+        out = turns_out_of_bounds(skills, precedences)
+        dropped = {skills[place].identifier for place in out}
+        problems += (one for one in unresolved if one.identifier not in dropped)
+        skills, (precedences, order) = without(out, skills, (precedences, order))
         skills = behind_ends(skills, (*precedences, *order))
         following = {entry.second for entry in order}
         skills = [replace(one, in_order=place in following) for place, one in enumerate(skills)]
@@ -142,7 +147,7 @@ class Interpreter:
             skills=tuple(skills),
             precedences=precedences,
             order=order,
-            problems=(*problems, *unresolved),
+            problems=tuple(problems),
             horizon=horizon,
         )
 

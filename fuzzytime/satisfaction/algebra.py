@@ -17,6 +17,9 @@ from fuzzytime.satisfaction.trapezoid import Trapezoid
 TOLERANCE = 1e-4
 """How far points may lie from the function that they stand for."""
 
+ROUNDING = 1e-9
+"""Up to here two satisfactions are the same but for rounding."""
+
 MAX_POINTS = 20_000
 
 LANDMARKS = (0.02, 0.5, 0.98)
@@ -65,7 +68,9 @@ def points_of(
     times = np.concatenate([times for times, _ in pieces])
     values = np.concatenate([values for _, values in pieces])
     # One piece ends where the next begins: one point where the two agree, two where the function jumps.
-    twice = np.append(times[1:] == times[:-1], False) & (np.abs(np.append(np.diff(values), 0.0)) < 1e-12)
+    twice = np.append(times[1:] == times[:-1], False) & (np.abs(np.append(np.diff(values), 0.0)) < ROUNDING)
+    # Where both wishes are full, so is their product: a plateau must not lean to one side.
+    values = np.where(values > 1 - ROUNDING, 1.0, values)
     return Sampled(times[~twice], np.clip(values[~twice], 0.0, 1.0))
 
 

@@ -57,6 +57,16 @@ def test_an_instant_is_no_average() -> None:
     assert averaged(Rectangle(1, 2), 0) == Rectangle(1, 2)
 
 
+@given(st.floats(1.0, 1e5), st.floats(0.0, 1e4), st.floats(1.0, 1e4), st.floats(1.0, 1e4))
+def test_where_both_wishes_are_full_their_product_is(
+    start: float, length: float, rise: float, fall: float
+) -> None:
+    """A plateau that leaned to one side by rounding alone would draw every start to that side."""
+    wish = Trapezoid(start - rise, start, start + length, start + length + fall)
+    both = product(wish, Rectangle(start - rise / 2, start + length + fall / 2))
+    assert both([start, start + length]).tolist() == [1.0, 1.0]
+
+
 def test_disjoint_wishes_have_no_product() -> None:
     assert product(Rectangle(0, 1), Rectangle(2, 3)) == NEVER
 
