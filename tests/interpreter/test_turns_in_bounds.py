@@ -12,6 +12,7 @@ pytestmark = pytest.mark.model
     [
         ["the guests come at 12:30", "turn the spit every two hours until the guests come"],
         ["turn the spit every two hours until the guests come", "the guests come at 12:30"],
+        ["handover at 12:30", "turn Mr Lee every two hours until handover"],
         ["meeting at 12:30", "water the plants every two hours before the meeting"],
         ["call mum at 12:30", "water the plants every two hours until you call mum"],
         ["water the plants every two hours until an hour before the meeting", "the meeting is at one"],

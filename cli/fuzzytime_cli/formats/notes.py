@@ -19,6 +19,9 @@ MOST_TOGETHER = 8
 MOST_LENGTHS = 12
 """Durations that are told one by one at most."""
 
+TWO = 2
+"""Names that are joined by "and"."""
+
 MOST_ROWS = 40
 """Rows of skills whose durations are told at most."""
 
@@ -43,7 +46,7 @@ def note_lines(plan: Plan, labels: Sequence[str]) -> Iterator[Text]:
 def _together(notes: Sequence[Problem]) -> list[str]:
     """Give the sentences of notes; those that end in the same advice ("…: say am or pm") are one, and last.
 
-    Others begin with the skill, or the line, that they are about.
+    Others begin with the skill, or the line, that they are about; what is said of several is said once.
     """
     found: dict[tuple[str, str], dict[str, None]] = {}
     for problem in sorted(notes, key=lambda one: one.message.endswith(HALF_OF_DAY_ADVICE)):
@@ -52,13 +55,18 @@ def _together(notes: Sequence[Problem]) -> list[str]:
         place = "" if problem.line is None or many else f"line {problem.line}"
         kind = (plain(problem.identifier) or place, f"{colon}{advice}")
         found.setdefault(kind, {})[head] = None
-    sentences = []
+    sentences: dict[str, list[str]] = {}
     for (about, advice), heads in found.items():
         named = list(heads)
         more = f"; and {len(named) - MOST_TOGETHER} more" if len(named) > MOST_TOGETHER + 1 else ""
         told = "; ".join(named[:MOST_TOGETHER] if more else named)
-        sentences.append(f"{about}: {told}{more}{advice}" if about else f"{told}{more}{advice}")
-    return sentences
+        sentences.setdefault(f"{told}{more}{advice}", []).append(about)
+    return [": ".join(filter(None, (_joined(about), told))) for told, about in sentences.items()]
+
+
+def _joined(names: Sequence[str]) -> str:
+    """Join the names of skills in a row: "s1 to s9"."""
+    return f"{names[0]} to {names[-1]}" if len(names) > TWO else " and ".join(names)
 
 
 def _lengths(assumed: Sequence[tuple[int, str]], labels: Sequence[str]) -> Iterator[str]:
@@ -72,7 +80,6 @@ def _lengths(assumed: Sequence[tuple[int, str]], labels: Sequence[str]) -> Itera
     left = sum(len(entries) for _, entries in rows[MOST_ROWS:])
     for length, entries in rows[:MOST_ROWS]:
         names = [labels[position] for _, (position, _) in entries]
-        joined = f"{names[0]} to {names[-1]}" if len(names) > 2 else " and ".join(names)
-        yield f"{joined} {length}"
+        yield f"{_joined(names)} {length}"
     if left:
         yield f"and {left} more: --format json has all"

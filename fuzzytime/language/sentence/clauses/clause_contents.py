@@ -52,6 +52,8 @@ class Contents:
             if condition is None and clause.marker.startswith("the "):
                 # "The minute steak"
                 return None
+            if condition is None and clause.kind in NAMING and self._names_event(nodes):
+                return self.event(clause, nodes)
             condition = condition or state(self.tree, nodes, said)
             if condition is not None:
                 return replace(clause, condition=condition)
@@ -169,6 +171,12 @@ class Contents:
             object=self.tree.text[clause.content[0] : end],
             is_event=True,
         )
+
+    def _names_event(self, nodes: Sequence[int]) -> bool:
+        """Whether a noun alone names what happens: "until handover"; but "until golden" is a state."""
+        said = tuple(self.tree.nodes[p].lower for p in nodes)
+        known = said in self.lexicon.moments or said[-1] in self.lexicon.happening | self.lexicon.taken
+        return known and all(self.tree.nodes[p].tag.startswith("NN") for p in nodes)
 
     def _noun_end(self, nodes: Sequence[int]) -> int:
         """Give the last word of the noun: up to a preposition, a verb, or a time."""
