@@ -31,6 +31,10 @@ class Order(StrEnum):
     LAST = "last"
 
 
+BROUGHT = "…"
+"""What stands in a verb for what is brought somewhere."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Operation:
     """What is to be done: the verb as typed in lower case, its object and place, and the verb's span.
@@ -73,9 +77,9 @@ class Operation:
 
     @property
     def going(self) -> str:
-        """The same with where it leads, if nothing is brought there: "go home", "get to the station"."""
-        where = self.place if self.object is None else None
-        return " ".join(word.lower() for word in (self.phrase, where) if word)
+        """The same with where it leads: "go home", "get to the station"; "put … to bed", of who is put."""
+        what = None if self.object is None or self.place is None else BROUGHT
+        return " ".join(word.lower() for word in (self.phrase, what, self.place) if word)
 
     @property
     def name(self) -> str:
