@@ -35,7 +35,7 @@ ANY_DETERMINERS = DETERMINERS | {"PDT", "WDT"}
 def is_wish(tree: Tree, words: Sequence[Word]) -> bool:
     """Whether words ask for what they say, and are no condition: "if you could post it by noon"."""
     texts = [word.text for word in words]
-    alone = tree.root is not None and tree.nodes[tree.root].start >= words[0].start
+    alone = tree.nodes[tree.root].start >= words[0].start
     return texts[:3] in WISHING and "," not in texts and alone
 
 

@@ -53,7 +53,7 @@ def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
 def reminded(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     """Give what is not to be forgotten, where that happens: "don't forget the plumber comes at four"."""
     root = part.tree.root
-    if root is None or part.tree.nodes[root].lemma not in lexicon.forgetting | lexicon.doing.remembering:
+    if part.tree.nodes[root].lemma not in lexicon.forgetting | lexicon.doing.remembering:
         return []
     if part.tree.children(root, "nsubj", "nsubjpass"):
         return []
@@ -87,8 +87,6 @@ def _is_name(one: Waiting, part: Part, nodes: Sequence[Node], lexicon: Lexicon) 
 def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
     """Give the pieces of a segment around its first further verb; none where there is none."""
     root = part.tree.root
-    if root is None:
-        return
     first, last = one.segment.span
     onward = _onward(one, part)
     if onward is not None:
@@ -134,9 +132,9 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
 
 def _happens(part: Part, lexicon: Lexicon) -> bool:
     """Whether it names what one goes to, which no other thing is: "lunch @12:30, gym @6"."""
-    root = part.tree.nodes[part.tree.root or 0]
+    root = part.tree.nodes[part.tree.root]
     known = root.lower in (lexicon.happening | lexicon.taken) - lexicon.addressing
-    return known and root.tag.startswith("NN") and not part.tree.children(part.tree.root or 0, "dobj")
+    return known and root.tag.startswith("NN") and not part.tree.children(part.tree.root, "dobj")
 
 
 def _begins_order(one: Waiting, part: Part, start: int) -> bool:
@@ -228,7 +226,7 @@ def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
     if places[-1] - verbs[0] >= len(places):
         # "Wait two minutes, and paint it": the first has a time of its own.
         return []
-    if part.tree.nodes[part.tree.root or 0].start + part.offset != words[verbs[0]].start:
+    if part.tree.nodes[part.tree.root].start + part.offset != words[verbs[0]].start:
         return []
     ends = [words[place].end for place in verbs]
     begins = [*(words[place].start for place in verbs[1:]), start]

@@ -1,6 +1,6 @@
 """The first pass over texts: times by the grammar, instructions apart, a tree for each, in a few batches."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -17,7 +17,7 @@ from fuzzytime.language.sentence.segments.calls import called_first, called_next
 from fuzzytime.language.sentence.segments.corrections import corrected
 from fuzzytime.language.sentence.segments.cuts import addressed, pieces_of, reminded
 from fuzzytime.language.sentence.segments.dividers import divided
-from fuzzytime.language.sentence.segments.fronts import fronts_of
+from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
 from fuzzytime.language.sentence.segments.gaps import with_gaps
 from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
@@ -202,37 +202,59 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
             break
         found = trees_of(waiting, trees, lexicon)
         fronts = [with_clause(tree, lexicon) for tree in uncapitalised([one.front for one in waiting], trees)]
-        led = {} if last_round else fronts_of(waiting, found, fronts, trees, lexicon)
-        alone = [place for place in range(len(waiting)) if place not in led and not last_round]
-        joined = [waiting[place] for place in alone], [found[place] for place in alone]
-        runs_on = {alone[at]: start for at, start in run_on_orders(*joined, trees, lexicon).items()}
-        following: list[Waiting] = []
-        for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True)):
-            if place in led:
-                following += one.cut_at(led[place].start, led[place].main, lexicon)
-                continue
-            apart = None if last_round else _order_apart(one)
-            if apart is not None:
-                following += one.cut_before(apart, lexicon)
-                continue
-            part = Part(one.segment, tree, one.main, front if front.nodes else None)
-            cut = [] if last_round else reason_in_front(one, part, lexicon) or called_next(one, part, lexicon)
-            if place in runs_on and not cut:
-                following += one.cut_before(runs_on[place], lexicon)
-                continue
-            if not last_round:
-                cut = cut or called_first(one, part, lexicon) or addressed(one, part, lexicon)
-                cut = (
-                    cut
-                    or next_one(one, part, lexicon)
-                    or reminded(one, part, lexicon)
-                    or list(pieces_of(one, part, lexicon))
-                )
-            following += [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]
+        parsed = [
+            Part(one.segment, tree, one.main, front if front.nodes else None)
+            for one, tree, front in zip(waiting, found, fronts, strict=True)
+        ]
+        cuts: list[list[Waiting]] = [[] for _ in waiting]
+        if not last_round:
+            led = fronts_of(waiting, found, fronts, trees, lexicon)
+            cuts = _cut_again(waiting, parsed, led, trees, lexicon)
+        for one, part, cut in zip(waiting, parsed, cuts, strict=True):
             if not cut:
                 done[one.position][one.segment.span[0]] = part
-        waiting = following
+        waiting = [one for cut in cuts for one in cut]
     return [[own[start] for start in sorted(own)] for own in done]
+
+
+def _cut_again(
+    waiting: Sequence[Waiting],
+    parsed: Sequence[Part],
+    led: Mapping[int, Front],
+    trees: Trees,
+    lexicon: Lexicon,
+) -> list[list[Waiting]]:
+    """Give for each segment what waits anew in its place; nothing where it is one instruction."""
+    alone = [place for place in range(len(waiting)) if place not in led]
+    joined = [waiting[place] for place in alone], [parsed[place].tree for place in alone]
+    runs_on = {alone[at]: start for at, start in run_on_orders(*joined, trees, lexicon).items()}
+    return [
+        list(one.cut_at(led[place].start, led[place].main, lexicon))
+        if place in led
+        else _cut(one, part, runs_on.get(place), lexicon)
+        for place, (one, part) in enumerate(zip(waiting, parsed, strict=True))
+    ]
+
+
+def _cut(one: Waiting, part: Part, runs_on: int | None, lexicon: Lexicon) -> list[Waiting]:
+    """Cut a segment where its tree shows several; before the order that ``runs_on``, if nothing leads it."""
+    apart = _order_apart(one)
+    if apart is not None:
+        return list(one.cut_before(apart, lexicon))
+    if not part.tree.nodes:
+        return []
+    cut = reason_in_front(one, part, lexicon) or called_next(one, part, lexicon)
+    if runs_on is not None and not cut:
+        return list(one.cut_before(runs_on, lexicon))
+    cut = (
+        cut
+        or called_first(one, part, lexicon)
+        or addressed(one, part, lexicon)
+        or next_one(one, part, lexicon)
+        or reminded(one, part, lexicon)
+        or list(pieces_of(one, part, lexicon))
+    )
+    return [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]
 
 
 def _order_apart(one: Waiting) -> int | None:

@@ -78,7 +78,7 @@ def _predicate(wish: Wish, verb: int) -> int | None:
 def is_asked_too(wish: Wish) -> list[Stretch] | None:
     """Give what somebody is asked with: "remind me" to call and feed, "get" Bob to mow and Ann to rake."""
     tree, root = wish.tree, wish.tree.root
-    if root is None or root >= wish.start or tree.nodes[root].lemma not in wish.lexicon.addressing | {"get"}:
+    if root >= wish.start or tree.nodes[root].lemma not in wish.lexicon.addressing | {"get"}:
         return None
     asked = [
         p for p in range(root + 1, wish.start) if tree.nodes[p].lower == "to" and tree.nodes[p].tag == "TO"
@@ -146,7 +146,7 @@ def lets_too(wish: Wish) -> list[Stretch] | None:
 def acts_too(wish: Wish) -> list[Stretch] | None:
     """Give what another does too: Ann "washes" the car and Bob the van, "cooks" tonight, Lisa tomorrow."""
     tree, root = wish.tree, wish.tree.root
-    if root is None or root >= wish.start:
+    if root >= wish.start:
         return None
     subjects = tree.children(root, *SUBJECTS)
     first = min(tree.below(subjects[0])) if subjects else root
@@ -188,7 +188,7 @@ def is_sure_too(wish: Wish) -> list[Stretch] | None:
 def is_gone_for_too(wish: Wish) -> list[Stretch] | None:
     """Give what one goes for, or begins: "go" shopping at four and swimming at six."""
     tree, root = wish.tree, wish.tree.root
-    if root is None or root + 1 >= wish.start:
+    if root + 1 >= wish.start:
         return None
     doing = root + 1
     gerunds = tree.nodes[doing].tag == tree.nodes[wish.start].tag == "VBG"

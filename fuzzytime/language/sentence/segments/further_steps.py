@@ -17,7 +17,7 @@ THINGS = ("dobj", "npadvmod", "attr")
 def is_further_step(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
     """Whether a bare word behind a joint is a step behind the first, which a tree took for a thing."""
     root = tree.root
-    if root is None or root >= place or tree.nodes[root].tag not in IMPERATIVE:
+    if root >= place or tree.nodes[root].tag not in IMPERATIVE:
         return False
     if not _may_be_step(tree, place, lexicon):
         return False

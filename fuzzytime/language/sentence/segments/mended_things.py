@@ -21,7 +21,7 @@ def with_whole_things(tree: Tree) -> Tree:
 def _with_second(tree: Tree) -> Tree:
     """Give "chop the onions and the May turnips" both things, where a tree hangs the second on the verb."""
     root = tree.root
-    if root is None or not tree.nodes[root].is_verb:
+    if not tree.nodes[root].is_verb:
         return tree
     for thing in tree.children(root, "dobj"):
         joints = tree.children(thing, "cc")
@@ -37,8 +37,8 @@ def _with_second(tree: Tree) -> Tree:
 def _with_somebody(tree: Tree) -> Tree:
     """Give "help grandpa after lunch" who is helped, whom a tree has for what is done."""
     root = tree.root
-    behind = (root or 0) + 1
-    for person in tree.children(root, "xcomp", "ccomp") if root is not None else ():
+    behind = root + 1
+    for person in tree.children(root, "xcomp", "ccomp"):
         node = tree.nodes[person]
         if person != behind or node.may_act or node.tag not in {"VB", "VBP"}:
             continue
@@ -50,7 +50,7 @@ def _with_somebody(tree: Tree) -> Tree:
 
 def _with_last_noun(tree: Tree) -> Tree:
     """Give "light the deck oven" its thing, whose last word a tree has for a verb that none knows."""
-    for thing in tree.children(tree.root or 0, "dobj"):
+    for thing in tree.children(tree.root, "dobj"):
         place = thing + 1
         if place >= len(tree.nodes) or tree.nodes[thing].tag not in SINGULAR:
             continue
@@ -70,7 +70,7 @@ def _with_last_noun(tree: Tree) -> Tree:
 def _with_numbered_subject(tree: Tree) -> Tree:
     """Give "year 9 trip money has to be in" the word before its number, which hangs on the verb."""
     root = tree.root
-    for subject in tree.children(root, *SUBJECTS) if root is not None else ():
+    for subject in tree.children(root, *SUBJECTS):
         first = tree.reach(subject)[0]
         if first != 1 or tree.nodes[first].tag != "CD":
             continue
@@ -125,7 +125,7 @@ def with_event_names(tree: Tree, timed: AbstractSet[int]) -> Tree:
 def with_object_of_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "remind me later to call tim" who is called, whom a tree has for a measure of the reminding."""
     root = tree.root
-    for aim in tree.children(root, "xcomp") if root is not None else ():
+    for aim in tree.children(root, "xcomp"):
         behind = aim + 1
         near = behind < len(tree.nodes) and behind not in timed and not tree.children(aim, "dobj")
         if near and _is_named(tree.nodes[behind], root):

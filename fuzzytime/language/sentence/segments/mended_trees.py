@@ -22,6 +22,8 @@ LET = 2
 
 def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
+    if not tree.nodes:
+        return tree
     tree = _with_manner(_with_name_in_front(_with_numbered_things(tree, lexicon), lexicon))
     mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
     mended = mended or _orders_verb(tree, lexicon) or _lets_know(tree, lexicon) or _does_event(tree, lexicon)
@@ -53,7 +55,7 @@ def _does_numbered(tree: Tree, lexicon: Lexicon) -> Tree | None:
 
 def _does_named(tree: Tree) -> Tree | None:
     """Give "do the school run" its verb: nobody who is asked to do something has an article."""
-    root = tree.root or 0
+    root = tree.root
     if not tree.nodes or tree.nodes[0].lower != "do" or tree.nodes[0].relation != "aux" or root < LEAST_DONE:
         return None
     subjects = tree.children(root, "nsubj")
@@ -79,7 +81,7 @@ def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
 def _does_event(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "schedule a team call" its verb, where what happens was taken for what the first word does."""
     root = tree.root
-    if root is None or root < LEAST_DONE - 1 or tree.children(root, "aux"):
+    if root < LEAST_DONE - 1 or tree.children(root, "aux"):
         return None
     first, led, event = tree.nodes[0], tree.nodes[1], tree.nodes[root]
     names = lexicon.happening | lexicon.taken | lexicon.events | lexicon.lasting
@@ -110,7 +112,7 @@ def _lets_know(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "let ben know" its verb, which a tree takes for one that helps another."""
     root, nodes = tree.root, list(tree.nodes)
     helps = bool(nodes) and nodes[0].lower in lexicon.letting and nodes[0].relation == "aux"
-    if root is None or not helps or nodes[0].head != root or nodes[root].lemma != "know":
+    if not helps or nodes[0].head != root or nodes[root].lemma != "know":
         return None
     if not any(0 < place < root for place in tree.children(root, "nsubj")):
         return None
@@ -188,11 +190,7 @@ def _wants_done(tree: Tree) -> Tree:
     "I want the book called Dune" names one.
     """
     root = tree.root
-    if (
-        root is None
-        or tree.nodes[root].lemma not in tree.lexicon.doing.wishing
-        or not tree.children(root, "nsubj")
-    ):
+    if tree.nodes[root].lemma not in tree.lexicon.doing.wishing or not tree.children(root, "nsubj"):
         return tree
     for done in tree.children(root, "ccomp"):
         if tree.nodes[done].tag == "VBD" and _is_of_thing(tree, done):
@@ -232,8 +230,8 @@ def _with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:
 def _with_list(tree: Tree) -> Tree:
     """Give "water the roses, the lawn and the pots" all its things, where a tree hangs some on the verb."""
     root = tree.root
-    things = () if root is None else tree.children(root, "dobj")
-    if root is None or not tree.nodes[root].is_verb or len(things) != 1:
+    things = tree.children(root, "dobj")
+    if not tree.nodes[root].is_verb or len(things) != 1:
         return tree
     thing, comma = things[0], things[0] + 1
     if comma >= len(tree.nodes) or tree.nodes[comma].text != ",":

@@ -16,7 +16,7 @@ def next_one(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     """Give a segment with the "next" in front, where that describes what does it: "next bus leaves"."""
     segment, tree, root = one.segment, part.tree, part.tree.root
     said = one.source.scanned.text[slice(*segment.connective_span)].lower()
-    if said != NEXT or root is None or tree.nodes[root].tag != "VBZ":
+    if said != NEXT or tree.nodes[root].tag != "VBZ":
         return []
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
     if not subjects or tree.reach(subjects[0])[0] != 0:

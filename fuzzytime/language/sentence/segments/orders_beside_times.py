@@ -32,7 +32,7 @@ def is_order_between_times(tree: Tree, place: int, timed: set[int], lexicon: Lex
     one with an article does what has none: "strip the wall on monday and paint on tuesday".
     """
     root, node, behind = tree.root, tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    if root is None or root >= place or tree.children(root, *SUBJECTS):
+    if root >= place or tree.children(root, *SUBJECTS):
         return False
     objects = tree.children(root, "dobj", "oprd")
     led = all(tree.nodes[p].tag in DETERMINERS for thing in objects for p in sorted(tree.below(thing))[:1])
@@ -91,7 +91,7 @@ def begins_order(tree: Tree, lexicon: Lexicon) -> bool:
 
 def _names_nothing(tree: Tree) -> bool:
     """Whether a first noun stands before an article, or makes a name with a verb: "tape the match"."""
-    if tree.root is None or len(tree.nodes) <= tree.root or len(tree.nodes) < LEAST_ORDER:
+    if len(tree.nodes) <= tree.root or len(tree.nodes) < LEAST_ORDER:
         return False
     first, second = tree.nodes[:2]
     named = first.tag == "NN" and first.may_act and first.lower == first.lemma

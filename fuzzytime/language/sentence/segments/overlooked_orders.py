@@ -103,5 +103,5 @@ def _stands_apart(tree: Tree, place: int) -> bool:
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     ends = all(word.lower in tree.lexicon.closed.joints_of_orders | ENDS for word in behind)
     # "Keep it dark, cool"
-    named = any(tree.nodes[p].tag.startswith("NN") for p in tree.children(tree.root or 0, "dobj"))
+    named = any(tree.nodes[p].tag.startswith("NN") for p in tree.children(tree.root, "dobj"))
     return node.tag == "JJ" and ends and named and tree.nodes[node.head].tag.startswith(("NN", "VB"))

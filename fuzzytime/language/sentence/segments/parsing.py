@@ -57,17 +57,18 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list
         # "The plumber comes at four, fixes the tap": it is a verb behind who does it.
         alone = tree.without_carrier(f"{waiting[place].segment.doer} ", texts[place], 0)
         found[place] = as_acting(alone)
-    found = [with_whole_things(tree) for tree in found]
-    found = [with_object_of_aim(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
-    found = [with_event_names(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
-    found = [with_reminded(tree, lexicon) for tree in found]
-    found = [with_worker(with_event(with_clause(tree, lexicon), lexicon), lexicon) for tree in found]
-    found = [with_called(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
-    found = [
-        with_named_deed(tree, one.timed(tree), lexicon) for one, tree in zip(waiting, found, strict=True)
-    ]
-    travelling = lexicon.travelling
-    return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
+    return [_mended(one, tree, lexicon) for one, tree in zip(waiting, found, strict=True)]
+
+
+def _mended(one: Waiting, tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give a tree with what its model overlooks; where all words are of its time, it is empty."""
+    if not tree.nodes:
+        return tree
+    timed = one.timed(tree)
+    tree = with_event_names(with_object_of_aim(with_whole_things(tree), timed), timed)
+    tree = with_event(with_clause(with_reminded(tree, lexicon), lexicon), lexicon)
+    tree = with_called(with_worker(tree, lexicon), timed, lexicon)
+    return as_statement(with_named_deed(tree, timed, lexicon), timed, lexicon.travelling)
 
 
 def _heard(one: Waiting) -> str:
@@ -78,7 +79,7 @@ def _heard(one: Waiting) -> str:
 
 def _without_root(tree: Tree) -> str:
     """Give the text of a tree with spaces for its root."""
-    node = tree.nodes[tree.root or 0]
+    node = tree.nodes[tree.root]
     return tree.text[: node.start] + " " * (node.end - node.start) + tree.text[node.end :]
 
 

@@ -141,10 +141,10 @@ def _is_listed(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
 def _is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
     """Whether an order is said to its end, and is none that leads to what others do: "let the kids"."""
     # "Don't boil the milk just warm it"
-    denied = tree.root is not None and denied_from(tree, tree.root) == 0
+    denied = denied_from(tree, tree.root) == 0
     if not denied and (not is_order(tree) or not is_bare(tree.nodes[0], lexicon)):
         return False
-    verb = tree.root if denied and tree.root is not None else 0
+    verb = tree.root if denied else 0
     doing, lemma = lexicon.doing, tree.nodes[verb].lemma
     leads = lemma in lexicon.letting | lexicon.causing | lexicon.wanting | lexicon.addressing | doing.watching
     named = any(tree.nodes[place].tag != "CD" for place in tree.children(verb, *OBJECTS))
@@ -154,7 +154,7 @@ def _is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
 def _tells(tree: Tree) -> bool:
     """Whether words tell what somebody does, or what is, from their first: "we're having guests at seven"."""
     root = tree.root
-    if root is None or not tree.nodes[root].is_verb:
+    if not tree.nodes[root].is_verb:
         return False
     subjects = tree.children(root, *SUBJECTS, "expl")
     verbs = (root, *tree.children(root, "aux", "auxpass"))

@@ -37,7 +37,7 @@ def done_next(source: Source, parts: Mapping[int, Part], lexicon: Lexicon) -> It
 def tells_more(part: Part) -> bool:
     """Whether it says what one does next who was named before: "…, then lands"."""
     root = part.tree.root
-    return part.segment.doer is not None and root is not None and part.tree.nodes[root].tag == "VBZ"
+    return part.segment.doer is not None and part.tree.nodes[root].tag == "VBZ"
 
 
 def _doer(part: Part, lexicon: Lexicon) -> tuple[str | None, bool]:
@@ -45,7 +45,7 @@ def _doer(part: Part, lexicon: Lexicon) -> tuple[str | None, bool]:
     segment, tree, root = part.segment, part.tree, part.tree.root
     if segment.doer is not None:
         return segment.doer, segment.doer == segment.addressee
-    if root is None or tree.nodes[root].tag != "VBZ":
+    if tree.nodes[root].tag != "VBZ":
         return None, False
     worker = worker_doing(tree, root, lexicon)
     if worker is not None:
@@ -72,7 +72,7 @@ def _goes_on(source: Source, before: Part, part: Part, lexicon: Lexicon) -> bool
 
 def _begins_doing(tree: Tree, lexicon: Lexicon, *, surely: bool) -> bool:
     """Whether the first word is what one does; a plural may be a thing: "…, drinks at seven"."""
-    if not tree.nodes or tree.root is None:
+    if not tree.nodes:
         return False
     node, doing = tree.nodes[0], lexicon.doing
     if not node.may_act or not node.lower.endswith("s") or node.lower == node.lemma:

@@ -106,8 +106,8 @@ def _gaps_in_front(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
     words, nodes, root = one.source.scanned.words, part.tree.nodes, part.tree.root
     end = one.segment.span[1]
     own = [p for p in one.source.phrases if one.segment.span[0] <= p.span[0] and p.span[1] <= end]
-    acted = root is not None and (one.segment.verbless or bool(part.tree.children(root, "dobj")))
-    if not own or root is None or not acted or own[0].span[0] > nodes[root].start + part.offset:
+    acted = one.segment.verbless or bool(part.tree.children(root, "dobj"))
+    if not own or not acted or own[0].span[0] > nodes[root].start + part.offset:
         return []
     found = []
     for place, new in enumerate(own[1:], start=1):
@@ -131,12 +131,12 @@ def _names_another(
     """Whether words between two times name another thing to do the same with: "and the dog at 9"."""
     root = part.tree.root
     # "Tomorrow call Ann at eight and Bob at nine": a tree may have whom for what it becomes.
-    objects = part.tree.children(root, "dobj", "oprd") if root is not None else ()
+    objects = part.tree.children(root, "dobj", "oprd")
     things = {part.tree.nodes[p].lower for p in objects}
     nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
     others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
     happens = not lexicon.happening.isdisjoint(word.text for word in between)
-    listed = root is not None and part.tree.nodes[root].tag in NAMES and between[0].text == ","
+    listed = part.tree.nodes[root].tag in NAMES and between[0].text == ","
     if listed and not happens:
         # "Story at seven, lights out by half past": one word says what becomes of the thing.
         return all(tag == "RP" for tag in others[1:])
@@ -145,13 +145,11 @@ def _names_another(
     if not (lasting or _binds_alike(old, new, happens=happens)):
         # "An alarm for seven and a timer for ten minutes"
         return False
-    places = part.tree.children(root, "prep") if root is not None else ()
+    places = part.tree.children(root, "prep")
     # "Stop for a brew at ten and for lunch at noon"
     prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
     led = between[1].text in prepositions
-    has_object = one.segment.verbless or (
-        root is not None and bool(part.tree.children(root, "dobj", "oprd", "intj"))
-    )
+    has_object = one.segment.verbless or bool(part.tree.children(root, "dobj", "oprd", "intj"))
     named = led or opened or (has_object and between[0].text in {"and", ",", "or"})
     return named and not others
 
@@ -159,7 +157,7 @@ def _names_another(
 def _asks_another(part: Part, between: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words between two times say what another is asked: "… at two and Tom to lock up at four"."""
     root, nodes = part.tree.root, part.tree.nodes
-    if root is None or nodes[root].lemma not in lexicon.addressing or between[0].text not in {"and", ","}:
+    if nodes[root].lemma not in lexicon.addressing or between[0].text not in {"and", ","}:
         return False
     asked = [node.lower for node in nodes[root + 1 :] if node.start + part.offset < between[0].start]
     texts = [word.text for word in between[1:]]
@@ -187,8 +185,8 @@ def _binds_alike(old: Phrase, new: Phrase, *, happens: bool) -> bool:
 def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:
     """Whether a word names a thing, or is said of one; a tree takes some plurals for verbs: "colours"."""
     node = part.tree.nodes[place]
-    plural = node.tag == "VBZ" and part.tree.root is not None and not part.tree.children(place, *SUBJECTS)
-    ordered = plural and not part.tree.children(part.tree.root or 0, *SUBJECTS)
+    plural = node.tag == "VBZ" and not part.tree.children(place, *SUBJECTS)
+    ordered = plural and not part.tree.children(part.tree.root, *SUBJECTS)
     # "Two more"
     more = node.lower == MORE and place > 0 and part.tree.nodes[place - 1].tag == "CD"
     return node.tag in THINGS or node.lower in things or ordered or more

@@ -198,7 +198,7 @@ class Waiting:
     def _overlooks_order(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a bare verb right behind a time in front is not its root: "from now on keep it shut"."""
         first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
-        if first is None or first == tree.root or tree.root is None:
+        if first is None or first == tree.root:
             return False
         if leads_to_order(tree, self.behind_time, lexicon):
             return True
@@ -225,22 +225,24 @@ class Waiting:
 
     def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
+        if not tree.nodes:
+            return False
         if self._phrases and happens(tree, self._phrases, lexicon):
             return (
                 may_be_ordered(tree)
                 or begins_order(tree, lexicon)
                 or leads_to_order(tree, self.behind_time, lexicon)
             )
-        if tree.root is not None and leaves(tree, tree.root, lexicon.travelling):
+        if leaves(tree, tree.root, lexicon.travelling):
             return False
-        if not tree.nodes or is_doubtful(tree):
-            return bool(tree.nodes)
+        if is_doubtful(tree):
+            return True
         words, covered = self.source.scanned.words, self.source.covered
         if _is_numbered(tree, lexicon):
             return True
         places = self.source.places(self.main, self.segment.span[1])
         timed = {words[place].start - self.main for place in places if place in covered}
-        first = tree.nodes[tree.root or 0].start
+        first = tree.nodes[tree.root].start
         if self._overlooks_order(tree, lexicon) or begins_order(tree, lexicon) or first in timed:
             return True
         root = self.main + first
@@ -252,7 +254,7 @@ class Waiting:
 
 def _is_numbered(tree: Tree, lexicon: Lexicon) -> bool:
     """Whether a tree has what is called by a number for what is to be done: "close valve 3"."""
-    root = tree.root or 0
+    root = tree.root
     named = root > 0 and tree.nodes[root].lower in lexicon.machines
     return named and root + 1 < len(tree.nodes) and tree.nodes[root + 1].tag == "CD"
 

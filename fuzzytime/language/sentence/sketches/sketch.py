@@ -200,6 +200,8 @@ def _happening(
 ) -> Operation | None:
     """Give what happens at a time, or after something else, where no verb says what is to be done."""
     root = part.tree.root
+    if not part.tree.nodes:
+        return None
     timed = phrases or clauses
     places = [place for phrase in phrases for place in _at(part, phrase)]
     put = put_there(part.tree, places, lexicon)
@@ -210,7 +212,7 @@ def _happening(
     so = due_by_then(part.tree, due, moments, places, lexicon)
     if so is not None and not clauses and not part.segment.verbless:
         return _moved(so, part)
-    if part.segment.verbless or root is None or not timed:
+    if part.segment.verbless or not timed:
         return None
     if not happens(part.tree, phrases, lexicon):
         deed = deed_at(part.tree, places, phrases, lexicon)

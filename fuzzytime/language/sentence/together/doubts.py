@@ -170,7 +170,7 @@ def _tells(sketch: Sketch, lexicon: Lexicon) -> str | None:
     """Give what a sentence tells where it asks for nothing: what was, or what nobody does."""
     closed, tree = lexicon.closed, sketch.part.tree
     root = tree.root
-    if root is None:
+    if not tree.nodes:
         return None
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
     denied = [p for p in subjects if tree.nodes[p].lower in closed.negative_pronouns or _is_no_one(tree, p)]
@@ -246,7 +246,7 @@ def _shifts(said: Sequence[Word], lexicon: Lexicon) -> bool:
 def _is_inverted(tree: Tree) -> bool:
     """Whether a helping verb stands before who does it: "do the bins go out?", but not "could you …?"."""
     root = tree.root
-    if root is None or not tree.nodes or tree.nodes[0].relation != "aux" or tree.nodes[0].head != root:
+    if not tree.nodes or tree.nodes[0].relation != "aux" or tree.nodes[0].head != root:
         return False
     subjects = [place for place in tree.children(root, *SUBJECTS) if place < root]
     return bool(subjects) and tree.nodes[subjects[0]].lower not in {"you", "we"}

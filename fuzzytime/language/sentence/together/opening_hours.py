@@ -52,7 +52,7 @@ def _bound_of(sketch: Sketch, lexicon: Lexicon) -> Phrase | None:
         return None
     phrase = replace(sketch.phrases[0], rule=HOURS)
     tree, root = sketch.part.tree, sketch.part.tree.root
-    described = () if root is None else tree.children(root, "acomp")
+    described = tree.children(root, "acomp")
     if any(tree.nodes[place].lower in doing.opening_up for place in described):
         # "The shop is open until five"
         return phrase if phrase.said.constraint in STRETCHES or isinstance(phrase.said.time, Range) else None

@@ -66,7 +66,7 @@ def _begins(sketch: Sketch, lexicon: Lexicon) -> bool:
     begins = (doing.beginning | doing.leaving) - doing.opening_up
     becomes = operation.lemma in doing.becoming and not named.isdisjoint(lexicon.impersonal)
     tree, root = sketch.part.tree, sketch.part.tree.root
-    doers = () if root is None else tree.children(root, *SUBJECTS)
+    doers = tree.children(root, *SUBJECTS)
     # "We fly at nine, so pack the bags"
     ours = any(tree.nodes[place].lower in lexicon.closed.first_person for place in doers)
     return operation.lemma in begins or becomes or ours or (operation.lemma == BE and happens)

@@ -49,7 +49,7 @@ def _is_somebody(whom: str, before: Sketch, lexicon: Lexicon) -> bool:
     """Whether another is named who is asked, and not a thing to do it with."""
     words, tree = whom.split(), before.part.tree
     named = words[0][:1].isupper() or words[-1].lower() in lexicon.persons
-    return named or not any(tree.children(place, "dobj") for place in tree.children(tree.root or 0, "xcomp"))
+    return named or not any(tree.children(place, "dobj") for place in tree.children(tree.root, "xcomp"))
 
 
 def _named(sketch: Sketch, operation: Operation, text: str) -> Sketch:

@@ -32,7 +32,7 @@ def _to_be_done(sketch: Sketch, text: str) -> Sketch:
         if node.text[0].isalnum() and not any(a <= node.start + offset < b for a, b in heard)
     ]
     named = 0 < len(words) <= LONGEST and all(word.tag.startswith(NAMES) for word in words)
-    if not named or sketch.clauses or tree.root is None:
+    if not named or sketch.clauses:
         return sketch
     first, end = words[0].start + offset, words[-1].end + offset
     said = text[first:end].lower()

@@ -56,7 +56,7 @@ def _is_beside(before: Sketch, sketch: Sketch, text: str) -> bool:
 def _may_only(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
     """Whether it is said when alone an order can be done: "ring her, she's only free between 11 and 12"."""
     tree, root = sketch.part.tree, sketch.part.tree.root
-    if root is None or not _is_order_without_time(before) or not _is_beside(before, sketch, text):
+    if not _is_order_without_time(before) or not _is_beside(before, sketch, text):
         return False
     subjects = {tree.nodes[p].lower for p in tree.children(root, *SUBJECTS)}
     only = any(node.lower == ONLY for node in tree.nodes)
@@ -135,7 +135,7 @@ def _is_then(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> boo
 def _do_so(sketch: Sketch, operation: Operation) -> bool:
     """Whether several who are named do it, and are not said to have to: "…, Priya and Tom go"."""
     tree, root = sketch.part.tree, sketch.part.tree.root
-    if operation.due is None or root is None or tree.children(root, "aux", "auxpass", "xcomp"):
+    if operation.due is None or tree.children(root, "aux", "auxpass", "xcomp"):
         return False
     named = tree.children(root, *SUBJECTS)
     return bool(named) and tree.nodes[named[0]].tag == "NNP" and bool(tree.children(named[0], "conj"))
@@ -183,7 +183,7 @@ def _tells_length(sketch: Sketch, lexicon: Lexicon) -> bool:
 def _has_to_be_so(sketch: Sketch, lexicon: Lexicon) -> bool:
     """Whether somebody or something has to be somewhere, or to be so: "she has to be on set by eight"."""
     tree, root = sketch.part.tree, sketch.part.tree.root
-    if root is None or sketch.operation is None or sketch.operation.lemma not in {BE, "get"}:
+    if sketch.operation is None or sketch.operation.lemma not in {BE, "get"}:
         return False
     helping = {tree.nodes[p].lower for p in (root, *tree.children(root, "aux"))}
     return bool(helping & lexicon.closed.verbs_of_obligation) and bool(tree.children(root, *SUBJECTS))

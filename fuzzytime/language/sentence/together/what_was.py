@@ -20,7 +20,7 @@ def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
     if due and any(phrase.said.constraint is Constraint.BEFORE for phrase in sketch.phrases):
         # "Dog walked by seven"
         return False
-    if root is None or tree.nodes[root].lemma in lexicon.wanting - {"be"}:
+    if not tree.nodes or tree.nodes[root].lemma in lexicon.wanting - {"be"}:
         return False
     node = tree.nodes[root]
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
@@ -44,7 +44,7 @@ def is_over(sketch: Sketch, lexicon: Lexicon) -> bool:
     "They said the parcel would come at noon" tells of a noon ahead.
     """
     tree = sketch.part.tree
-    if tree.root is None or not _is_past(tree, tree.root, lexicon):
+    if not _is_past(tree, tree.root, lexicon):
         return False
     subjects = tree.children(tree.root, *SUBJECTS)
     if any(tree.nodes[p].text.endswith("/") for p in subjects):

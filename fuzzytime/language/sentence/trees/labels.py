@@ -67,7 +67,7 @@ def strict_reading(tree: Tree, lexicon: Lexicon) -> tuple[tuple[Token, ...], Str
     timely = {place for place, node in enumerate(tree.nodes) if is_timely(node.lower, lexicon)}
     tokens = paper_tokens(tree, timely)
     root = tree.root
-    if root is None or not tree.nodes[root].is_verb:
+    if not tree.nodes or not tree.nodes[root].is_verb:
         return tokens, StrictReading()
     modifiers = [
         place

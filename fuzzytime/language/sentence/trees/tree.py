@@ -46,9 +46,12 @@ class Tree:
     text: str
     nodes: tuple[Node, ...]
     lexicon: Lexicon = field(compare=False, repr=False)
-    _children: dict[int, tuple[int, ...]] = field(default_factory=dict, compare=False, repr=False)
+    _children: dict[int, tuple[int, ...]] = field(default_factory=dict, init=False, compare=False, repr=False)
+    _root: int = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
+        roots = (place for place, node in enumerate(self.nodes) if node.head == place)
+        object.__setattr__(self, "_root", next(roots, 0))
         below: dict[int, list[int]] = {}
         for place, node in enumerate(self.nodes):
             if node.head != place:
@@ -56,9 +59,9 @@ class Tree:
         self._children.update({head: tuple(places) for head, places in below.items()})
 
     @property
-    def root(self) -> int | None:
-        """The first root, None for an empty text."""
-        return next((place for place, node in enumerate(self.nodes) if node.head == place), None)
+    def root(self) -> int:
+        """The first root; 0 for an empty text, which has none."""
+        return self._root
 
     def children(self, place: int, *relations: str) -> tuple[int, ...]:
         """Give the words below a word, of some relations if any are named."""

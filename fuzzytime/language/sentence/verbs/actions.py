@@ -30,7 +30,7 @@ class Action:
 def is_doubtful(tree: Tree) -> bool:
     """Whether a tree has no verb at its root, or an infinitive that nothing governs: "alter it to repeat"."""
     root = tree.root
-    if root is None or not tree.nodes[root].is_verb or _is_title(tree, root):
+    if not tree.nodes[root].is_verb or _is_title(tree, root):
         return True
     if tree.nodes[root].tag == "VBG" and tree.children(root, "det"):
         # "Do the ironing"
@@ -50,6 +50,8 @@ def action_of(tree: Tree, lexicon: Lexicon, *, told: bool = False) -> Action | N
 
     One word alone is no order, but may be what is ``told``: "the drone takes off, then lands".
     """
+    if not tree.nodes:
+        return None
     root = tree.root if told else _governing(tree)
     if root is None:
         return None
@@ -149,14 +151,13 @@ def gone_to_do(tree: Tree, place: int, lexicon: Lexicon) -> int | None:
 
 def _governing(tree: Tree) -> int | None:
     """Find the verb of the sentence; None where it has none, or says only that something is so."""
-    root = tree.root
-    if root is not None and _is_title(tree, root):
+    if _is_title(tree, tree.root):
         return None
-    if root is not None and not tree.nodes[root].is_verb:
-        root = next((p for p in tree.children(root) if is_order(tree, p)), None)
-    if root is None:
+    is_verb = tree.nodes[tree.root].is_verb
+    verb = tree.root if is_verb else next((p for p in tree.children(tree.root) if is_order(tree, p)), None)
+    if verb is None:
         return None
-    root = order_before(tree, root)
+    root = order_before(tree, verb)
     return None if _only_is(tree, root) else root
 
 

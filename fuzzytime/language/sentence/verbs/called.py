@@ -84,10 +84,8 @@ def person_due(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
 def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give the tree of "robot 3 docks at noon" its verb, which was taken for a plural."""
     root = tree.root
-    verb = next(
-        (p for p in (root, None if root is None else root + 2) if _is_numbered(tree, p, lexicon)), None
-    )
-    if root is None or verb is None:
+    verb = next((p for p in (root, root + 2) if _is_numbered(tree, p, lexicon)), None)
+    if verb is None:
         return tree
     return tree.with_nodes(_acting(tree, verb, {root}))
 

@@ -25,7 +25,7 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     three"), or one that is no verb beside a clock time in a list.
     """
     root = tree.root
-    if root is None or not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
+    if not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
         return False
     if root == 0 and len(tree.nodes) > 1 and _leads_particle(tree, lexicon):
         # "Sign in the visitors between nine and ten"

@@ -24,12 +24,7 @@ def with_named_deed(tree: Tree, timed: Collection[int], lexicon: Lexicon) -> Tre
     """Give the tree of such a name a noun for its root."""
     root = tree.root
     first = _first_word(tree, timed)
-    if (
-        root is None
-        or tree.nodes[root].tag == "NN"
-        or not timed
-        or not names_deed(tree, first, root, lexicon)
-    ):
+    if tree.nodes[root].tag == "NN" or not timed or not names_deed(tree, first, root, lexicon):
         return tree
     apart = [place for place in range(len(tree.nodes)) if not first <= place <= root]
     alone = all(place in timed or not tree.nodes[place].text[0].isalnum() for place in apart)
@@ -55,7 +50,7 @@ def deed_at(
 ) -> Operation | None:
     """Give a deed that is named beside its clock time: it takes as long as what its last word asks for."""
     root, start = tree.root, _first_word(tree, timed)
-    if root is None or tree.nodes[root].tag != "NN" or not names_deed(tree, start, root, lexicon):
+    if tree.nodes[root].tag != "NN" or not names_deed(tree, start, root, lexicon):
         return None
     if any(node.relation != COMPOUND for node in tree.nodes[start:root]) or not any(
         map(_is_clocked, phrases)

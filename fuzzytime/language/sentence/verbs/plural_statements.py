@@ -12,7 +12,7 @@ BESIDE_NAMES = frozenset({"IN", "DT", "PRP$", "JJ", "NN", "NNP", "CD"})
 def with_plural(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give the tree of "the shops open at nine" its verb, which was taken for how they are."""
     root = tree.root
-    if root is None or tree.nodes[root].tag != "NNS" or not tree.children(root, "det", "poss"):
+    if tree.nodes[root].tag != "NNS" or not tree.children(root, "det", "poss"):
         return tree
     verb = root + 1
     if (

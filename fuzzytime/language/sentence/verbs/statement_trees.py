@@ -21,7 +21,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
     tree = _with_two(_with_done(tree), timed)
     tree = with_plural(_with_subject(tree), timed)
     root = tree.root
-    if root is None or behind_particles(tree, root) not in timed:
+    if behind_particles(tree, root) not in timed:
         return tree
     if tree.nodes[root].tag in {"NN", "JJ"} and tree.nodes[root].may_act and is_led_by_plural(tree, root):
         # "My parents land at four", "the guests in room 12 check out at ten"
@@ -106,11 +106,11 @@ def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str
 def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "my flight lands at ten and immigration takes an hour" its first verb, taken for a plural."""
     root = tree.root
-    for verb in tree.children(root, "nsubj") if root is not None and tree.nodes[root].tag == "VBZ" else ():
+    for verb in tree.children(root, "nsubj") if tree.nodes[root].tag == "VBZ" else ():
         named = plural_subject(tree, verb)
         second = [p for p in tree.children(verb, "conj") if p > verb + 1 and tree.nodes[p].tag in SINGULAR]
         told = tree.nodes[verb].tag == "NNS" and verb + 1 in timed and tree.nodes[verb].may_act
-        if not told or named is None or not second or root is None:
+        if not told or named is None or not second:
             continue
         nodes = list(tree.nodes)
         nodes[verb] = replace(
@@ -127,7 +127,7 @@ def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
 def _with_subject(tree: Tree) -> Tree:
     """Give "the road is closed" what is so, which a tree may hang on the helping verb."""
     root = tree.root
-    if root is None or tree.nodes[root].tag != "VBN":
+    if tree.nodes[root].tag != "VBN":
         return _with_name(tree)
     helping = [
         p for p in tree.children(root, "auxpass") if tree.nodes[p].lower in tree.lexicon.closed.present_be
@@ -143,7 +143,7 @@ def _with_subject(tree: Tree) -> Tree:
 def _with_done(tree: Tree) -> Tree:
     """Give "skip collected at three" what is collected, and "desk manned from eight" its participle."""
     root = tree.root
-    if root is None or tree.children(root, "aux", "dobj"):
+    if tree.children(root, "aux", "dobj"):
         return tree
     nodes = list(tree.nodes)
     taken = [p for p in tree.children(root, "auxpass") if p == root - 1 == 0 and nodes[p].tag == "VB"]
@@ -161,7 +161,7 @@ def _with_done(tree: Tree) -> Tree:
 def _with_name(tree: Tree) -> Tree:
     """Give "at 9:15 Atlas drives to bay 3" who does it, whom a tree took for a part of the verb's name."""
     root = tree.root
-    if root is None or tree.nodes[root].tag != "VBZ" or tree.children(root, *GRAMMATICAL_SUBJECTS):
+    if tree.nodes[root].tag != "VBZ" or tree.children(root, *GRAMMATICAL_SUBJECTS):
         return tree
     named = [p for p in tree.children(root, "compound", "npadvmod") if p == root - 1]
     if not named or tree.nodes[named[0]].tag != "NNP":
@@ -174,7 +174,7 @@ def _with_name(tree: Tree) -> Tree:
 def _with_got(tree: Tree) -> Tree:
     """Give "I've got a meeting at ten" the verb that it means: to have; and of who comes, what they do."""
     root = tree.root
-    if root is None or tree.nodes[root].lower != "got" or tree.children(root, "xcomp"):
+    if tree.nodes[root].lower != "got" or tree.children(root, "xcomp"):
         return tree
     helping = [
         p
@@ -201,7 +201,7 @@ def _with_got(tree: Tree) -> Tree:
 def _with_having(tree: Tree) -> Tree:
     """Give "the kids have swimming at four" its verb, which was taken for one that helps."""
     root = tree.root
-    if root is None or tree.nodes[root].tag != "VBG":
+    if tree.nodes[root].tag != "VBG":
         return tree
     helping = tree.children(root, "aux")
     if len(helping) != 1 or tree.nodes[helping[0]].lemma != "have" or helping[0] != root - 1:
@@ -217,12 +217,12 @@ def _with_having(tree: Tree) -> Tree:
 def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "the drill's at nine" its verb, which was taken for an owner's mark; so of "nobody's home"."""
     root = tree.root
-    owner = root is not None and [
+    owner = [
         p
         for p in tree.children(root, "poss")
         if tree.nodes[p].lower in tree.lexicon.closed.indefinite_pronouns
     ]
-    if owner and root is not None and owner[0] + 2 == root and tree.nodes[owner[0] + 1].tag == "POS":
+    if owner and owner[0] + 2 == root and tree.nodes[owner[0] + 1].tag == "POS":
         mark = owner[0] + 1
         turned = [replace(node, head=mark) if node.head == root else node for node in tree.nodes]
         turned[mark] = replace(tree.nodes[mark], tag="VBZ", lemma="be", head=mark, relation="ROOT")
@@ -234,7 +234,7 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
         return doing
     being = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in timed)
     verb = next(being, None)
-    if root is None or verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):
+    if verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):
         return tree
     nodes = [
         replace(node, head=verb) if node.head == root and p > root else node
@@ -252,13 +252,8 @@ OWNED = frozenset({"'s", "’s"})
 def _with_one_doing(tree: Tree) -> Tree | None:
     """Give "the plumber's coming at nine" its helping verb, taken for an owner's mark; None without one."""
     root = tree.root
-    mark = -1 if root is None else root - 1
-    if (
-        root is None
-        or mark < 1
-        or tree.nodes[mark].lower not in OWNED
-        or not tree.nodes[root].lower.endswith("ing")
-    ):
+    mark = root - 1
+    if mark < 1 or tree.nodes[mark].lower not in OWNED or not tree.nodes[root].lower.endswith("ing"):
         return None
     who, nodes = tree.nodes[mark].head, list(tree.nodes)
     if nodes[who].head != root or nodes[who].relation not in {"nsubj", "poss"} or not nodes[root].may_act:

@@ -103,7 +103,7 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
 def _is_sure(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether a word behind an order is hardly anything but what something with a time does."""
     root = tree.root
-    ordered = root is not None and root < place and tree.nodes[root].tag in {"VB", "VBP"}
+    ordered = root < place and tree.nodes[root].tag in {"VB", "VBP"}
     return ordered and place + 1 in timed and tree.nodes[place].lower in tree.lexicon.doing.surely_timed
 
 
@@ -119,8 +119,7 @@ def _is_purpose(tree: Tree, place: int, start: int) -> bool:
     """Whether it says what an order before it is for: "put the roast in at noon so it's ready by two"."""
     root = tree.root
     if (
-        root is None
-        or tree.nodes[start - 1].lower not in tree.lexicon.closed.subordinators_of_purpose
+        tree.nodes[start - 1].lower not in tree.lexicon.closed.subordinators_of_purpose
         or tree.nodes[place].lemma not in tree.lexicon.doing.becoming
     ):
         return False
@@ -135,7 +134,7 @@ def _is_told_so(tree: Tree, joint: int) -> bool:
     """Whether what stands before a joint says how something is: "the train is cancelled and …"."""
     closed = tree.lexicon.closed
     root = tree.root
-    if root is None or root >= joint or not tree.children(root, *GRAMMATICAL_SUBJECTS):
+    if root >= joint or not tree.children(root, *GRAMMATICAL_SUBJECTS):
         return False
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
     return helping <= closed.present_be and (
