@@ -3,16 +3,13 @@
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.called_things import is_event, is_played, says_which
-from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.things_of_times import is_of_thing
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
-from fuzzytime.language.meaning.expressions import UnitWord
-from fuzzytime.language.meaning.relations import Relative, Which
-from fuzzytime.requirement import Unit
 
 TELLING = frozenset(
     {"unit", "day", "weekday", "weekdays", "part", "parts", "day_part", "month", "hh:mm", "hh:mm:ss", "y-m-d"}
@@ -24,9 +21,6 @@ WEEKEND = "weekend"
 
 LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
-
-DEICTICS = frozenset(Which)
-"""Words before a unit that say which: "next week"."""
 
 ZEROS = frozenset({"t", "h", "d", "l"})
 """Letters for the moment, hour or day that others are counted from."""
@@ -45,9 +39,6 @@ LONGEST_COUNT = 3
 
 SIGNS = frozenset({"-", "+"})
 """Marks between such a letter and the number: before it, and behind."""
-
-BOUND = frozenset({"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"})
-"""Prepositions that make a day of what is named behind them."""
 
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
@@ -98,25 +89,11 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                 doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
                 if len(words) == 1 and words[0].is_letters and doubtful and not counted:
                     continue
-                if (
-                    around.is_name(piece)
-                    or around.is_object(start)
-                    or (around.before(piece) == "to" and around.names_place(piece))
-                    or _is_noun(piece, around)
-                    or _is_title(piece, around)
-                    or _is_share(piece, scanned)
-                    or _is_rate(piece, around)
-                    or (category.startswith("hh") and (around.cites(start) or around.before(piece) == "the"))
-                    or (around.describes(piece) and around.follower(piece) not in lexicon.beside.ahead)
-                    or _is_compound(piece, around)
-                    or _is_owner(piece, around)
-                    or is_event(piece, around)
-                    or around.has_title(start)
-                    or around.is_somebody(start)
-                    or says_which(piece, around)
-                    or is_played(start, around)
-                    or _is_from_the_past(piece, around)
-                ):
+                if is_of_thing(piece, around) or is_event(piece, around):
+                    continue
+                if says_which(piece, around) or is_played(start, around):
+                    continue
+                if around.describes(piece) and around.follower(piece) not in lexicon.beside.ahead:
                     continue
                 yield from range(start, piece.end)
         for piece in cell.get("feast", {}).values():
@@ -198,12 +175,6 @@ def _is_left_over(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     return before[:1].isalpha() and before not in lexicon.function_words | lexicon.closed.coordinators
 
 
-def _is_rate(piece: Piece, around: Surroundings) -> bool:
-    """Whether so much of something is in it: "10/min", "5 ml/min"."""
-    stroke = around.texts[piece.start - 1] if piece.start else ""
-    return stroke == "/" and around.words[piece.start].glued and around.words[piece.start - 1].glued
-
-
 def _ones(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
     """Give the places of a one of which nothing says what it counts: "in around one"."""
     for piece in scanned.pieces("said"):
@@ -220,80 +191,6 @@ def _binds(around: Surroundings, place: int) -> bool:
         around.texts[place] in around.beside.before_weekends
         and around.texts[place + 1] in around.closed.noun_openers
     )
-
-
-def _is_share(piece: Piece, scanned: Scanned) -> bool:
-    """Whether it is a part of a thing: "three quarters of the flour", "at the end of the film"."""
-    unit = piece.value.unit if isinstance(piece.value, UnitWord) else None
-    behind = scanned.words[piece.end].text if piece.end < len(scanned.words) else ""
-    return behind == "of" and (unit is Unit.QUARTER or piece.category == "unfinished")
-
-
-def _is_title(piece: Piece, around: Surroundings) -> bool:
-    """Whether it is a part of the day that begins the name of a thing: "Evening tablets at nine"."""
-    named = around.follower(piece)
-    known = named in around.lexicon.function_words or around.timely(piece.end)
-    told = named in around.lexicon.beside.saying
-    return piece.category == "part" and piece.start == 0 and (told or (named.isalpha() and not known))
-
-
-def _is_from_the_past(piece: Piece, around: Surroundings) -> bool:
-    """Whether it says of which time a thing is that was: "the report of last week", "mail from yesterday"."""
-    place = piece.start - (around.before(piece) == "last")
-    last = "last" in around.texts[place : piece.end]
-    past = last or (isinstance(piece.value, Relative) and piece.value.days < 0)
-    return past and around.belongs(place)
-
-
-def _is_owner(piece: Piece, around: Surroundings) -> bool:
-    """Whether a thing is of that time: "next week's shifts", but not "by next week's end"."""
-    led = piece.start - (around.before(piece) in DEICTICS)
-    leading = around.pieces(led - 1) if led else []
-    bound = led > 0 and around.texts[led - 1] in around.closed.prepositions_of_time
-    if bound or any(said.category.startswith("preposition") for said in leading):
-        return False
-    thing = around.texts[piece.end + 1 : piece.end + 2]
-    timely = around.timely(piece.end + 1) or not around.lexicon.ordinals.keys().isdisjoint(thing)
-    return around.follower(piece) == "'s" and bool(thing) and thing[0].isalpha() and not timely
-
-
-def _is_compound(piece: Piece, around: Surroundings) -> bool:
-    """Whether it is a unit that a hyphen makes an adjective: "the 24-hour shop"."""
-    first, before = around.words[piece.start], around.words[piece.start - 1] if piece.start else None
-    # Between number words, which "second" may be one of, the hyphen is left out.
-    hyphenated = before is not None and first.glued and (before.text == "-" or before.end < first.start)
-    joined = around.follower(piece) == "-" or not around.may_end(piece)
-    return piece.category == "unit" and hyphenated and joined
-
-
-def _is_noun(piece: Piece, around: Surroundings) -> bool:
-    """Whether it is a unit that is a thing, or a manner: "mark the day", "sort the bills by month"."""
-    if piece.category == "unit" and around.before(piece) == "into":
-        # "Cut it into quarters"
-        return True
-    if piece.category == "unit" and "by" in around.texts[max(0, piece.start - 3) : piece.start]:
-        # "Push the meeting back by half an hour": how much later, and no time.
-        return True
-    verb = around.texts[piece.start - 2] if piece.start > 1 else ""
-    if piece.category == "unit" and verb in around.beside.amounts_of_time:
-        # "Rewind two minutes"
-        return True
-    numbered = piece.end < len(around.words) and around.words[piece.end].is_digits
-    if piece.category == "unit" and numbered and around.words[piece.start].capital:
-        # "Year 4"
-        return True
-    called = around.before(piece)
-    led = around.texts[max(0, piece.start - 3) : piece.start - 1]
-    one = bool(led) and BOUND.isdisjoint(led)
-    if piece.category == "unit" and called.isalpha() and (around.texts[piece.start].endswith("s") or one):
-        # "Visiting hours", "it's trash day"; but "on boss day"
-        known = called in around.lexicon.function_words or called in around.lexicon.entries
-        if not known and called not in around.lexicon.numbers:
-            return True
-    named = around.before(piece) in around.closed.of_units
-    behind = around.texts[piece.start - 2] if piece.start > 1 else ""
-    bound = behind in BOUND
-    return piece.category == "unit" and named and not bound
 
 
 def _joined(scanned: Scanned, places: Sequence[int]) -> Iterator[Span]:

@@ -35,8 +35,8 @@ ANY_DETERMINERS = DETERMINERS | {"PDT", "WDT"}
 def is_wish(tree: Tree, words: Sequence[Word]) -> bool:
     """Whether words ask for what they say, and are no condition: "if you could post it by noon"."""
     texts = [word.text for word in words]
-    alone = tree.nodes[tree.root].start >= words[0].start
-    return texts[:3] in WISHING and "," not in texts and alone
+    asked = texts[:3] in WISHING and "," not in texts
+    return asked and tree.nodes[tree.root].start >= words[0].start
 
 
 def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Condition:

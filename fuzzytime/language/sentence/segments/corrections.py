@@ -54,8 +54,11 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
     kept = list(phrases)
     remarks += _numbers_denied(scanned, phrases)
     for old, new in pairwise(phrases):
+        if old not in kept:
+            # "At noon on saturday and not today but tomorrow": it is taken back already.
+            continue
         denied = _denied(scanned, old)
-        if denied is not None and old in kept:
+        if denied is not None:
             kept.remove(old)
             remarks.append(denied)
             continue
@@ -66,7 +69,7 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
         if "not" in between and _lies_in(new.said.time, old.said.time):
             # "Tomorrow, not at noon"
             continue
-        if _takes_back(between) and old in kept:
+        if _takes_back(between):
             # "On monday, not tuesday"; but "tomorrow, not before ten" is one time.
             kept.remove(new)
             span = (old.span[1], new.span[1])

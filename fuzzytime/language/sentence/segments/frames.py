@@ -60,7 +60,7 @@ def _subject(tree: Tree, verb: int) -> tuple[int, int] | None:
 def _predicate(wish: Wish, verb: int) -> int | None:
     """Give where it is said what is to be done with it; where the time begins if that is said once."""
     nodes, tag = wish.tree.nodes, wish.tree.nodes[verb].tag
-    if tag in DONE and wish.names(wish.start, wish.end):
+    if tag in DONE and wish.end < len(nodes) and wish.names(wish.start, wish.end):
         return wish.end
     fitting = DONE if tag in DONE else {tag} if tag == "VBG" else frozenset()
     found = next((p for p in range(wish.start + 1, wish.end) if nodes[p].tag in fitting), None)

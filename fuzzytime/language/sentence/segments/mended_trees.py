@@ -276,6 +276,6 @@ def as_order(tree: Tree) -> Tree:
 
 def as_acting(tree: Tree) -> Tree:
     """Give what one does next its verb, which may be a plural too: "robot 2 cleans the tank, then docks"."""
-    if tree.root != 0 or tree.nodes[0].tag not in {"NNS", "VB"}:
+    if not tree.nodes or tree.root != 0 or tree.nodes[0].tag not in {"NNS", "VB"}:
         return tree
     return tree.with_nodes((replace(tree.nodes[0], tag="VBZ"), *tree.nodes[1:]))

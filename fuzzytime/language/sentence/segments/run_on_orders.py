@@ -154,7 +154,7 @@ def _is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
 def _tells(tree: Tree) -> bool:
     """Whether words tell what somebody does, or what is, from their first: "we're having guests at seven"."""
     root = tree.root
-    if not tree.nodes[root].is_verb:
+    if not tree.nodes or not tree.nodes[root].is_verb:
         return False
     subjects = tree.children(root, *SUBJECTS, "expl")
     verbs = (root, *tree.children(root, "aux", "auxpass"))

@@ -36,8 +36,8 @@ def done_next(source: Source, parts: Mapping[int, Part], lexicon: Lexicon) -> It
 
 def tells_more(part: Part) -> bool:
     """Whether it says what one does next who was named before: "…, then lands"."""
-    root = part.tree.root
-    return part.segment.doer is not None and part.tree.nodes[root].tag == "VBZ"
+    tree = part.tree
+    return part.segment.doer is not None and bool(tree.nodes) and tree.nodes[tree.root].tag == "VBZ"
 
 
 def _doer(part: Part, lexicon: Lexicon) -> tuple[str | None, bool]:
@@ -45,7 +45,7 @@ def _doer(part: Part, lexicon: Lexicon) -> tuple[str | None, bool]:
     segment, tree, root = part.segment, part.tree, part.tree.root
     if segment.doer is not None:
         return segment.doer, segment.doer == segment.addressee
-    if tree.nodes[root].tag != "VBZ":
+    if not tree.nodes or tree.nodes[root].tag != "VBZ":
         return None, False
     worker = worker_doing(tree, root, lexicon)
     if worker is not None:

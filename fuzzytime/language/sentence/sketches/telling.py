@@ -30,8 +30,8 @@ def times_told(draft: Draft, part: Part) -> tuple[Phrase, ...]:
 
 def telling_alone(draft: Draft, part: Part) -> Operation | None:
     """Give an order that tells somebody something, where a tree has its verb for a thing: "text jo …"."""
-    told, root = _told_in(draft, part), part.tree.root
-    if told is None or told.whom is None or part.tree.nodes[root].is_verb:
+    told, tree = _told_in(draft, part), part.tree
+    if told is None or told.whom is None or not tree.nodes or tree.nodes[tree.root].is_verb:
         return None
     whom, said = draft.text[slice(*told.whom)], draft.text[slice(*told.span)].lstrip(MARKS)
     verb = draft.text[told.verb : told.whom[0]].strip().lower()

@@ -16,7 +16,6 @@ from fuzzytime.language.meaning.expressions import (
     Range,
     Repeat,
     Said,
-    TimeWord,
     Wall,
 )
 from fuzzytime.language.meaning.intervals_on_days import on_days
@@ -24,10 +23,10 @@ from fuzzytime.language.meaning.repeats_beside import names_day_of, without_cloc
 from fuzzytime.language.meaning.throughout import each_day, is_clock_time, is_rest_of_days
 from fuzzytime.language.meaning.times_of_day import Half, Part
 from fuzzytime.language.meaning.told_apart import told_apart
-from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.together.below_headings import under_heading
 from fuzzytime.language.sentence.together.listed_days import listed_below_day
 from fuzzytime.language.sentence.together.mornings import is_morning_after, part_before
 from fuzzytime.requirement import Constraint, Unit
@@ -81,7 +80,7 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
         heads = text[sketch.part.segment.span[1] :].lstrip().startswith(":")
         held = _day_of(sketch, heads=heads) or held
         placed.append(told)
-    return placed if heading is None else [_under(sketch, heading) for sketch in placed]
+    return placed if heading is None else [under_heading(sketch, heading) for sketch in placed]
 
 
 def _offered(sketch: Sketch) -> set[int]:
@@ -121,65 +120,6 @@ def on_owned_day(sketch: Sketch, lexicon: Lexicon) -> Sketch:
 
 def _is_day(entry: Entry) -> bool:
     return entry.category in {"weekday", "day"} and len(entry.words) == 1
-
-
-def under_first_line(sketches: list[Sketch], text: str) -> list[Sketch]:
-    """Let a day on the first line hold for all lines below it: "Saturday:", "school trip on the 12th:"."""
-    first, mark, rest = text.partition(":")
-    if not mark or not sketches or not rest.lstrip(" \t\r").startswith("\n"):
-        return sketches
-    days = [phrase for phrase in sketches[0].phrases if phrase.span[1] <= len(first) and phrase.said.is_day]
-    if not days or first[days[-1].span[1] :].strip():
-        return sketches
-    days = [replace(day, said=day.said.sure) for day in days]
-    return [sketches[0], *(_with_days(sketch, days) for sketch in sketches[1:])]
-
-
-def _with_days(sketch: Sketch, days: list[Phrase]) -> Sketch:
-    """Give a sketch on some days, unless it has one of its own."""
-    if any(phrase.said.is_day for phrase in sketch.phrases):
-        return sketch
-    return sketch.under(days)
-
-
-def _under(sketch: Sketch, heading: Heading) -> Sketch:
-    """Give an instruction the times of a line above, where its own do not say when something is done."""
-    operation = sketch.operation
-    if operation is not None and operation.addressee is None and not operation.stated:
-        operation = replace(operation, addressee=heading.addressee)
-        sketch = replace(sketch, operation=operation)
-    if operation is None or any(_tells_when(phrase) for phrase in sketch.phrases):
-        return sketch
-    if operation.stated and all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases):
-        # "It takes an hour"
-        return sketch
-    if sketch.part.segment.connective not in JOINED and not sketch.phrases:
-        # What comes "then" comes on the day of what it follows.
-        return sketch
-    due = _due_on_day(sketch, heading)
-    return replace(due or sketch.under(heading.phrases), headed=heading.clauses)
-
-
-def _due_on_day(sketch: Sketch, heading: Heading) -> Sketch | None:
-    """Give what is due by an hour of the day of a line above: "Thursday:", then "bins out before seven"."""
-    walls = [phrase.said.time for phrase in heading.phrases]
-    day = walls[0] if len(walls) == 1 else None
-    if not isinstance(day, Wall) or day.days is None or day.clock is not None or day.part is not None:
-        return None
-    due = [phrase for phrase in sketch.phrases if phrase.said.constraint is Constraint.BEFORE]
-    if len(due) != 1 or not isinstance(due[0].said.time, Wall) or due[0].said.time.clock is None:
-        return None
-    (bound,) = due
-    kept = replace(bound, said=replace(bound.said, within=Wall(day.days)))
-    return replace(sketch, phrases=tuple(kept if one is bound else one for one in sketch.phrases))
-
-
-def _tells_when(phrase: Phrase) -> bool:
-    """Whether a time is more than a bound, a length, or a place in an order."""
-    said = phrase.said
-    if isinstance(said.time, (Duration, TimeWord)):
-        return isinstance(said.time, TimeWord) and said.time.word not in ORDERING
-    return said.constraint not in {Constraint.BEFORE, Constraint.AFTER, Constraint.FOR}
 
 
 def _is_part(said: Said) -> bool:

@@ -200,7 +200,7 @@ def _greets(sketch: Sketch, said: Sequence[Word], lexicon: Lexicon) -> bool:
 
     Behind the greeting stands who is greeted, at most, or what for.
     """
-    greeting = longest_match(said, 0, lexicon.conversation["greeting"])
+    greeting = longest_match(said, 0, lexicon.conversation["greeting"]) if said else None
     if greeting is None:
         return False
     heard = sketch.heard

@@ -134,7 +134,7 @@ def _beside(
     """Give an operation with the object of the one before, which it is about too."""
     doing = lexicon.doing
     tree = sketch.part.tree
-    if operation.object is not None:
+    if operation.object is not None or not tree.nodes:
         return operation
     node = tree.nodes[tree.root]
     alone = all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)

@@ -14,10 +14,11 @@ from fuzzytime.language.sentence.together.after_all import after_all
 from fuzzytime.language.sentence.together.again_between import again_between
 from fuzzytime.language.sentence.together.also_at_events import also_at_events
 from fuzzytime.language.sentence.together.at_once import at_once
+from fuzzytime.language.sentence.together.below_headings import under_first_line
 from fuzzytime.language.sentence.together.both_sides import on_both_sides
 from fuzzytime.language.sentence.together.choices_of_repetitions import first_of_choices
 from fuzzytime.language.sentence.together.day_by_day import day_by_day, each_day_too
-from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days, under_first_line
+from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days
 from fuzzytime.language.sentence.together.days_left_out import without_days_left_out
 from fuzzytime.language.sentence.together.days_on import days_on
 from fuzzytime.language.sentence.together.each_week import each_week

@@ -56,7 +56,7 @@ def _is_beside(before: Sketch, sketch: Sketch, text: str) -> bool:
 def _may_only(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
     """Whether it is said when alone an order can be done: "ring her, she's only free between 11 and 12"."""
     tree, root = sketch.part.tree, sketch.part.tree.root
-    if not _is_order_without_time(before) or not _is_beside(before, sketch, text):
+    if not tree.nodes or not _is_order_without_time(before) or not _is_beside(before, sketch, text):
         return False
     subjects = {tree.nodes[p].lower for p in tree.children(root, *SUBJECTS)}
     only = any(node.lower == ONLY for node in tree.nodes)

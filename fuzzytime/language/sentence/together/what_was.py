@@ -44,7 +44,7 @@ def is_over(sketch: Sketch, lexicon: Lexicon) -> bool:
     "They said the parcel would come at noon" tells of a noon ahead.
     """
     tree = sketch.part.tree
-    if not _is_past(tree, tree.root, lexicon):
+    if not tree.nodes or not _is_past(tree, tree.root, lexicon):
         return False
     subjects = tree.children(tree.root, *SUBJECTS)
     if any(tree.nodes[p].text.endswith("/") for p in subjects):

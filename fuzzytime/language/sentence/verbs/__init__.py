@@ -2,8 +2,8 @@
 
 What is to be done
     The verb that is meant (``actions``), also in ``small_clauses``; which of its ``moments`` is; its
-    object and the rest (``operations``, ``verb_words``), ``places``, ``amounts``; what is to be
-    ``remembered``, ``put_there``, or ``due_by_then``; ``orders_before`` the root of a tree.
+    object and the rest (``operations``, ``particles``, ``verb_words``), ``places``, ``amounts``; what is
+    to be ``remembered``, ``put_there``, or ``due_by_then``; ``orders_before`` the root of a tree.
 What is only told
     ``statements``, with their ``statement_trees`` and ``plural_statements``; who is ``called`` and acts;
     who is ``stated`` to do it; ``happenings`` without a verb, and ``named_deeds``.

@@ -30,7 +30,7 @@ class Action:
 def is_doubtful(tree: Tree) -> bool:
     """Whether a tree has no verb at its root, or an infinitive that nothing governs: "alter it to repeat"."""
     root = tree.root
-    if not tree.nodes[root].is_verb or _is_title(tree, root):
+    if not tree.nodes or not tree.nodes[root].is_verb or _is_title(tree, root):
         return True
     if tree.nodes[root].tag == "VBG" and tree.children(root, "det"):
         # "Do the ironing"
