@@ -79,6 +79,9 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
         if repeat.until is not None or repeat.starting is not None or _is_within_turn(repeat, wall.days):
             return None
         return replace(repeat, starting=wall, until=wall)
+    if wall.clock is not None and repeat == Repeat(repeat.every, until=repeat.until):
+        # "At ten every two hours" begins at ten.
+        return replace(repeat, starting=wall)
     if wall.days is not None or not repeat.walls:
         return None
     walls = []
@@ -142,8 +145,12 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     time = said.time
     if repeat.walls and _is_in_day(time):
         return _in_hours(repeat, said)
-    if repeat.starting is not None or repeat.until is not None or isinstance(time, Repeat):
+    if repeat.until is not None or isinstance(time, Repeat):
         return None
+    if repeat.starting is not None:
+        # "Every two hours at ten until six"
+        ends = said.constraint is Constraint.BEFORE and isinstance(repeat.starting, Wall)
+        return replace(repeat, until=time) if ends and repeat.starting != time else None
     if isinstance(time, Duration):
         # "Twice a day for two minutes" says how long each lasts.
         step = repeat.every.seconds if repeat.every is not None else _apart(repeat)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Phrase, Repeat
+from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.first_times import (
     at_the_beginning,
     beginning,
@@ -14,6 +14,7 @@ from fuzzytime.language.meaning.first_times import (
     is_release,
     opening_of,
 )
+from fuzzytime.language.meaning.repeats_beside import MOMENTS
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
@@ -22,7 +23,7 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     """Begin a repetition by an interval at the time that is said for its first.
 
     Of what is counted that is any time: "two tablets at eight, six hours apart". What is only done every so
-    often begins where a time says from when on.
+    often begins where a time says from when on, or at which clock time: "at ten for a minute every two hours".
     """
     phrases = list(sketch.phrases)
     repeated = [place for place, phrase in enumerate(phrases) if isinstance(phrase.said.time, Repeat)]
@@ -40,12 +41,13 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
             return _repeated(sketch, part, (repeated[0], parts[0][0]))
     counted = repeat.times is not None
     lexicon = sketch.part.tree.lexicon
+    joints = lexicon.closed.alternatives if counted else lexicon.closed.coordinators
     said = [
         place
         for place, phrase in enumerate(phrases)
         if first_time(phrase.said) is not None
-        and (counted or is_release(phrase.said))
-        and not _between(phrase, every, words) & lexicon.closed.alternatives
+        and (counted or is_release(phrase.said) or _is_clock(phrase.said))
+        and not _between(phrase, every, words) & joints
     ]
     moments = [place for place in said if not phrases[place].said.is_day] or said
     first = first_time(phrases[moments[0]].said) if len(moments) == 1 else None
@@ -61,6 +63,11 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
         )
         phrases[place] = replace(phrases[place], said=told)
     return replace(sketch, phrases=tuple(phrases))
+
+
+def _is_clock(said: Said) -> bool:
+    """Whether it is a clock time."""
+    return said.constraint in MOMENTS and isinstance(said.time, Wall) and said.time.clock is not None
 
 
 def _repeated(sketch: Sketch, repeat: Repeat, places: Sequence[int]) -> Sketch:
