@@ -169,14 +169,9 @@ def or_later(goal: Goal) -> Said | None:
     return said_of(goal, "not before", Constraint.AFTER, Edge.START)
 
 
-@grammar.rule(
-    "said",
-    "at|on|from|by <goal> or|and later|after|onwards|onward",
-    "at|on <goal> at the very? earliest|soonest",
-    weight=0.4,
-)
-def at_or_later(goal: Goal) -> Said:
-    """At 3 pm or later."""
+@grammar.rule("said", "by <goal> or|and later|after|onwards|onward", weight=0.4)
+def by_or_later(goal: Goal) -> Said:
+    """By friday or later."""
     return said_of(goal, "not before", Constraint.AFTER, Edge.START)
 
 
@@ -191,18 +186,6 @@ def from_then_on(goal: Goal) -> Said:
     """From monday on, from now on; but "from 3 pm onwards" is not before that."""
     of_day = isinstance(goal.time, Wall) and (goal.time.clock is not None or goal.time.days is None)
     return said_of(goal, "not before" if of_day else "from", Constraint.AFTER, Edge.START)
-
-
-@grammar.rule(
-    "said",
-    "<goal> or|and before|earlier|sooner",
-    "by|at|on|in? <goal> at? the? very? latest",
-    "at|on|by <goal> or earlier|before|sooner",
-    weight=0.4,
-)
-def or_earlier(goal: Goal) -> Said:
-    """Noon at the latest, six or earlier."""
-    return said_of(goal, "no later than", Constraint.BEFORE, Edge.LAST)
 
 
 @grammar.rule(

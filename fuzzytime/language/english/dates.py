@@ -3,7 +3,7 @@
 from datetime import MAXYEAR
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.grammar.numerals import Integer, Typed
+from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.feasts import Season
@@ -145,13 +145,6 @@ def month_day_year(month: int, day: int, number: int) -> Fields:
 def day_month_year(day: int, month: int, number: int) -> Fields:
     """23/sep/2020."""
     return Fields(number, month, day)
-
-
-@grammar.rule("weak date", "<y/n>", "<n/y>", weight=1.1)
-def numbered_month(numbers: Typed) -> Fields | None:
-    """2014-10, 12/2015."""
-    first, second = numbers[0], numbers[1]
-    return valid_date(first, second, None) if first > 12 else valid_date(second, first, None)
 
 
 @grammar.rule("weak date", "<season>", weight=-0.1)

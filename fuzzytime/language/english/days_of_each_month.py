@@ -119,20 +119,6 @@ def days_of_month(first: int, second: int | None = None) -> Repeat | None:
 
 
 @grammar.rule(
-    "repeat",
-    "the? <ordinal> <series> of every|each <series>",
-    "the? last <series> of every|each <series>",
-    weight=0.3,
-)
-def nth_of_every(first: int | Calendar, second: Calendar, third: Calendar | None = None) -> Repeat | None:
-    """The first monday of every month, the last day of each year."""
-    number, inner, outer = (LAST, first, second) if third is None else (first, second, third)
-    if not isinstance(number, int) or not isinstance(inner, Calendar) or not isinstance(outer, Cycle):
-        return None
-    return Repeat(walls=_walls((number,), inner, outer)) if inner != outer else None
-
-
-@grammar.rule(
     "repeat", "on? the? <ordinal> <series> of <repeat>", "on? the? last <series> of <repeat>", weight=0.2
 )
 def nth_of_turns(

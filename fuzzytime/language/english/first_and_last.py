@@ -35,12 +35,6 @@ def last_thing(evening: Part) -> Wall:
     return Wall(Relative(0), _last_of(evening))
 
 
-@grammar.rule("wall", "<first thing> <days>|<date>|<weak date>", "<days>|<date> ,? <first thing>", weight=0.6)
-def first_thing_on(first: Part | Calendar, second: Calendar | Part) -> Wall | None:
-    """First thing tomorrow, tomorrow first thing."""
-    return _on_a_day(first, second, _first_of)
-
-
 @grammar.rule("wall", "<last thing> <days>|<date>|<weak date>", "<days>|<date> ,? <last thing>", weight=0.6)
 def last_thing_on(first: Part | Calendar, second: Calendar | Part) -> Wall | None:
     """Last thing on friday."""

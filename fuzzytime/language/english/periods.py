@@ -3,7 +3,7 @@
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, is_weekly
-from fuzzytime.language.meaning.expressions import Duration, Said, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Said, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import Nth, WeekOf
 from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Which
@@ -88,26 +88,6 @@ def last_of(outer: Calendar) -> Calendar | None:
     return Nth(-1, Cycle(Unit.DAY), outer) if outer.grain is Unit.MONTH else None
 
 
-@grammar.rule("date", "the? first <integer> <unit> of|in <whole>", weight=0.45)
-def first_few(count: Integer, unit: UnitWord, outer: Calendar) -> Calendar | None:
-    """The first two weeks of 2021."""
-    return (
-        Nth(1, Cycle(unit.unit, unit.count), outer, count.value)
-        if 0 < count.value < 1000 and _is_days(unit)
-        else None
-    )
-
-
-@grammar.rule("date", "the? last <integer> <unit> of|in <whole>", weight=0.45)
-def last_few(count: Integer, unit: UnitWord, outer: Calendar) -> Calendar | None:
-    """The last three weeks of this year."""
-    return (
-        Nth(-1, Cycle(unit.unit, unit.count), outer, count.value)
-        if 0 < count.value < 1000 and _is_days(unit)
-        else None
-    )
-
-
 @grammar.rule("date", "the? first <duration> of|in <whole>", weight=0.44)
 def first_vague_few(duration: Duration, outer: Calendar) -> Calendar | None:
     """The first few days of next month."""
@@ -125,10 +105,6 @@ def _vague_few(number: int, duration: Duration, outer: Calendar) -> Calendar | N
     if more or duration.until is not None or unit in SUB_DAY or amount != int(amount):
         return None
     return Nth(number, Cycle(unit), outer, int(amount))
-
-
-def _is_days(unit: UnitWord) -> bool:
-    return unit.unit not in {Unit.SECOND, Unit.MINUTE, Unit.HOUR}
 
 
 @grammar.rule("date", "<month day> of the month", weight=0.5)
@@ -176,12 +152,6 @@ def which_quarter(which: Which, number: Integer) -> Calendar | None:
     """Next Q1."""
     found = _quarter(number.value, None)
     return None if found is None else Deictic(which, found)
-
-
-@grammar.rule("date", "<year> -? q <integer>", weight=0.3)
-def short_quarter_after(outer: int, number: Integer) -> Calendar | None:
-    """2018Q4."""
-    return _quarter(number.value, Fields(year=outer))
 
 
 def _quarter(number: int, outer: Calendar | None) -> Calendar | None:

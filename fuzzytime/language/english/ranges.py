@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.clocks import number, typed
+from fuzzytime.language.english.clocks import number
 from fuzzytime.language.english.durations import typed as typed_length
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
@@ -176,16 +176,6 @@ def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
     if wall.clock is not None or wall.weak or None in ends:
         return None
     said = range_of(Goal(Wall(clock=ends[0])), Goal(Wall(clock=ends[1])), "between")
-    return None if said is None else refined(said, wall)
-
-
-@grammar.rule("said", "<wall> <hh.mm> - <hh.mm>", weight=1.6)
-def minutes_of_day(wall: Wall, first: Typed, last: Typed) -> Said | None:
-    """Thu 9.30-10.30, which is no date."""
-    begin, end = typed(first), typed(last)
-    if wall.clock is not None or wall.weak or begin is None or end is None:
-        return None
-    said = range_of(Goal(Wall(clock=begin)), Goal(Wall(clock=end)), "between")
     return None if said is None else refined(said, wall)
 
 

@@ -59,12 +59,6 @@ def parts_alone(parts: Repeat, bound: Said | None = None) -> Said | None:
     return None if found is None else Said(found, Constraint.EVERY)
 
 
-@grammar.rule("repeat", "<repeat> ,? on a|any <weekday>", weight=0.3)
-def on_a_weekday(repeat: Repeat, number: int) -> Repeat | None:
-    """Once a week on a sunday."""
-    return narrowed_repeat(repeat, Wall(Fields(weekday=number)))
-
-
 @grammar.rule("repeat", "<repeat> ,|and|or <weekday>|<weekdays>", "<repeat> , and <weekday>|<weekdays>")
 @grammar.rule("repeat", "<repeat> <weekday>|<weekdays>", weight=0.3)
 def more_weekdays(repeat: Repeat, number: int) -> Repeat | None:

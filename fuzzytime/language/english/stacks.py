@@ -101,12 +101,6 @@ def wall_at_clock(wall: Wall, clock: Clock) -> Wall | None:
     return joined(wall, Wall(clock=clock))
 
 
-@grammar.rule("wall", "<clock> ,? <days away>", weight=0.6)
-def clock_days_away(clock: Clock, days: Calendar) -> Wall | None:
-    """Half past five a week on friday; but "ten a week from friday" may be how many."""
-    return None if clock.bare else Wall(days, clock=clock)
-
-
 @grammar.rule(
     "wall", "in <duration> time? ,? at|on? <wall>", "in <duration> '|'s time ,? at|on? <wall>", weight=0.3
 )

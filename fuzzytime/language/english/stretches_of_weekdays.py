@@ -59,12 +59,6 @@ def numbers_of_weekday(weekday: int, first: Integer, last: Integer) -> Repeat | 
     return numbers_of_week((weekday,), first, last)
 
 
-@grammar.rule("hours of weekday", "<week stretch> <integer> -|to|until|till <integer>")
-def numbers_of_stretch(days: tuple[int, ...], first: Integer, last: Integer) -> Repeat | None:
-    """(mon-fri 9-5,) sat-sun 10-2."""
-    return numbers_of_week(days, first, last)
-
-
 @grammar.rule("repeat", "<repeat> ,|and|& <hours of weekday>", weight=3.5)
 def more_hours(repeat: Repeat, more: Repeat) -> Repeat | None:
     """Mon-thu 9-5, fri 9-3: each on its days."""

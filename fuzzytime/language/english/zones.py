@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.clocks import typed_with_h
 from fuzzytime.language.english.stacks import iso
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
@@ -65,10 +64,3 @@ def with_own_zone(time: Wall) -> Wall | None:
     if time.clock is None or time.zone is not None:
         return None
     return replace(time, clock=replace(time.clock, bare=False, pair=False))
-
-
-@grammar.rule("wall", "<15h30> <zone>", weight=0.1)
-def typed_with_zone(numbers: Typed, zone: str) -> Wall | None:
-    """15h30 GMT."""
-    clock = typed_with_h(numbers)
-    return None if clock is None else Wall(clock=clock, zone=zone)

@@ -149,8 +149,10 @@ class Deciding:
             if other is not None:
                 return (self._noted(f" is taken as {moment:%Y-%m-%d}, not {other:%Y-%m-%d}"),)
             if isinstance(days, Fields) and days.turnable and days.weekday is None:
-                turned = f"{moment.month} {month_name[moment.day]}"
-                return (self._noted(f" is taken as {moment.day} {moment:%B}, not {turned}"),)
+                # Not of the moment: midnight is the day after.
+                day, month = days.day or moment.day, days.month or moment.month
+                told, turned = f"{day} {month_name[month]}", f"{month} {month_name[day]}"
+                return (self._noted(f" is taken as {told}, not {turned}"),)
             if isinstance(days, Fields) and self._is_far(days, moment):
                 return (self._noted(f" is taken as {moment:%Y-%m-%d}: none is nearer"),)
         return ()
