@@ -145,12 +145,8 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     time = said.time
     if repeat.walls and _is_in_day(time):
         return _in_hours(repeat, said)
-    if repeat.until is not None or isinstance(time, Repeat):
-        return None
-    if repeat.starting is not None:
-        # "Every two hours at ten until six"
-        ends = said.constraint is Constraint.BEFORE and isinstance(repeat.starting, Wall)
-        return replace(repeat, until=time) if ends and repeat.starting != time else None
+    if repeat.starting is not None or repeat.until is not None or isinstance(time, Repeat):
+        return _ended(repeat, said)
     if isinstance(time, Duration):
         # "Twice a day for two minutes" says how long each lasts.
         step = repeat.every.seconds if repeat.every is not None else _apart(repeat)
@@ -180,6 +176,14 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
             return None
         return replace(repeat, starting=time.first, until=time.last)
     return None
+
+
+def _ended(repeat: Repeat, said: Said) -> Repeat | None:
+    """Give what begins at a time with its end: "every two hours at ten until six"."""
+    begins = repeat.until is None and isinstance(repeat.starting, Wall)
+    if not begins or said.constraint is not Constraint.BEFORE or not isinstance(said.time, Wall):
+        return None
+    return replace(repeat, until=said.time)
 
 
 def _is_clocked(time: Range) -> bool:

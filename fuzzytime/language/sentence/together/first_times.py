@@ -23,7 +23,7 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     """Begin a repetition by an interval at the time that is said for its first.
 
     Of what is counted that is any time: "two tablets at eight, six hours apart". What is only done every so
-    often begins where a time says from when on, or at which clock time: "at ten for a minute every two hours".
+    often begins where a time says from when on, or at a clock time: "at ten for a minute every two hours".
     """
     phrases = list(sketch.phrases)
     repeated = [place for place, phrase in enumerate(phrases) if isinstance(phrase.said.time, Repeat)]
