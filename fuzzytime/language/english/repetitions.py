@@ -133,6 +133,12 @@ def always() -> Repeat:
     return daily()
 
 
+@grammar.rule("repeat", "<integer> -? hourly", weight=0.5)
+def so_many_hourly(number: Integer) -> Repeat | None:
+    """Two-hourly, 4 hourly."""
+    return of_unit(UnitWord(Unit.HOUR, 1, "hour"), number.value) if number.value > 0 else None
+
+
 @grammar.rule("repeat", "an? hourly")
 def hourly() -> Repeat:
     """Hourly."""

@@ -9,7 +9,8 @@ From a text to readings
     Rules applied, and the best readings chosen: ``chart``, ``spans``.
     What times lend each other: ``lending``, ``lent``; what is ``due`` behind "for", and how long
     (``typed_hours``); what is ``denied``.
-    What looks like a time and is none: ``leftovers``, but ``called_things``, ``things_of_times``.
+    What looks like a time and is none: ``leftovers``, ``countdowns``, but ``called_things``,
+    ``things_of_times``.
 
 Whether a reading is a time where it stands (``judging``)
     For any kind of time: ``borders``, ``cuts``, ``titles``, ``no_times``, ``particles``, ``doses``,

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.called_things import is_event, is_played, says_which
+from fuzzytime.language.grammar.countdowns import counted_from_zero
 from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
@@ -22,11 +23,6 @@ WEEKEND = "weekend"
 LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
 
-ZEROS = frozenset({"t", "h", "d", "l"})
-"""Letters for the moment, hour or day that others are counted from."""
-
-MOMENTS = frozenset({"t", "h"})
-"""Those of them that hardly number a thing: "vitamin D-3"."""
 
 HALF = "day_half"
 """The category of halves of the day: "pm"."""
@@ -34,11 +30,6 @@ HALF = "day_half"
 BOTH = frozenset({"&", "/", "+"})
 """Marks between two halves of the day that are both meant."""
 
-LONGEST_COUNT = 3
-"""Digits of such a number at most."""
-
-SIGNS = frozenset({"-", "+"})
-"""Marks between such a letter and the number: before it, and behind."""
 
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
@@ -76,7 +67,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     around = Surroundings(scanned.words, lexicon)
     yield from _weekends(scanned, explained, around)
     yield from _dates(scanned, explained, around)
-    yield from _counted_from_zero(scanned, explained)
+    yield from counted_from_zero(scanned, explained, lexicon)
     yield from _halves(scanned, explained, lexicon)
     yield from _ones(scanned, explained, around)
     for start, cell in enumerate(scanned.cells):
@@ -133,24 +124,6 @@ def _dates(scanned: Scanned, explained: Sequence[Span], around: Surroundings) ->
         named = any(text.isalpha() and text not in around.lexicon.function_words for text in behind)
         if led and not known and not named and (typed or word.text in around.lexicon.ordinals):
             yield from range(place, place + 2 + typed)
-
-
-def _counted_from_zero(scanned: Scanned, explained: Sequence[Span]) -> Iterator[int]:
-    """Give the places of times counted from one that is called by a letter: "T-30", "H-2", "D+1"."""
-    words = scanned.words
-    for place in range(len(words) - 2):
-        letter, sign, number = words[place : place + 3]
-        if letter.text not in ZEROS:
-            continue
-        heads = not place or words[place - 1].text in {";", ",", "at", "@"}
-        ends = place + 3 == len(words) or words[place + 3].text in {";", ",", "."}
-        # "Vitamin D-3 at eight", "the T-1000"
-        named = heads or (ends and letter.text in MOMENTS)
-        whole = named and len(number.text) <= LONGEST_COUNT
-        counts = sign.text in SIGNS and sign.glued and number.is_digits and number.glued
-        signed = sign.text != "-" or letter.capital
-        if whole and counts and signed and not _meets(explained, letter, number):
-            yield from range(place, place + 3)
 
 
 def _halves(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:

@@ -138,7 +138,7 @@ class Lexicon:
         Words beside which a number is an amount.
     dividing
         Verbs beside which a number says into how many parts.
-    changing, counting, amount_nouns
+    changing, reading, counting, amount_nouns
         Words beside which even a bound is one: "by 10", "until 10".
     usual_hours
         By words for what people do, the hours at which they do it.
@@ -228,6 +228,7 @@ class Lexicon:
     dividing: frozenset[str]
     changing: frozenset[tuple[str, ...]]
     counting: frozenset[str]
+    reading: frozenset[str]
     amount_nouns: frozenset[str]
     questions: Mapping[str, frozenset[tuple[str, ...]]]
     conversation: Mapping[str, frozenset[tuple[str, ...]]]

@@ -103,6 +103,9 @@ class Measures:
     def _measures(self, place: int, piece: Piece) -> bool:
         """Whether a word makes a number behind it an amount: that depends on how it is bound."""
         text, said, lexicon = self.texts[place], piece.value, self.lexicon
+        if text in lexicon.amount_nouns and self._is_read(place):
+            # "Take her temperature at two"
+            return False
         if place and self.texts[place - 1] in lexicon.levels and place + 1 == piece.start:
             # "On low heat at six": how high it is was said.
             return False
@@ -127,6 +130,12 @@ class Measures:
             # "The late shift from 2 to 10"
             return False
         return any(verb == text and set(rest) <= set(following) for verb, *rest in lexicon.changing)
+
+    def _is_read(self, place: int) -> bool:
+        """Whether something is found out of what has an amount: "check the speed at six"."""
+        before = self.texts[max(0, place - NEAR) : place]
+        stops = [p for p, text in enumerate(before) if text in {".", ";", "then", "and", ","}]
+        return not self.lexicon.reading.isdisjoint(before[max(stops, default=-1) + 1 :])
 
     def is_amount(self, place: int) -> bool:
         """Whether a number here is what is measured, so that the next is none: "heat it to 200 by 6".

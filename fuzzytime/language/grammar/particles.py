@@ -26,7 +26,8 @@ class Particles:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
         first, *rest = self.texts[piece.start : piece.end]
         stray = first in self.beside.prefixes and not self._prefixes(piece)
-        if any((stray, self._visits(piece), self._stands_apart(piece), self._tells_what_is_on(piece))):
+        stray = stray or self._visits(piece) or self._stands_before_preposition(piece)
+        if any((stray, self._stands_apart(piece), self._tells_what_is_on(piece))):
             return True
         if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
@@ -74,6 +75,11 @@ class Particles:
         this = self.texts[piece.start + 1 : piece.end][:1] == ["this"]
         return being and (this or self.around.is_day_from_now(piece.start + 1))
 
+    def _stands_before_preposition(self, piece: Piece) -> bool:
+        """Whether "in" has the time's preposition behind it: "let nobody in during the afternoon"."""
+        in_front = self.texts[piece.start] == "in" and not isinstance(piece.value.time, Duration)
+        return in_front and self.texts[piece.start + 1] in self.beside.behind_particles
+
     def _stands_apart(self, piece: Piece) -> bool:
         """Whether a distance from something has it before it: "put the roast in | two hours before lunch"."""
         time = piece.value.time
@@ -94,9 +100,11 @@ class Particles:
         return self.around.before(piece) in self.beside.visiting and bool(led or day)
 
     def _comes_in(self, piece: Piece) -> bool:
-        """Whether "in" is where somebody comes: "pop in around noon"; but "in about ten" minutes."""
+        """Whether "in" is where one comes or is brought: "bring it in around six"; but "in about ten"."""
         time = piece.value.time
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
         comes = self.around.before(piece) in self.lexicon.coming_in
+        comes = comes or not self.beside.bringing_in.isdisjoint(before[:-1])
         number = isinstance(time, Duration) and time.bare_end and len(time.terms) == 1
         return isinstance(time, Wall) or (comes and number and time.terms[0][0] <= HOURS)
 

@@ -179,6 +179,7 @@ class BesideTimes:
     behind_gone_on: Words
     behind_minutes: Words
     minus: Words
+    signs: Words
     repeating: Words
     again: Words
     twice: Words
@@ -220,6 +221,8 @@ class BesideTimes:
     calls: Words
     visiting: Words
     behind_visiting: Words
+    behind_particles: Words
+    bringing_in: Words
     degrees: Words
     mixing: Words
     reasons_in_front: Words
@@ -229,6 +232,7 @@ class BesideTimes:
     ways: Words
     before_ways: Words
     each_time: Words
+    as_long_as_it_is: Words
     at_the_same_time: Words
     turns: Words
     same_time: Words

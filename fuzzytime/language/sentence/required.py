@@ -16,7 +16,7 @@ from fuzzytime.language.sentence.references.phrase_anchors import (
     of_phrase,
     of_the_beginning,
 )
-from fuzzytime.language.sentence.references.several import of_several
+from fuzzytime.language.sentence.references.several import of_several, one_is_enough, only_one
 from fuzzytime.language.sentence.segments.connectives import agreeing, follows_nothing, within_after
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
 from fuzzytime.language.sentence.segments.segment import ENDS
@@ -46,6 +46,8 @@ def required_of(
             continue
         requirements.append(replace(required, alternative=clause.alternative))
         remarks += told
+        if one_is_enough(clause, anchors, draft.text):
+            remarks.append(only_one(clause, draft.text))
     events, told = at_events(sketch, draft.scanned.words, draft.text, anchors)
     requirements += events
     remarks += told

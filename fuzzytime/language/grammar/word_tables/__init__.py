@@ -154,6 +154,7 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
         dividing=speech.single_words("measures", "dividing"),
         changing=frozenset(speech.words("measures", "changing")),
         counting=speech.single_words("measures", "counting"),
+        reading=speech.single_words("measures", "reading"),
         amount_nouns=speech.single_words("measures", "amounts"),
         questions={name: frozenset(speech.words("questions", name)) for name in _ROWS["questions"]},
         conversation={
@@ -224,7 +225,7 @@ _ROWS = {
         "needing", "open", "doing", "moment", "plan", "what", "showing", "when", "lasting", "why",
         "supposing", "filling", "first", "instead", "letting", "answering", "greeting",
     ),
-    "measures": ("verbs", "nouns", "changing", "dividing", "counting", "amounts"),
+    "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "amounts"),
 }  # fmt: skip
 """Sections whose rows rules ask for by name: all of them, and no other."""
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from fuzzytime.language.grammar.words import words_of
+from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_sides import BEHIND
 from fuzzytime.language.sentence.references.anchors import Anchors
@@ -11,12 +12,15 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import TimeRequirement
 
 BOTH = 2
+EITHER = "either"
 
 
 def of_several(clause: Clause, anchors: Anchors, text: str) -> list[TimeRequirement]:
     """Give what a clause requires that waits for several instructions; nothing where it is about one."""
     condition = clause.condition
     if clause.kind not in BEHIND or clause.is_event or (condition is not None and condition.negated):
+        return []
+    if one_is_enough(clause, anchors, text):
         return []
     targets = _all_meant(clause, anchors, text) or _named(clause, anchors)
     said, what = text[slice(*clause.span)], text[slice(*clause.content)]
@@ -26,6 +30,21 @@ def of_several(clause: Clause, anchors: Anchors, text: str) -> list[TimeRequirem
         one if one.anchor is None else replace(one, anchor=replace(one.anchor, exact=False))
         for one in required
     ]
+
+
+def one_is_enough(clause: Clause, anchors: Anchors, text: str) -> bool:
+    """Whether a clause waits for one of several: "when the rice or the beans are done", "once either is"."""
+    condition = clause.condition
+    over = condition is not None and condition.word in anchors.lexicon.results
+    words = {word.text for word in words_of(text[slice(*clause.content)])}
+    offered = not words.isdisjoint(anchors.lexicon.closed.denied_alternatives)
+    return clause.kind in BEHIND and (EITHER in words or (offered and (over or bool(clause.further))))
+
+
+def only_one(clause: Clause, text: str) -> Remark:
+    """Say that of several things one alone is waited for."""
+    message = f"{text[slice(*clause.span)]!r} is about either of several: only one is waited for"
+    return Remark(RemarkKind.NOT_UNDERSTOOD, clause.span, message)
 
 
 def _all_meant(clause: Clause, anchors: Anchors, text: str) -> list[int]:

@@ -25,6 +25,7 @@ def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     if not tree.nodes:
         return tree
     tree = _with_manner(_with_name_in_front(_with_numbered_things(tree, lexicon), lexicon))
+    tree = _does_to_person(tree, lexicon) or tree
     mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
     mended = mended or _orders_verb(tree, lexicon) or _lets_know(tree, lexicon) or _does_event(tree, lexicon)
     return _with_list(_wants_done(mended or _does_compound(tree, lexicon) or tree))
@@ -150,6 +151,17 @@ def _with_name_in_front(tree: Tree, lexicon: Lexicon) -> Tree:
     nodes = [replace(tree.nodes[0], tag="NN", relation="ROOT", head=0), *tree.nodes[1:]]
     nodes[1] = replace(nodes[1], relation="prep", head=0)
     return tree.with_nodes(nodes)
+
+
+def _does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "feed grandpa at ten" its verb, where who stands right behind was taken for it."""
+    if tree.root != 1 or not tree.nodes[1].is_verb:
+        return None
+    first, person = tree.nodes[:LET]
+    acts = first.may_act and first.lower == first.lemma and first.tag in NOUNS
+    if not acts or person.lower not in lexicon.persons | lexicon.animals or person.may_act:
+        return None
+    return None if first.lower in lexicon.persons else tree.with_nodes(_with_thing_done(tree, 1, 1))
 
 
 def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:

@@ -11,6 +11,9 @@ from fuzzytime.language.sentence.trees.tree import Tree
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
 
+OR_ELAPSED = "elapsed.or_elapsed"
+"""The rule of a length that is over, behind "or"."""
+
 ASKED = 4
 """Words from "ask" on, before "if", at most: who is asked is one of them."""
 
@@ -43,6 +46,9 @@ class ClauseEnds:
             return True
         if text == "," and (self._is_inside(place) or self._goes_on(place)):
             return False
+        if any(phrase.first == place and phrase.rule == OR_ELAPSED for phrase in self.phrases):
+            # "Until it browns or ten minutes have passed"
+            return True
         if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text in ENDS
         # "Before you leave and again when you get back"

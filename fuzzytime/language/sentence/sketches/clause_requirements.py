@@ -1,9 +1,10 @@
 """What the clauses of an instruction require: that something is so, or is done, before it or after it."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Remark, RemarkKind
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.comparisons import comparisons_in
 from fuzzytime.language.sentence.references.anchors import Anchors
@@ -13,6 +14,7 @@ from fuzzytime.language.sentence.sketches.at_events import untold
 from fuzzytime.language.sentence.sketches.pronouns import resolved_object
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.sentence.trees.named import is_several
 from fuzzytime.requirement import Condition, Constraint, Edge, Reference, TimeRequirement
 
 RESULTING = frozenset({"when", "if", "after"})
@@ -45,7 +47,8 @@ def of_clause(
     target = _begun(clause, anchors, sketch) if target is None else target
     if target is None and said is not None and clause.kind in STATING:
         condition = replace(said, text=text, comparisons=numbers)
-        return _of_condition(clause, condition, anchors, sketch), []
+        required = _of_condition(clause, condition, anchors, sketch)
+        return required, list(_once_or_at_start(clause, required, sketch.operation, lexicon))
     what = draft.text[slice(*clause.content)]
     if target is None:
         subject = None if said is None else said.subject
@@ -63,6 +66,21 @@ def of_clause(
     if target is None and requirement.anchor is not None:
         requirement = replace(requirement, anchor=replace(requirement.anchor, comparisons=numbers))
     return referred(requirement, sketch.reference), remarks
+
+
+def _once_or_at_start(
+    clause: Clause, required: TimeRequirement, operation: Operation | None, lexicon: Lexicon
+) -> Iterator[Remark]:
+    """Say of what may be so again, or for long, that only its first time, or its start, is planned."""
+    begun = required.condition is not None and required.condition.about is not None
+    goes_on = operation is not None and lexicon.indicators.get(operation.lemma) == Reference.THROUGHOUT
+    stays = clause.kind == "while" and goes_on and not begun
+    if clause.marker in lexicon.beside.each_time:
+        message = f"{required.text!r} is planned once: how often that is so is not known"
+        yield Remark(RemarkKind.POLICY, clause.span, message)
+    elif stays or clause.marker in lexicon.beside.as_long_as_it_is:
+        message = f"{required.text!r} says when to start: until when that is so is not known"
+        yield Remark(RemarkKind.POLICY, clause.span, message)
 
 
 def _begun(clause: Clause, anchors: Anchors, sketch: Sketch) -> int | None:
@@ -166,9 +184,24 @@ def _meant_by_pronoun(clause: Clause, anchors: Anchors, sketch: Sketch) -> str |
             return earlier
     if operation is None:
         return None
+    if _are_others(clause, operation.object, anchors.lexicon):
+        # "Feed the cows, then mop the barn while they are outside"
+        pronoun = replace(operation, object="them")
+        earlier = resolved_object(
+            pronoun, anchors.own[: anchors.position - anchors.first], anchors.mentions, anchors.first
+        )
+        known = earlier is not None and earlier.lower() not in anchors.lexicon.closed.anaphors
+        return earlier if known and is_several(earlier or "", anchors.lexicon) else None
     person = not anchors.lexicon.persons.isdisjoint((operation.object or "").lower().split())
     # "Move mum to the other room once it is clean"
     return operation.place if person and operation.place else operation.object
+
+
+def _are_others(clause: Clause, thing: str | None, lexicon: Lexicon) -> bool:
+    """Whether "they" in a clause are not what is done something with, which is one thing."""
+    subject = None if clause.condition is None else clause.condition.subject
+    several = subject in lexicon.closed.plural_anaphors | lexicon.closed.plural_person
+    return several and thing is not None and not is_several(thing, lexicon)
 
 
 def _named(condition: Condition, thing: str | None, lexicon: Lexicon) -> Condition:

@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.relations import days_away
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.waiting import Part
+from fuzzytime.language.sentence.sketches.clause_ends import OR_ELAPSED
 from fuzzytime.language.sentence.sketches.clauses import clauses_of
 from fuzzytime.language.sentence.sketches.deadlines_of_clauses import with_deadlines
 from fuzzytime.language.sentence.sketches.how_far import with_distances
@@ -35,6 +36,9 @@ BOUNDS = {
     "after": (Constraint.AFTER, "after"),
 }
 """How the time of an event binds what is said to be at, before or after it."""
+
+UNTIL = "until"
+"""The kind of clauses that end what is done."""
 
 DATED = "clause"
 """The rule of a phrase that is a clause with a time of its own."""
@@ -80,6 +84,7 @@ def said_of_time(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: L
     clauses = [clause for clause in clauses if clause.time is None]
     kept.sort(key=lambda phrase: phrase.span)
     clauses, kept = _with_lengths_told(draft, clauses, kept)
+    kept = [_bounding(phrase, clauses) for phrase in kept]
     clauses, kept = with_distances(clauses, kept, draft.text)
     return SaidOfTime(kept, clauses, left_out, excepted)
 
@@ -105,6 +110,15 @@ def _with_lengths_told(
         first = next(p for p, word in enumerate(draft.scanned.words) if word.start >= span[0])
         kept[place] = replace(kept[place], first=first, span=span, rule=DATED)
     return waited, kept
+
+
+def _bounding(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
+    """Give a length that is over, behind "or", as when it is done: "when it rings or an hour is up"."""
+    before = [clause for clause in clauses if clause.span[1] <= phrase.span[0]]
+    if phrase.rule != OR_ELAPSED or not before or before[-1].kind == UNTIL:
+        return phrase
+    said = replace(phrase.said, constraint=Constraint.AT, preposition="in", alternative=True)
+    return replace(phrase, said=said)
 
 
 def _without_clock(clause: Clause, text: str) -> Clause:

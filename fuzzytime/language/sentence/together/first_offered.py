@@ -20,16 +20,18 @@ STATES = frozenset({"when", IF})
 def first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Remark]]:
     """Leave out clauses, and times behind one, that "or" joins to what is said before, and say so.
 
-    "For ten minutes or until tender" says both: it is about as long as that. Of two times of which one has a
-    condition, either may be taken: "on Saturday or, if it rains, on Sunday".
+    "For ten minutes or until tender", or the other way round, says both: it is about as long as that. Of
+    two times of which one has a condition, either may be taken: "on Saturday or, if it rains, on Sunday".
     """
     lasting = {p.span for p in sketch.phrases if p.said.constraint is Constraint.FOR}
     clauses = {clause.span for clause in sketch.clauses}
     moments = {p.span for p in sketch.phrases if p.said.constraint in {None, Constraint.AT}}
+    ends = {clause.span for clause in sketch.clauses if clause.kind == UNTIL}
     left = [
         second
         for first, second in pairwise(sorted(sketch.heard))
         if _is_or(sketch, first, second, text)
+        and not (first in ends and second in lasting)
         and ((first in lasting and second in moments) or _is_other(first, second, lasting, clauses))
     ]
     sketch, left, latest = _until_the_latest(sketch, left, text)

@@ -31,6 +31,9 @@ PREFIXED = re.compile(r"\b(pre|re|de|un)-([a-z]+)\b", re.IGNORECASE)
 SPELT_HALF = re.compile(r"(?<=\w )([ap]) m\b(?!')", re.IGNORECASE)
 """A half of the day that is written as it is spelt: "six p m"."""
 
+GLUED_AT = re.compile(r"(?<=[a-z])@(?=\d{1,2}(?:[:.]\d\d)?(?:[ap]m)?(?![\w@-]|\.\w))", re.IGNORECASE)
+"""An "at" between a name and its clock time: "gym@6", but no address."""
+
 NAME = "Tim"
 """What stands for what is quoted: a tree has it for a thing that is named."""
 
@@ -146,6 +149,7 @@ def _sound(text: str) -> str:
     quoted is a name.
     """
     whole = PREFIXED.sub(lambda match: f"{match[1]}{match[2]} ", text)
+    whole = GLUED_AT.sub(" ", whole)
     whole = SPELT_HALF.sub(lambda match: f"{match[1]}m ", whole)
     for start, end in reversed(quotes_in(text)):
         whole = whole[:start] + NAME + whole[end:]

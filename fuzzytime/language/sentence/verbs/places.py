@@ -12,6 +12,8 @@ HOW = ("RB", "JJ", "IN")
 """How tags of words begin that say how: "quite slowly", "at least twice"."""
 
 PLACES = ("prep", "advmod", "npadvmod")
+AGENT = "agent"
+"""What a tree takes "by" for behind any verb; with an order it is a place: "sit by the fire"."""
 
 TIMES = ("part", "unit", "weekday", "month", "day")
 """Categories of words that say no place: "on a clear night"."""
@@ -33,7 +35,10 @@ class Places(Wording):
         # "Turn it down to 30 degrees": a tree may hang it on the particle.
         particles = self.tree.children(verb, "prt")
         led = (p for particle in particles for p in self.tree.children(particle, "prep"))
-        below = [p for p in (*self.tree.children(verb, *PLACES), *led) if p > verb and not self.timed(p)]
+        beside = () if self.tree.nodes[verb].tag == "VBN" else self.tree.children(verb, AGENT)
+        below = [
+            p for p in (*self.tree.children(verb, *PLACES), *beside, *led) if p > verb and not self.timed(p)
+        ]
         kept = [p for p in below if self._is_place(p)] + list(self._behind_times(verb))
         kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if self._is_numbered(p)]
         kept += self.level(verb)
@@ -98,7 +103,7 @@ class Places(Wording):
             # "Go back to the dock"
             return bool(self.tree.children(place, "prep"))
         known = node.lower in self.lexicon.places | self.lexicon.becoming
-        return node.relation == "prep" or counted or known
+        return node.relation in {"prep", AGENT} or counted or known
 
     def _is_numbered(self, place: int) -> bool:
         """Whether a verb with "to" is a place with a number: "take it to station 4"."""
@@ -117,7 +122,7 @@ class Places(Wording):
 
     def has_content(self, place: int, words: Sequence[int]) -> bool:
         """Whether a preposition still has what it governs: that may have been a time."""
-        if self.tree.nodes[place].relation != "prep":
+        if self.tree.nodes[place].relation not in {"prep", AGENT}:
             return True
         return any(below in words for below in self.tree.below(place) if below != place)
 
