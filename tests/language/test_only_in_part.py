@@ -49,3 +49,23 @@ def test_where_somebody_is_by_something_is_a_place(language: Language, text: str
     (instruction,) = reading.instructions
     assert instruction.operation is not None
     assert (instruction.operation.place or "").startswith("by the ")
+
+
+@pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("pay the maid every payday", ["every payday"]),
+        ("turn the dough every ad break", ["every ad break"]),
+        ("mop the gym between lessons", ["between lessons"]),
+        ("show mum every photo", []),
+        ("wipe every table at six", []),
+        ("put the lamp between the chairs", []),
+        ("pay the maid every friday", []),
+    ],
+)
+def test_how_often_is_pointed_at_where_it_is_not_known(
+    language: Language, text: str, left: list[str]
+) -> None:
+    remarks = language.read(text, now=NOW).remarks
+    unknown = [remark for remark in remarks if remark.message.endswith("says when, and is not understood")]
+    assert [text[slice(*remark.span)] for remark in unknown] == left

@@ -256,6 +256,12 @@ def lasting_at_clock_then(clock: Clock, days: Calendar, duration: Duration) -> S
     return Said(Wall(days, clock=replace(clock, bare=False)), None, "at", lasting=duration)
 
 
+@grammar.rule("said", "for <duration> ,? <days away> ,? at <clock>|<clock behind at>", weight=2.0)
+def lasting_days_away(duration: Duration, days: Calendar, clock: Clock) -> Said:
+    """For an hour a week from monday at six: no hour a week."""
+    return Said(Wall(days, clock=replace(clock, bare=False)), None, None, lasting=duration)
+
+
 @grammar.rule("stretch", "the? <duration> <deictic>", weight=-0.3)
 def stretch_behind(duration: Duration, which: Which) -> Wall | Coming | None:
     """The two hours following; but "for two hours next monday" is on that one."""

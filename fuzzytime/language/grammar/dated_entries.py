@@ -60,7 +60,8 @@ def dates_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -
     if has_time(words[end].text, lexicon):
         return True
     share = numbers[0] < numbers[-1] <= LARGEST_SHARE
-    return not share and counts_nothing(words, end, lexicon, plural=True) and _is_clocked(words, end)
+    thing = _last_of_compound(words, end)
+    return not share and counts_nothing(words, thing, lexicon, plural=True) and _is_clocked(words, thing)
 
 
 def sure_in_front(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
@@ -69,6 +70,15 @@ def sure_in_front(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Ph
     weak = isinstance(time, Wall) and time.weak and time.clock is None
     dated = weak and dates_entry(words, phrase.first, phrase.end, lexicon)
     return replace(phrase, said=phrase.said.sure) if dated else phrase
+
+
+def _last_of_compound(words: Sequence[Word], place: int) -> int:
+    """Give the last of the words that hyphens join to one: "x-ray"."""
+    while place + 2 < len(words) and words[place + 1].text == "-" and words[place + 1].glued:
+        if not (words[place + 2].is_letters and words[place + 2].glued):
+            break
+        place += 2
+    return place
 
 
 def _is_clocked(words: Sequence[Word], place: int) -> bool:

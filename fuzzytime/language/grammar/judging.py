@@ -272,8 +272,10 @@ class Judge:
         return told or hour in self.beside.of_hours
 
     def _is_share(self, piece: Piece) -> bool:
-        """Whether it is of how many: "one in five"."""
-        return self.measures.is_number(piece.start - 1)
+        """Whether it is of how many: "one in five"; but "move to station 4 in five"."""
+        named = self.texts[max(0, piece.start - 2) : piece.start - 1]
+        numbered = not (self.lexicon.machines | self.lexicon.measure_nouns).isdisjoint(named)
+        return self.measures.is_number(piece.start - 1) and not numbered
 
     def _is_whole(self, piece: Piece) -> bool:
         """Whether it is all that is said."""

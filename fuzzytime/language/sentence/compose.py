@@ -40,6 +40,7 @@ from fuzzytime.language.sentence.together.denials import denied_together
 from fuzzytime.language.sentence.together.doubts import unused_front, unused_words
 from fuzzytime.language.sentence.together.for_all import said_for_all
 from fuzzytime.language.sentence.together.headings import day_above, read_heading
+from fuzzytime.language.sentence.together.how_often import unknown_moments
 from fuzzytime.language.sentence.together.lengths import (
     due_when_needed,
     length_of,
@@ -177,6 +178,7 @@ class _Composer:
                 held = [*told, *sketch.heard, *sketch.joints]
                 found += unused_words(text, part, sketch.operation, held, self.lexicon)
                 found += unused_front(text, part, held)
+                found += unknown_moments(text, part, held, self.lexicon)
         return found
 
     def _instruction(

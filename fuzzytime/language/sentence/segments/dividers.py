@@ -182,7 +182,9 @@ def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> 
     others = (Entry.of(item, grammar, lexicon) for item in items[1:])
     if first.times and first.begins_with_stretch:
         return all(entry.begins_with_stretch for entry in others)
-    if len(first.named) != 1 or not first.clocked:
+    # "Croissants out at 6, baguettes at 7"
+    named = [p for p in first.named if not p or first.words[p].text not in lexicon.beside.states]
+    if len(named) != 1 or not first.clocked:
         return False
     return all(entry.clocked and entry.named and entry.opens for entry in others)
 

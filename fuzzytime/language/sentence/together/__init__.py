@@ -9,5 +9,5 @@ Days and lengths
     ``day_by_day``, ``days_left_out``, ``left_out_behind``, ``each_week``, ``opening_hours``, ``days_on``,
     ``lengths``, ``waited``, ``consequences``, ``reasons_told``.
 What is none
-    ``orders_again``, ``doubts`` (``what_was``), ``denials``, ``naming``.
+    ``orders_again``, ``doubts`` (``what_was``), ``denials``, ``naming``, ``how_often``.
 """
