@@ -38,6 +38,12 @@ def before_it_is_over(days: Calendar) -> Said:
     return Said(Ending(Edge.END, period), Constraint.BEFORE, "before", (), Edge.LAST)
 
 
+@grammar.rule("said", "until|till the <days>|<series> is|'s out|over|up|through", weight=0.4)
+def until_it_is_over(days: Calendar) -> Said:
+    """Until the week is over."""
+    return replace(before_it_is_over(days), preposition="until")
+
+
 @grammar.rule("said", "<preposition_before> the? <goal>", "<preposition_before> at <goal>", weight=0.2)
 def deadline(preposition: Preposition, goal: Goal) -> Said | None:
     """By noon, no later than six, before tomorrow."""

@@ -6,17 +6,24 @@ from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.meaning.expressions import Duration, Said
 from fuzzytime.requirement import Constraint, Unit
 
+ELAPSED = "elapsed."
+"""How the names of rules begin of lengths that have passed."""
+
 
 class Lengths(Standing):
     """What stands around lengths of time, and whether it makes one doubtful."""
 
+    def _is_beside_another(self, piece: Piece) -> bool:
+        """Whether it counts from what is not known, or is compared with that."""
+        follower, behind = self.around.follower(piece), self.texts[piece.end + 1 : piece.end + 2]
+        # "When five minutes have passed since the bell", "for a minute less than the packet says"
+        since = piece.rule.startswith(ELAPSED) and follower in self.beside.elapsed_from
+        return since or (follower in self.beside.comparing and behind == ["than"])
+
     def accept(self, piece: Piece, said: Said, duration: Duration) -> bool:
         """Whether a length of time is one here."""
         last = duration.until or duration
-        if self.around.follower(piece) in self.beside.comparing and self.texts[
-            piece.end + 1 : piece.end + 2
-        ] == ["than"]:
-            # "For a minute less than the packet says"
+        if self._is_beside_another(piece):
             return False
         if said.preposition is None and self._is_of_word_before(piece, duration):
             return False

@@ -222,6 +222,7 @@ class BesideTimes:
     visiting: Words
     behind_visiting: Words
     behind_particles: Words
+    elapsed_from: Words
     bringing_in: Words
     degrees: Words
     mixing: Words

