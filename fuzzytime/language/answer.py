@@ -36,7 +36,7 @@ def answer(reading: Reading) -> dict[str, Any]:
     found: dict[str, Any] = {
         "text": reading.text,
         "now": reading.now.isoformat() if reading.now is not None else None,
-        "operation": operations[0] if operations else None,
+        "operation": next((operation for operation in operations if operation is not None), None),
         "requirements": [
             {**told, **({"instruction": index} if several else {})}
             for index, instruction in enumerate(instructions)

@@ -66,6 +66,12 @@ def test_the_documented_example_is_answered_as_documented() -> None:
     }
 
 
+def test_the_first_operation_stands_behind_what_only_says_how_things_are() -> None:
+    found = answer(language().read("we're out of milk so order some before noon", now=NOW))
+    assert found["operation"]["verb"] == "order"
+    assert [each and each["verb"] for each in found["operations"]] == [None, "order"]
+
+
 @pytest.mark.parametrize(
     "text",
     [

@@ -76,6 +76,9 @@ def test_a_hedge_before_a_clock_time_keeps_its_anchor(hedge: Entry, anchor: str,
         preposition and anchor.startswith(("tomorrow", "friday"))
     ):
         return
+    if hedge.words == ("some",) and anchor.startswith("friday"):
+        # "Some friday" is any.
+        return
     requirement = only(f"{preposition}{' '.join(hedge.words)} {anchor}")
     assert requirement.t_spec == ANCHORS[anchor]
     assert (*requirement.fuzziness, requirement.preposition)[0] == hedge.value

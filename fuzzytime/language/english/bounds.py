@@ -95,18 +95,20 @@ def not_before_with_h(preposition: Preposition, clock: Clock) -> Said | None:
     return said if preposition.name == "not before" else None
 
 
-@grammar.rule("said", "<preposition_after> <four digits with hours>", weight=0.6)
-def release_with_hours(preposition: Preposition, clock: Clock) -> Said:
-    """After 1330 hours, not before 1800 hours."""
-    return Said(Wall(clock=clock), Constraint.AFTER, preposition.name, (), preposition.edge)
+@grammar.rule("said", "<preposition_after> <hedge>? <four digits with hours>", weight=0.8)
+def release_with_hours(preposition: Preposition, hedge: str | None, clock: Clock) -> Said:
+    """After 1330 hours, not before about 1800 hours."""
+    hedges = () if hedge is None else (hedge,)
+    return Said(Wall(clock=clock), Constraint.AFTER, preposition.name, hedges, preposition.edge)
 
 
-@grammar.rule("said", "<preposition_before> <four digits with hours>", weight=0.6)
-def deadline_with_hours(preposition: Preposition, clock: Clock) -> Said | None:
+@grammar.rule("said", "<preposition_before> <hedge>? <four digits with hours>", weight=0.8)
+def deadline_with_hours(preposition: Preposition, hedge: str | None, clock: Clock) -> Said | None:
     """Before 1530 hours; but "within 1000 hours" is so long."""
     if preposition.name == "within":
         return None
-    return Said(Wall(clock=clock), Constraint.BEFORE, preposition.name, (), preposition.edge)
+    hedges = () if hedge is None else (hedge,)
+    return Said(Wall(clock=clock), Constraint.BEFORE, preposition.name, hedges, preposition.edge)
 
 
 def _as_clock(goal: Goal) -> Goal:

@@ -161,6 +161,12 @@ def four_digits_with_hours(hour: Integer) -> Clock | None:
     return military(hour) if len(hour.digits) == FULL_DIGITS else None
 
 
+@grammar.rule("four digits with hours", "<hh:mm> hours|hrs")
+def typed_with_hours(numbers: Typed) -> Clock | None:
+    """(not before) 20:00 hours: no length is typed so, with what it is measured in behind it."""
+    return typed(numbers)
+
+
 @grammar.rule("four digits with hours", "<integer> hundred hours")
 def hundreds_with_hours(hour: Integer) -> Clock | None:
     """(before) twenty hundred hours: "two thousand hours" is a length."""

@@ -201,8 +201,13 @@ def until_other_day(first: Goal, days: Calendar, clock: Clock) -> Said | None:
 
 
 @grammar.rule("said", "<preposition_after> <goal> but|and <preposition_before> <goal>", weight=0.8)
+@grammar.rule(
+    "said",
+    "<preposition_after> <goal> ,? but|and <preposition_before> <goal> at the very? latest",
+    weight=1.4,
+)
 def after_and_before(after: Preposition, first: Goal, before: Preposition, last: Goal) -> Said | None:
-    """Later than 3:30pm but before 6pm."""
+    """Later than 3:30pm but before 6pm, not before three but by five at the latest."""
     return range_of(first, last, "between")
 
 

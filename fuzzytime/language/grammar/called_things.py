@@ -12,7 +12,7 @@ def is_played(start: int, around: Surroundings) -> bool:
     """
     verb = next((p for p, text in enumerate(around.texts[:start]) if text in around.lexicon.playing), start)
     title = range(verb + 1, start + 1)
-    capital = all(around.words[p].capital for p in title)
+    capital = all(around.words[p].capital or around.texts[p] in around.closed.articles for p in title)
     timely = all(around.timely(p) or around.is_counting(p) for p in title)
     return verb < start and around.opens(verb) and (capital or timely)
 
@@ -33,3 +33,20 @@ def is_event(piece: Piece, around: Surroundings) -> bool:
     """Whether it ends what happens, or a greeting, or gets a time: "parents evening", "set bedtime for 8"."""
     given = around.before(piece) in around.lexicon.moving | around.lexicon.appointing
     return around.ends_name(piece.start) or (given and piece.category == "part")
+
+
+def says_of_thing(piece: Piece, around: Surroundings) -> bool:
+    """Whether a unit says what a thing is like: "a 24 hour pharmacy", "the soup of the day"."""
+    if piece.category != "unit" or piece.end - piece.start > 1:
+        return False
+    if around.belongs(piece.start - 1):
+        return around.texts[piece.start - 1] == "the" and around.may_end(piece)
+    before, unit, thing = around.before(piece), around.texts[piece.start], around.follower(piece)
+    counted = before.isdigit() or before in around.lexicon.numbers
+    single = isinstance(piece.value, UnitWord) and unit == piece.value.unit.value
+    known = thing in around.lexicon.function_words or around.timely(piece.end)
+    # "Boil a ten minute egg" may say how long.
+    lasts = not around.lexicon.timing.isdisjoint(around.texts[: piece.start])
+    # "In 2 ten minute blocks"
+    several = piece.start > 1 and around.is_counting(piece.start - 2)
+    return counted and single and thing.isalpha() and not (known or lasts or several)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from fuzzytime.language.grammar.called_things import is_event, is_played, says_which
+from fuzzytime.language.grammar.called_things import is_event, is_played, says_of_thing, says_which
 from fuzzytime.language.grammar.countdowns import counted_from_zero
 from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -82,7 +82,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     continue
                 if is_of_thing(piece, around) or is_event(piece, around):
                     continue
-                if says_which(piece, around) or is_played(start, around):
+                if says_of_thing(piece, around) or says_which(piece, around) or is_played(start, around):
                     continue
                 if around.describes(piece) and around.follower(piece) not in lexicon.beside.ahead:
                     continue

@@ -44,6 +44,7 @@ class NoTime(Standing):
             or self._is_name_of_person(piece)
             or self._is_of_played(piece)
             or self._ends_name(piece)
+            or self._ends_in_article(piece)
         )
 
     def _is_of_idiom(self, piece: Piece) -> bool:
@@ -157,3 +158,12 @@ class NoTime(Standing):
         joined = self.texts[piece.start] == "to" and self.measures.is_number(first)
         named = joined and first > 0 and self.texts[first - 1] in self.closed.articles
         return named and not self.around.may_end(piece)
+
+    def _ends_in_article(self, piece: Piece) -> bool:
+        """Whether its last letter is an article, and no half of the day: "one in a | million"."""
+        last = piece.end - 1
+        return (
+            self.texts[last - 1 : piece.end] == ["in", "a"]
+            and self.around.follower(piece).isalpha()
+            and not self.words[last].glued
+        )

@@ -1,14 +1,65 @@
 """Whether a reading is of a name: what is played or watched, a feast, one on a day that is not known."""
 
+from collections.abc import Sequence
 from functools import cached_property
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.standing import Standing
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import TimeWord, Wall
 
 BANK_HOLIDAY = ["bank", "holiday"]
 """Words before a weekday on a date that is not known here."""
+
+BINDING = frozenset({"preposition_at", "preposition_before", "preposition_after"})
+"""Categories of words that bind a time behind them."""
+
+LEAST_TITLE = 2
+"""Words of a title that capitals tell, at least."""
+
+
+def written_out(words: Sequence[Word], lexicon: Lexicon) -> frozenset[int]:
+    """Give the places of a title that has capitals where a time has none: "watch Before Sunrise tonight".
+
+    Who writes all words with capitals writes times so, too ("Watch The News At Ten").
+    """
+    found: set[int] = set()
+    small = any(word.is_letters and not word.capital for word in words)
+    for place, word in enumerate(words):
+        if small and word.text in lexicon.playing and (not place or not word.capital):
+            end = place + 1
+            while end < len(words) and _goes_on(words, end, lexicon):
+                end += 1
+            if end - place > LEAST_TITLE and _tells(words[place + 1 : end], lexicon):
+                found |= {*range(place + 1, end)}
+    return frozenset(found)
+
+
+def _goes_on(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a word may be one of a title: an article has no capital there."""
+    inner = words[place].text in lexicon.closed.articles and any(
+        one.capital for one in words[place + 1 : place + 2]
+    )
+    return words[place].capital or words[place].is_digits or inner
+
+
+def _tells(title: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a word has a capital that has none in a sentence: "Before"; or a unit behind a number."""
+    plain = lexicon.function_words | lexicon.closed.noun_openers
+    said = any(
+        word.capital
+        and (
+            word.text in plain
+            or (word.text,) in lexicon.clauses
+            or any(one.category in BINDING for one in lexicon.entries.get(word.text, ()))
+        )
+        for word in title
+    )
+    first, second = title[:LEAST_TITLE]
+    counted = first.is_digits and second.capital and lexicon.means(second.text, "unit")
+    return said or (counted and len(title) == LEAST_TITLE)
 
 
 class Titles(Standing):
@@ -18,6 +69,7 @@ class Titles(Standing):
         """Whether a reading is of a name."""
         return (
             self._is_played(piece)
+            or not self._written_out.isdisjoint(range(piece.start, piece.end))
             or self._is_of_its_year(piece)
             or self._is_of_feast(piece)
             or self._is_of_other_calendar(piece)
@@ -45,6 +97,11 @@ class Titles(Standing):
         while verb > 0 and (named or self._is_titular(verb)) and self.texts[verb] not in self.lexicon.playing:
             verb -= 1
         return verb >= 0 and self.texts[verb] in self.lexicon.playing and self.around.opens(verb)
+
+    @cached_property
+    def _written_out(self) -> frozenset[int]:
+        """The places of words of a title with capitals."""
+        return written_out(self.words, self.lexicon) if self._plays else frozenset()
 
     @cached_property
     def _plays(self) -> bool:

@@ -175,11 +175,15 @@ class Walls(Standing):
             # "The blue car is in first"
             return False
         if said.preposition == "of" and numbered:
-            # "The corner of 5th and Main"
-            return self.texts[piece.start + 1] == "the"
+            # "The corner of 5th and Main", "remind me of the 2 for 1 offer"
+            return self.texts[piece.start + 1] == "the" and not self.words[piece.end - 1].is_digits
         if self.is_left_out(piece) and wall.part is None:
             # "Every monday except the 16th"
             return self.around.may_end(piece)
+        if numbered and said.preposition is None and self.around.follower(piece) == "as":
+            # "Mark the 28th as a holiday"; but "mark the third as done"
+            named = not self.closed.noun_openers.isdisjoint(self.texts[piece.end + 1 : piece.end + 2])
+            return named and self.around.before(piece) in self.lexicon.appointing
         # "After the 10 o'clock feed"
         clocked = self.around.follower(piece) in self.beside.of_hours
         dated = dates_entry(self.words, piece.start, piece.end, self.lexicon)

@@ -1,6 +1,7 @@
 """Orders one behind the other without a joint: "feed the baby at six bath her at seven".
 
-So is an order behind what is told with its time: "the gym opens at six remind me to pack". One tree of both
+So is an order behind what is told with its time: "the gym opens at six remind me to pack", and what is told
+behind an order with its time: "turn the tv on at eight the game is starting". One tree of both
 mostly goes wrong, as it does for clauses in front (``fronts``). So it is tried: wherever a bare verb governs
 something and nothing joins it to what stands before, both parts are parsed.
 """
@@ -34,13 +35,15 @@ FINITE = frozenset({"VBZ", "VBD"})
 class _Try:
     """A place at which a further order may begin, with both parts.
 
-    ``timed`` where a time ends the first, ``tells`` where that may be no order.
+    ``timed`` where a time ends the first, ``tells`` where that may be no order, ``told`` where the
+    second may be none.
     """
 
     one: int
     start: int
     timed: bool
     tells: bool
+    told: bool
     before: str
     behind: str
 
@@ -59,13 +62,18 @@ def run_on_orders(
     ]
     carriers = ["" if attempt.tells else CARRIER for attempt in tries]
     before = trees([carrier + one.before for carrier, one in zip(carriers, tries, strict=True)])
-    behind = trees([CARRIER + attempt.behind for attempt in tries])
+    led = ["" if attempt.told else CARRIER for attempt in tries]
+    behind = trees([carrier + attempt.behind for carrier, attempt in zip(led, tries, strict=True)])
     cut: dict[int, int] = {}
     for attempt, carrier, first, second in zip(tries, carriers, before, behind, strict=True):
         one = first.without_carrier(carrier, attempt.before, 0)
-        other = second.without_carrier(CARRIER, attempt.behind, 0)
-        whole = _tells(one) if attempt.tells else _is_whole(one, lexicon, timed=attempt.timed)
-        if attempt.one not in cut and whole and _governs(other):
+        other = second.without_carrier("" if attempt.told else CARRIER, attempt.behind, 0)
+        if attempt.told:
+            whole = _is_whole(one, lexicon, timed=False) and _has_object(one) and _tells(other)
+        else:
+            whole = _tells(one) if attempt.tells else _is_whole(one, lexicon, timed=attempt.timed)
+            whole = whole and _governs(other)
+        if attempt.one not in cut and whole:
             cut[attempt.one] = attempt.start
     return cut
 
@@ -76,14 +84,16 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     source, end, timed = one.source, one.segment.span[1], one.timed(tree)
     tells = not tree.nodes[0].may_act
     for here in range(LEAST, len(tree.nodes) - 1):
-        if here in timed or not _may_begin(tree, here, timed, lexicon):
+        behind_time = (here - 2 if tree.nodes[here - 1].text == COMMA else here - 1) in timed
+        told = not tells and behind_time and here not in timed and _may_tell(tree, here, lexicon)
+        if here in timed or not (told or _may_begin(tree, here, timed, lexicon)):
             continue
         if tells and here - 1 not in timed:
             # "The kids have to make their beds"
             continue
         led = next((place for place in range(here - 1, -1, -1) if place not in timed), 0)
         joined = tree.nodes[led].lower in lexicon.closed.joints_of_orders
-        if joined and not _is_listed(tree, here, timed):
+        if joined and not told and not _is_listed(tree, here, timed):
             # "Set the table, and by seven have the soup ready"
             continue
         turned = lexicon.beside.turning | lexicon.beside.contrary
@@ -94,7 +104,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             # "Stir it when the chef asks the waiter": what is in a clause.
             return
         before, behind = source.sound[one.main : start].strip(), source.sound[verb:end]
-        yield _Try(place, start, here - 1 in timed, tells, before, behind)
+        yield _Try(place, start, here - 1 in timed, tells, told, before, behind)
 
 
 def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
@@ -128,6 +138,19 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     further = tree.nodes[place + 2 : place + 3]
     carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
     return led or (carried and further[0].tag in DETERMINERS)
+
+
+def _may_tell(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether who or what something is told of stands there, with a verb: "… | the game is starting"."""
+    node = tree.nodes[place]
+    subject = node.lower in lexicon.closed.subject_pronouns or node.tag in DETERMINERS
+    return subject and any(one.tag in FINITE | {"VBP", "MD"} for one in tree.nodes[place + 1 :])
+
+
+def _has_object(tree: Tree) -> bool:
+    """Whether an order has its object, and is none that asks for what may be told: "check the oven"."""
+    root = tree.root
+    return root is not None and bool(tree.children(root, "dobj", "dative"))
 
 
 def _is_listed(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:

@@ -24,7 +24,6 @@ from fuzzytime.language.sentence.verbs.statement_trees import leaves
 JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but|or|nor)\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
 
-
 AT = "at"
 """The preposition of clock times, which holds for the one that corrects them too."""
 
@@ -227,7 +226,9 @@ class Waiting:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
         if not tree.nodes:
             return False
-        if self._phrases and happens(tree, self._phrases, lexicon):
+        # "Tomorrow at 8:15 pm call mum": what is about time does not happen.
+        led_astray = self.behind_time > 0 and tree.root in self.timed(tree)
+        if self._phrases and not led_astray and happens(tree, self._phrases, lexicon):
             return (
                 may_be_ordered(tree)
                 or begins_order(tree, lexicon)

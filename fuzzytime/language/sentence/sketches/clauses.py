@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.titles import written_out
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.expressions import (
@@ -59,10 +60,11 @@ def clauses_of(
     """
     found: list[Clause] = []
     covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    titled = written_out(words, lexicon)
     reader = _Clauses(tree, words, phrases, lexicon, covered, named)
     place = 0
     while place < len(words):
-        is_name = place > 0 and words[place - 1].text in lexicon.closed.sure_noun_openers
+        is_name = place in titled or (place > 0 and words[place - 1].text in lexicon.closed.sure_noun_openers)
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         leads = form is not None and (
             reader.markers.begins_none(place, form) or reader.leads_to_distance(place, form)

@@ -122,6 +122,9 @@ def _is_then(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> boo
     if (second.complement or "").lower() in lexicon.closed.anaphors:
         # "Wash the car at ten, Tom dries it"
         return False
+    if first.is_asked and second.attended:
+        # "Set an alarm for six I have a flight" tells why.
+        return False
     between = text_between(before, sketch, text)
     alone = not sketch.clauses and not any(map(_says_when, sketch.phrases)) and not _lasts(sketch, lexicon)
     return (
