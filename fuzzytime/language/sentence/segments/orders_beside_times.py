@@ -129,3 +129,10 @@ def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     named = node.tag == "NNP" and node.text[0].isupper()
     event = node.lower in lexicon.happening | lexicon.taken or (node.may_act and not named)
     return node.lower in lexicon.persons or (node.tag.startswith("NN") and not event)
+
+
+def is_numbered(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether a tree has what is called by a number for what is to be done: "close valve 3"."""
+    root = tree.root or 0
+    named = root > 0 and tree.nodes[root].lower in lexicon.machines
+    return named and root + 1 < len(tree.nodes) and tree.nodes[root + 1].tag == "CD"

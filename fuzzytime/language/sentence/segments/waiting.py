@@ -13,7 +13,7 @@ from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.segments.leading_markers import Marker, marker_at
-from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, leads_to_order
+from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_numbered, leads_to_order
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
@@ -173,8 +173,11 @@ class Waiting:
     @property
     def behind_time(self) -> int:
         """Where the main words begin behind a time in front of them, from ``main``."""
-        places = self.source.places(self.main, self.segment.span[1])
         words = self.source.scanned.words
+        # "Not today but tomorrow at two polish the silver"
+        back = [remark.span for remark in self.source.remarks]
+        places = self.source.places(self.main, self.segment.span[1])
+        places = [p for p in places if not any(a <= words[p].start < b for a, b in back)]
         firsts = {phrase.first for phrase in self.source.phrases}
         ends = {phrase.end for phrase in self.source.phrases}
         while places:
@@ -239,7 +242,7 @@ class Waiting:
         if is_doubtful(tree):
             return True
         words, covered = self.source.scanned.words, self.source.covered
-        if _is_numbered(tree, lexicon):
+        if is_numbered(tree, lexicon):
             return True
         places = self.source.places(self.main, self.segment.span[1])
         timed = {words[place].start - self.main for place in places if place in covered}
@@ -251,13 +254,6 @@ class Waiting:
         if not before or longest_match(words, before[0], lexicon.clauses) is not None:
             return False
         return any(longest_match(words, place, lexicon.clauses) is not None for place in before[1:])
-
-
-def _is_numbered(tree: Tree, lexicon: Lexicon) -> bool:
-    """Whether a tree has what is called by a number for what is to be done: "close valve 3"."""
-    root = tree.root
-    named = root > 0 and tree.nodes[root].lower in lexicon.machines
-    return named and root + 1 < len(tree.nodes) and tree.nodes[root + 1].tag == "CD"
 
 
 def goes_on_behind(words: Sequence[Word], comma: int, following: int, lexicon: Lexicon) -> bool:
