@@ -133,6 +133,6 @@ def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 
 def is_numbered(tree: Tree, lexicon: Lexicon) -> bool:
     """Whether a tree has what is called by a number for what is to be done: "close valve 3"."""
-    root = tree.root or 0
+    root = tree.root
     named = root > 0 and tree.nodes[root].lower in lexicon.machines
     return named and root + 1 < len(tree.nodes) and tree.nodes[root + 1].tag == "CD"

@@ -149,8 +149,7 @@ def _may_tell(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 
 def _has_object(tree: Tree) -> bool:
     """Whether an order has its object, and is none that asks for what may be told: "check the oven"."""
-    root = tree.root
-    return root is not None and bool(tree.children(root, "dobj", "dative"))
+    return bool(tree.children(tree.root, "dobj", "dative"))
 
 
 def _is_listed(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
