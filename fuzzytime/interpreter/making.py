@@ -26,6 +26,9 @@ from fuzzytime.times import seconds_between
 MAX_OCCURRENCES = 100
 """How many occurrences of one repetition are planned at most."""
 
+LEFT_OUT = 20
+"""Among how many coming occurrences one is looked for that is not left out."""
+
 
 @dataclass(frozen=True, slots=True)
 class Maker:
@@ -91,14 +94,21 @@ class Maker:
         operation = instruction.operation
         # "I have a class every day from nine to ten"
         whole = operation is not None and operation.stated and repeated.recurrence.spans
-        made = []
-        for start, end in windows:
-            occurring = replace(instruction, duration=end - start) if whole else instruction
+
+        def occurring(start: float, end: float) -> Interpreted:
+            once_done = replace(instruction, duration=end - start) if whole else instruction
             time = occurrence(repeated, start, start if whole else end)
-            made.append(self._interpreted(wish, reading, occurring, (time, *once)))
+            return self._interpreted(wish, reading, once_done, (time, *once))
+
+        made = [occurring(start, end) for start, end in windows]
         made = [one for one in made if self._is_near(one)] or made[:1]
         # "Every hour but not at noon" leaves noon out; what none can satisfy is one loss, not a hundred.
-        return [one for one in made if not one.reason] or made[:1]
+        left = [one for one in made if not one.reason]
+        if left or self.request.horizon is not None or not once:
+            return left or made[:1]
+        # "Every monday except this monday" has one behind it.
+        further = (occurring(start, end) for start, end in recurrence.coming(LEFT_OUT))
+        return [one for one in further if not one.reason][:1] or made[:1]
 
     def _is_near(self, made: Interpreted) -> bool:
         """Whether an occurrence may begin within the horizon, where one is given."""

@@ -5,13 +5,19 @@ from fuzzytime.language.about_wishes import (
     AboutKind,
     News,
     NewsKind,
+    about_things,
     about_wishes,
     added_time,
+    by_how_much,
     clauses_of,
+    continued,
+    continuing,
+    is_thing,
     merged_time,
     news_in,
     reported,
     restated,
+    reworded,
 )
 from fuzzytime.language.answer import NAMED, answer
 from fuzzytime.language.finding import Times, check_customs, check_length, find_times, shipped_lexicon
@@ -33,7 +39,7 @@ from fuzzytime.language.meaning.decisions import HALF_OF_DAY_ADVICE
 from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
-from fuzzytime.language.sentence.references.mentions import comes, shares_thing, undoes, verb_forms
+from fuzzytime.language.sentence.references.mentions import comes, nouns_of, shares_thing, undoes, verb_forms
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelError, installed_model, model_files
 from fuzzytime.language.sentence.trees.named import is_several
@@ -61,24 +67,31 @@ __all__ = [
     "StrictReading",
     "Times",
     "Token",
+    "about_things",
     "about_wishes",
     "added_time",
     "answer",
+    "by_how_much",
     "check_customs",
     "check_length",
     "clauses_of",
     "comes",
     "content_words",
+    "continued",
+    "continuing",
     "find_times",
     "installed_model",
     "is_several",
+    "is_thing",
     "is_word_table",
     "merged_time",
     "model_files",
     "news_in",
+    "nouns_of",
     "read_lexicon",
     "reported",
     "restated",
+    "reworded",
     "shares_thing",
     "shipped_lexicon",
     "undoes",

@@ -9,7 +9,7 @@ from fuzzytime.language import About, content_words, verb_forms
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
-from fuzzytime_cli.repl.naming import FEW, entry_of, running_one
+from fuzzytime_cli.repl.naming import FEW, all_called, entry_of, running_one
 from fuzzytime_cli.repl.scene import (
     Reply,
     Scene,
@@ -76,6 +76,47 @@ def lasting(scene: Scene, about: About) -> Reply:
         name = f"{plain(interpreted.identifier)} {plain(skill.name)}"
         lines.append(Text(f"{name}: {whole}{hands}{assumed}"))
     return _reply(scene, about, lines, positions)
+
+
+def did(scene: Scene, about: About) -> Reply:
+    """Say whether something was done, as far as that is known."""
+    entry = entry_of(scene, about.names)
+    names = about.names if about.names or entry is None else frozenset({entry.identifier})
+    running = running_one(scene, names) if names else None
+    if running is not None:
+        name = f"{plain(running.identifier)} {plain(running.name)}"
+        return said(f"not yet: {name} is running until {_at(scene, running.done)}")
+    begun = next(reversed(all_called(scene, names)), None) if names else None
+    positions = _positions(scene, names)
+    if begun is not None:
+        name = f"{plain(begun.identifier)} {plain(begun.name)}"
+        lines = [Text(f"yes: {name}, from {_at(scene, begun.start)} to {_at(scene, begun.done)}")]
+        lines += [_start(scene, position) for position in positions[:1]]
+        return Reply(tuple(lines), focus=number_of(begun.identifier))
+    if not positions:
+        return _nothing(about.names)
+    start = _start(scene, positions[0])
+    return Reply((Text("not yet: ") + start,), focus=_focus(scene, positions))
+
+
+def beside(scene: Scene, about: About) -> Reply:
+    """Say what comes before something, or behind it."""
+    schedule, positions = scene.plan.schedule, _positions(scene, about.names)
+    left = [place for place, _ in waiting(scene) if not schedule.rejected[place]]
+    named = [place for place in positions if place in left]
+    running = running_one(scene, about.names) if about.names and not named else None
+    if not named and running is None:
+        return _nothing(about.names)
+    begin = min((schedule.start_times[place] for place in named), default=0.0)
+    end = max((schedule.skills[place].end for place in named), default=0.0)
+    times = {place: schedule.start_times[place] for place in left if place not in named}
+    if about.joint == "before":
+        found = sorted((p for p, time in times.items() if time < begin), key=lambda p: -times[p])[:FEW]
+    else:
+        found = sorted((p for p, time in times.items() if time >= min(begin, end)), key=lambda p: times[p])[:FEW]
+    if not found:
+        return said(f"nothing is planned {about.joint} {plain(about.thing)}")
+    return Reply(tuple(_start(scene, place) for place in found), focus=_focus(scene, found))
 
 
 def _going_on(scene: Scene, about: About) -> list[Text]:

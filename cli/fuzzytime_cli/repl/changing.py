@@ -81,6 +81,13 @@ def edit(scene: Scene, text: str) -> Reply:
     return reply if begun is None else replace(reply, lines=(*ended_line(scene, begun), *reply.lines))
 
 
+def reworded(scene: Scene, number: int, text: str) -> Reply:
+    """Give an instruction other words, of which those for its time count from when they were said."""
+    if begun_of(scene, number) is not None:
+        return edit(scene, f"{number} {text}")
+    return step(scene, f":edit {number}", lambda state: state.with_changed(number, text=text))
+
+
 def _refers_to_what_came_between(scene: Scene, number: int, called: int, here: State) -> bool:
     """Whether the words of an instruction that is said anew refer to others that were given since.
 

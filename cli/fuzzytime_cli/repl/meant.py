@@ -5,10 +5,20 @@ from dataclasses import replace
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import About, AboutKind, content_words
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.repl.naming import all_called, called, entries_meant, entry_of, running_one, unknown
-from fuzzytime_cli.repl.retiming import with_time
-from fuzzytime_cli.repl.scene import Scene, number_of
+from fuzzytime_cli.repl.naming import (
+    all_called,
+    called,
+    entries_meant,
+    entry_of,
+    running_one,
+    unknown,
+    words_of_entry,
+)
+from fuzzytime_cli.repl.retiming import days_on, some_time, with_time
+from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting
+from fuzzytime_cli.session import Entry
 
+AT_ONCE = "right now"
 ONE_AT_A_TIME = "one at a time, such as: move the call to six; or: push everything back by an hour"
 
 
@@ -21,8 +31,14 @@ def command_meant(scene: Scene, about: About) -> str | None:
         If nothing that is known can be meant, or which of several is not said.
     """
     match about.kind:
+        case AboutKind.UNDO if not about.certain and scene.taken is None:
+            return None
         case AboutKind.UNDO | AboutKind.REDO:
             return f":{about.kind.value}"
+        case AboutKind.STOP:
+            return _stopping(scene)
+        case AboutKind.REVERSE:
+            return _reversing(scene, about)
         case AboutKind.DONE | AboutKind.MORE:
             return _progress(scene, about)
         case AboutKind.LATE:
@@ -39,23 +55,39 @@ def _changing(scene: Scene, about: About) -> str | None:
     if about.everything and about.kind is AboutKind.MOVE:
         raise FuzzytimeError(ONE_AT_A_TIME)
     if about.everything:
-        return _dropping_all(scene, about) if about.kind is AboutKind.DROP else f":delay all {_length(about)}"
+        if about.kind is AboutKind.DROP:
+            return _dropping_all(scene, about)
+        return f":delay all {_length(scene, about)}"
     if about.corrects and scene.told_last is not None:
         scene = replace(scene, focus=scene.told_last)
     meant = entries_meant(scene, about)
     if not meant:
         return unknown(about.names) if about.certain else None
-    if about.text and about.text in content_words(meant[-1].text):
+    again = about.kind is AboutKind.MOVE and about.text
+    if again and about.text in content_words(meant[-1].text):
         return None
     numbers = ",".join(str(entry.number) for entry in meant)
     match about.kind:
         case AboutKind.DROP:
             return f":drop {numbers}"
         case AboutKind.DELAY:
-            return f":delay {numbers} {_length(about)}"
+            return f":delay {numbers} {_length(scene, about)}"
+        case _ if about.places and about.time == AT_ONCE and (other := _of_two(scene, meant[0])) is not None:
+            # "Do the second one first"
+            return f":swap {other} {numbers}"
+        case _ if len(meant) == 1 and about.days:
+            return f":edit {numbers} {days_on(scene, meant[0], about.days)}"
         case _ if len(meant) == 1:
             return f":edit {numbers} {with_time(scene, meant[0], about)}"
     raise FuzzytimeError(ONE_AT_A_TIME)
+
+
+def _of_two(scene: Scene, entry: Entry) -> int | None:
+    """Give the number of the other of two that are left; None where there are others, or one has no time."""
+    left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
+    timed = all(one.requirements for one in scene.plan.skills)
+    others = [one.number for one in left if one is not entry and one.number != entry.number]
+    return others[0] if timed and len(others) == 1 else None
 
 
 def _dropping_all(scene: Scene, about: About) -> str:
@@ -69,17 +101,37 @@ def _dropping_all(scene: Scene, about: About) -> str:
     return f":drop {','.join(left)}"
 
 
-def _length(about: About) -> str:
+def _length(scene: Scene, about: About) -> str:
     """Give by how much, as a command takes it.
 
     Raises
     ------
-    FuzzytimeError
+    AskedBackError
         If that is not said.
     """
+    if about.by is None and about.text:
+        by = some_time(scene, about.text)
+        return _seconds(-by if about.earlier else by)
     if about.by is None:
-        raise FuzzytimeError("by how much? Say: push it back by ten minutes (or: make it half past six)")
+        message = "by how much? Say: push it back by ten minutes (or: make it half past six)"
+        raise AskedBackError(message, about)
     return _seconds(about.by)
+
+
+def _stopping(scene: Scene) -> str:
+    """Give the command that ends what is running, or else forgets what was spoken of last."""
+    one = running_one(scene, frozenset())
+    if one is not None:
+        return f":done {one.identifier}"
+    entry = entry_of(scene, frozenset())
+    return unknown(frozenset()) if entry is None else f":drop {entry.number}"
+
+
+def _reversing(scene: Scene, about: About) -> str | None:
+    """Give the command that changes the order of two back, or the other way round."""
+    if scene.taken is not None and scene.taken.kind in {AboutKind.SWAP, AboutKind.MOVE}:
+        return ":undo"
+    return _swap(scene, replace(about, both=True))
 
 
 def _seconds(length: float) -> str:
@@ -90,9 +142,13 @@ def _seconds(length: float) -> str:
 def _progress(scene: Scene, about: About) -> str | None:
     """Give the command that says how a skill goes: one that is running, or that need not start any more."""
     longer = about.kind is AboutKind.MORE
+    last_one = None if not about.text else entry_of(scene, frozenset())
+    if last_one is not None:
+        # "I already did": what was spoken of last
+        about = replace(about, names=frozenset({last_one.identifier}))
 
     def line(identifier: str) -> str:
-        return f":more {identifier} {_length(about)}" if longer else f":done {identifier}"
+        return f":more {identifier} {_length(scene, about)}" if longer else f":done {identifier}"
 
     one = running_one(scene, about.names)
     if one is not None:
@@ -100,6 +156,9 @@ def _progress(scene: Scene, about: About) -> str | None:
     last = next(reversed(all_called(scene, about.names)), None)
     if last is not None and longer:
         return line(last.identifier)
+    planned_last = entry_of(scene, frozenset()) if longer and not about.names else None
+    if planned_last is not None and called(scene, planned_last.number) is not None and scene.focus is not None:
+        return _lengthened(scene, planned_last.number, about)
     over = "" if last is None else Clock(scene.now, with_seconds=False).at(last.done)
     if not about.names:
         told = "" if last is None else f"; the last, {last.name}, was done at {over}"
@@ -107,10 +166,20 @@ def _progress(scene: Scene, about: About) -> str | None:
     entry = entry_of(scene, about.names)
     planned = None if entry is None else called(scene, entry.number)
     if planned is not None:
-        return None if longer and not about.certain else line(planned)
+        if longer:
+            return _lengthened(scene, number_of(planned), about) if about.certain else None
+        return line(planned)
     if last is not None:
         raise FuzzytimeError(f"{last.name} was done at {over}")
     return unknown(about.names) if about.certain else None
+
+
+def _lengthened(scene: Scene, number: int, about: About) -> str:
+    """Give the command that lets what has not started take longer."""
+    if about.by is None:
+        raise AskedBackError("by how much? Say: twenty minutes longer", about)
+    lasts = max(one.skill.time_until_done for _, one in waiting(scene, number))
+    return f":duration {number} {_seconds(lasts + about.by)}"
 
 
 def _unstarted(scene: Scene, about: About) -> str:
@@ -121,6 +190,9 @@ def _unstarted(scene: Scene, about: About) -> str:
     FuzzytimeError
         If nothing that is meant has started, or which of several is not said.
     """
+    done = scene.taken is not None and scene.taken.kind is AboutKind.DONE
+    if about.text and done and scene.told_last is None:
+        return ":undo"
     one = running_one(scene, about.names)
     if one is None:
         entry = entry_of(scene, about.names)
@@ -153,6 +225,7 @@ def _late(scene: Scene, about: About) -> str:
 def _swap(scene: Scene, about: About) -> str | None:
     if about.both:
         left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
+        left = [one for one in left if about.names <= words_of_entry(scene, one)]
         if len(left) != 2:
             raise FuzzytimeError("which two? Say: swap the call and the soup")
         return f":swap {left[0].number} {left[1].number}"

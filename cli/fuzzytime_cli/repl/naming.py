@@ -3,7 +3,7 @@
 from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, content_words, verb_forms
+from fuzzytime.language import About, content_words, nouns_of, verb_forms
 from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, whole_number
 from fuzzytime_cli.session import Entry, Started
 
@@ -28,23 +28,23 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     if not names:
         spoken_of = (entry for entry in entries if entry.number == scene.focus)
         return next(spoken_of, None) or next(iter(entries), None)
-    lexicon = scene.conversation.interpreter.language.lexicon
-    skills: dict[str, frozenset[str]] = {}
-    for interpreted in scene.plan.skills:
-        name = interpreted.wish.identifier
-        operation = interpreted.operation
-        verb = frozenset() if operation is None else verb_forms(operation.lemma, lexicon)
-        known = content_words(interpreted.skill.name) | verb
-        skills[name] = skills.get(name, frozenset()) | known
     # "The guests" are what comes, before they are what others wait for.
     happening = {
         one.wish.identifier: content_words(one.skill.name) for one in scene.plan.skills if one.stated
     }
     comes = (e for e in entries if names <= happening.get(e.identifier, frozenset()))
+    # What is done with it is meant before what only comes after it: "the nap", and "park after the nap".
+    things = (e for e in entries if names <= _things_of(scene, e))
     own = (entry for entry in entries if names <= content_words(entry.text))
-    # "It" in its words is what it is called by.
-    by_name = (e for e in entries if names <= skills.get(e.identifier, frozenset()) | content_words(e.text))
-    return next(comes, None) or next(own, None) or next(by_name, None)
+    # "It" in its words is what it is called by, and "the inspection" what is inspected.
+    by_name = (e for e in entries if names <= words_of_entry(scene, e) | content_words(e.text))
+    return next((entry for found in (comes, things, own, by_name) for entry in found), None)
+
+
+def _things_of(scene: Scene, entry: Entry) -> frozenset[str]:
+    """Give the words that an entry itself says of what is done, and not of when."""
+    skills = (one for one in scene.plan.skills if one.wish.identifier == entry.identifier)
+    return content_words(entry.text) & frozenset[str]().union(*(content_words(one.skill.name) for one in skills))
 
 
 def entries_meant(scene: Scene, about: About) -> list[Entry]:
@@ -57,8 +57,17 @@ def entries_meant(scene: Scene, about: About) -> list[Entry]:
     """
     left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
     if about.both:
+        left = [one for one in left if about.names <= words_of_entry(scene, one)]
         if len(left) != BOTH:
-            raise FuzzytimeError(f"{len(left)} are left: say which, such as: the call")
+            what = f" {' '.join(sorted(about.names))}" if about.names else ""
+            is_are = "is" if len(left) == 1 else "are"
+            raise FuzzytimeError(f"{len(left) or 'none'}{what} {is_are} left: say which, such as: the call")
+        return left
+    if about.other:
+        last = scene.told_last if scene.focus is None else scene.focus
+        left = [one for one in left if one.number != last]
+        if len(left) != 1:
+            raise FuzzytimeError(f"{len(left)} others are left: say which, such as: the call")
         return left
     if about.places:
         if max(abs(place) for place in about.places) > len(left):
@@ -71,6 +80,15 @@ def entries_meant(scene: Scene, about: About) -> list[Entry]:
     named = {one.wish.identifier for one in asked if about.names <= content_words(one.skill.name)}
     # "The guests" are those who come, and not what waits for them.
     return [one for one in left if one.identifier in named] if entry.identifier in named else [entry]
+
+
+def words_of_entry(scene: Scene, entry: Entry) -> frozenset[str]:
+    """Give the words that name what an entry asks for: its things, and its verbs as nouns too."""
+    lexicon = scene.conversation.interpreter.language.lexicon
+    skills = [one for one in scene.plan.skills if one.wish.identifier == entry.identifier]
+    verbs = (one.operation.lemma for one in skills if one.operation is not None)
+    nouns = frozenset(noun for verb in verbs for noun in (*verb_forms(verb, lexicon), *nouns_of(verb), f"{verb}er"))
+    return nouns.union(*(content_words(one.skill.name) for one in skills), {entry.identifier})
 
 
 def identifier_meant(scene: Scene, text: str) -> str:

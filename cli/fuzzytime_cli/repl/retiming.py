@@ -1,13 +1,22 @@
 """What is asked for said anew: its words with another time in place of their own."""
 
 from collections.abc import Sequence
+from datetime import timedelta
 from itertools import combinations
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import About, AboutKind, Operation, content_words, find_times, merged_time, restated
 from fuzzytime.requirement import Constraint, TimeRequirement
-from fuzzytime_cli.repl.scene import Scene, number_of
+from fuzzytime_cli.repl.scene import Scene, number_of, waiting
 from fuzzytime_cli.session import Entry
+
+IDLE = "rest"
+"""What is done in a sentence of which only the time matters."""
+
+SOME = 600.0
+"""Seconds that vague words are where tables say nothing of them."""
+
+DAY_SECONDS = 86400.0
 
 ONE = frozenset({"1", "one", "a", "an"})
 """Numbers behind which a unit has no s."""
@@ -88,6 +97,35 @@ def with_time(scene: Scene, entry: Entry, about: About, own: Sequence[TimeRequir
     if len(times) > 1 or repeated:
         raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
     return f"{entry.text[:first]}{time}{entry.text[end:]}"
+
+
+def days_on(scene: Scene, entry: Entry, days: int) -> str:
+    """Give an entry's words with a day that lies so many days behind the one that it has.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it has no day, or several times.
+    """
+    schedule = scene.plan.schedule
+    starts = [
+        scene.plan.instant(schedule.start_times[place])
+        for place, _ in waiting(scene, entry.number)
+        if not schedule.rejected[place]
+    ]
+    if not starts:
+        raise FuzzytimeError(f"instruction {entry.number} has no day: say it anew, with :edit")
+    day = min(starts) + timedelta(days=days)
+    if day.date() < scene.now.date():
+        raise FuzzytimeError(f"that would be on {day:%A}, which is over")
+    return with_time(scene, entry, About(kind=AboutKind.MOVE, time=f"on {day:%Y-%m-%d}"))
+
+
+def some_time(scene: Scene, words: str) -> float:
+    """Give how long vague words are, in seconds: "a bit later" is from when it fully satisfies."""
+    skill = scene.conversation.interpreter.skill(f"{IDLE} {words}", now=scene.now)
+    begin = skill.satisfaction.best.low
+    return begin if 0.0 < begin < DAY_SECONDS else SOME
 
 
 def _recounted(scene: Scene, entry: Entry, time: TimeRequirement, number: str) -> str:

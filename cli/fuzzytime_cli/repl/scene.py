@@ -8,6 +8,7 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted, Plan, Problem, ProblemKind
+from fuzzytime.language import About
 from fuzzytime_cli.faults import underlined
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
@@ -30,6 +31,8 @@ class Reply:
 
     ``changed`` asks for the schedule to be drawn again, ``edit`` puts words on the next prompt,
     ``over`` ends the conversation, ``focus`` is the instruction that was spoken of: what "it" is next.
+    ``taken`` is what was understood of words that changed something, ``asked`` what is to be asked back
+    about, and ``anew`` an instruction that words which lean on another mean.
     """
 
     lines: tuple[Text | str, ...] = ()
@@ -37,6 +40,9 @@ class Reply:
     edit: str = ""
     over: bool = False
     focus: int | None = None
+    taken: About | None = None
+    asked: About | None = None
+    anew: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +50,8 @@ class Scene:
     """What a command works with: the conversation, the plan on the screen, the moment, the screen's width.
 
     Where ``tried`` is given, steps are not taken: what they would lead to is put there. ``focus`` is the
-    instruction that was spoken of last, ``told_last`` the one that was told or changed last.
+    instruction that was spoken of last, ``told_last`` the one that was told or changed last, ``taken`` what
+    was understood of the words that changed something last, and ``asked`` what the last answer asked about.
     """
 
     conversation: Conversation
@@ -55,6 +62,16 @@ class Scene:
     tried: list[State] | None = None
     focus: int | None = None
     told_last: int | None = None
+    taken: About | None = None
+    asked: About | None = None
+
+
+class AskedBackError(FuzzytimeError):
+    """What is missing of what was said: the next line may say it."""
+
+    def __init__(self, message: str, about: About) -> None:
+        super().__init__(message)
+        self.about = about
 
 
 def said(text: str) -> Reply:

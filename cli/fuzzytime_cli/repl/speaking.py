@@ -14,18 +14,26 @@ from fuzzytime.language import (
     Reading,
     about_wishes,
     added_time,
+    by_how_much,
     content_words,
     reported,
 )
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl import answering, looking
+from fuzzytime_cli.repl import answering, gaps, looking
 from fuzzytime_cli.repl.commands import command_of, what_if
+from fuzzytime_cli.repl.leaning import leaning, left_out, the_other
 from fuzzytime_cli.repl.meant import command_meant
+from fuzzytime_cli.repl.naming import entries_meant
 from fuzzytime_cli.repl.retiming import said_anew
 from fuzzytime_cli.repl.scene import Reply, Scene, whole_number
 
 HISTORY = frozenset({AboutKind.DONE, AboutKind.MORE, AboutKind.LATE})
 """What tells how it went, which :undo does not take back."""
+
+CHANGING = frozenset(
+    {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE, AboutKind.EXCEPT}
+)
+"""What changes what is asked for, and so may be supposed."""
 
 ASKED_BACK = {
     AboutKind.WRONG: "what is meant instead? Say: no, at six (or: undo that)",
@@ -57,10 +65,24 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
     FuzzytimeError
         If nothing that is known can be meant, or which of several is not said.
     """
-    about = about_wishes(words, scene.now, scene.conversation.interpreter.language.lexicon)
+    lexicon = scene.conversation.interpreter.language.lexicon
+    length = None if scene.asked is None else by_how_much(words, scene.now, lexicon)
+    if scene.asked is not None and length is not None:
+        return _taken(scene, replace(scene.asked, by=-length if scene.asked.earlier else length))
+    about = about_wishes(words, scene.now, lexicon) or _behind_what_is_told(scene, words)
     if about is None:
         return _told(scene, words)
     match about.kind:
+        case AboutKind.FREE:
+            return gaps.free(scene, about)
+        case AboutKind.ROOM:
+            return gaps.room(scene, about)
+        case AboutKind.DURING:
+            return gaps.during(scene, about)
+        case AboutKind.DID:
+            return answering.did(scene, about)
+        case AboutKind.BESIDE:
+            return answering.beside(scene, about)
         case AboutKind.NEXT | AboutKind.ANSWER:
             return answering.coming(scene)
         case AboutKind.ALL:
@@ -76,7 +98,24 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
         case AboutKind.SUPPOSE:
             return _supposed(scene, about.text)
         case _:
-            return _taken(scene, about)
+            return _taken(scene, about) or _told(scene, words)
+
+
+def _behind_what_is_told(scene: Scene, words: str) -> About | None:
+    """Read what a line says of wishes behind something that asks for nothing: "he is tired, cancel the walk"."""
+    told, mark, rest = words.rpartition(",")
+    language = scene.conversation.interpreter.language
+    if not mark or not told.strip() or not rest.strip():
+        return None
+    about = about_wishes(rest, scene.now, language.lexicon)
+    if about is None or not about.certain and (
+        about.kind not in CHANGING or not entries_meant(scene, about) or not about.names
+    ):
+        return None
+    reading = language.read(told, now=scene.now)
+    asked = (one.operation for one in reading.instructions)
+    times = any(one.requirements for one in reading.instructions)
+    return None if times or any(one is not None and one.is_asked for one in asked) else about
 
 
 def _told(scene: Scene, words: str) -> Reply | None:
@@ -96,7 +135,9 @@ def _told(scene: Scene, words: str) -> Reply | None:
         if added is not None:
             return _taken(scene, added)
         anew = said_anew(scene, words)
-        return None if anew is None else _run(scene, AboutKind.MOVE, anew)
+        if anew is not None:
+            return _run(scene, About(kind=AboutKind.MOVE), anew)
+        return leaning(scene, words, reading, _taken)
     names = content_words(operation.object) | {operation.lemma}
     return _taken(scene, About(kind=AboutKind.DONE, names=names, certain=True))
 
@@ -123,14 +164,19 @@ def _taken(scene: Scene, about: About) -> Reply | None:
     """Run the command that is meant; None where the words may be a wish of their own."""
     if about.kind in ASKED_BACK:
         raise FuzzytimeError(ASKED_BACK[about.kind])
+    if about.kind is AboutKind.OTHER:
+        return the_other(scene, about, _taken)
+    if about.kind is AboutKind.EXCEPT:
+        return left_out(scene, about, _taken)
     line = command_meant(scene, about)
     if line is None:
         return None
-    return _run(scene, about.kind, line)
+    return _run(scene, about, line)
 
 
-def _run(scene: Scene, kind: AboutKind, line: str) -> Reply:
+def _run(scene: Scene, about: About, line: str) -> Reply:
     """Run a command, and say which."""
+    kind = about.kind if not line.startswith(":drop") else AboutKind.DROP
     command, rest = command_of(line)
     number = rest.partition(" ")[0].partition(".")[0].lstrip("s")
     numbers = rest.partition(" ")[0].split(",")
@@ -139,11 +185,11 @@ def _run(scene: Scene, kind: AboutKind, line: str) -> Reply:
     focus = whole_number(number) if kind is not AboutKind.DROP else None
     if not (reply.changed or scene.tried is not None):
         return replace(reply, focus=focus)
-    if kind in {AboutKind.UNDO, AboutKind.REDO}:
+    if kind in {AboutKind.UNDO, AboutKind.REDO} or line == ":undo":
         return reply
     back = "" if kind in HISTORY and not line.startswith(":busy") else "; :undo takes it back"
     head = Text(plain(f"taken as {line}{f' ({dropped})' if dropped else ''}{back}"))
-    return replace(reply, lines=(head, *reply.lines), focus=focus)
+    return replace(reply, lines=(head, *reply.lines), focus=focus, taken=about)
 
 
 def _text_of(scene: Scene, number: str) -> str:
@@ -158,5 +204,4 @@ def _supposed(scene: Scene, text: str) -> Reply:
 
 
 def _supposable(scene: Scene, about: About) -> str | None:
-    changing = {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE}
-    return command_meant(scene, about) if about.kind in changing else None
+    return command_meant(scene, about) if about.kind in CHANGING else None

@@ -8,7 +8,7 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError, InstructionError
 from fuzzytime.interpreter import Plan, Problem
-from fuzzytime.language import Question
+from fuzzytime.language import About, Question
 from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.inputs.lines import said_in
@@ -18,6 +18,7 @@ from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
 from fuzzytime_cli.repl.scene import (
     UNREAD,
+    AskedBackError,
     Reply,
     Scene,
     number_of,
@@ -45,6 +46,7 @@ class Turns:
 
     ``asks`` says that somebody is there to answer: then an ambiguous time is asked about, once. ``focus`` is
     the instruction that was spoken of last, ``told_last`` the one that who types spoke of, and no answer.
+    ``taken`` is what was understood of the last line that changed something, ``asked`` what was asked back.
     """
 
     conversation: Conversation
@@ -58,6 +60,8 @@ class Turns:
     told: set[Problem] = field(default_factory=set)
     focus: int | None = None
     told_last: int | None = None
+    taken: About | None = None
+    asked: About | None = None
 
     def opened(self, now: datetime) -> list[Line]:
         """Greet: the schedule of a session that goes on, or what to do in a new one."""
@@ -116,6 +120,8 @@ class Turns:
         """Give an answer, with the schedule where that changed; every error is an answer too."""
         try:
             reply = answer()
+            self.asked = reply.asked
+            self.taken = reply.taken if reply.changed else self.taken
             self.focus = reply.focus if reply.focus is not None else self.focus
             if reply.changed:
                 self.told_last = reply.focus if reply.focus is not None else self.told_last
@@ -123,7 +129,11 @@ class Turns:
             reply = replace(reply, lines=(*self._told_news(), *reply.lines))
             if self.pending is not None:
                 reply = replace(reply, lines=(*reply.lines, *question_lines(self.pending.question)))
+        except AskedBackError as error:
+            self.asked = error.about
+            return Reply((Text(plain(str(error)), style="red"),))
         except FuzzytimeError as error:
+            self.asked = None
             return Reply((Text(plain(str(error)), style="red"),))
         except NotKeptError:
             raise  # whether to go on without a memory is not decided here
@@ -138,7 +148,11 @@ class Turns:
         if words[0] in ":/":
             command, rest = command_of(words)
             return command.run(self._scene(now), rest)
-        return reply_about(self._scene(now), words) or self._instructions([words], now)
+        reply = reply_about(self._scene(now), words)
+        if reply is None or not reply.anew:
+            return reply or self._instructions([words], now)
+        made = self._instructions([reply.anew], now)
+        return replace(made, lines=(*reply.lines, *made.lines)) if made.changed else made
 
     def tick(self, now: datetime) -> list[Line]:
         """Say what has started by now; plan anew where another terminal took a step."""
@@ -164,7 +178,15 @@ class Turns:
         # What starts now has started before anything is said of it.
         self.news += self.conversation.note_started(plan, now)
         return Scene(
-            self.conversation, plan, now, self.width, self.unicode, focus=self.focus, told_last=self.told_last
+            self.conversation,
+            plan,
+            now,
+            self.width,
+            self.unicode,
+            focus=self.focus,
+            told_last=self.told_last,
+            taken=self.taken,
+            asked=self.asked,
         )
 
     def _refresh(self, now: datetime) -> Plan:

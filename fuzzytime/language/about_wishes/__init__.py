@@ -1,22 +1,32 @@
 """What is said about what was asked for already: "no, make it six", "cancel the call", "when do I stir?"."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.continued import continued
 from fuzzytime.language.about_wishes.corrections import added_time, restated
+from fuzzytime.language.about_wishes.lengths import by_how_much
 from fuzzytime.language.about_wishes.merging import merged_time
 from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
 from fuzzytime.language.about_wishes.reading import about_wishes
 from fuzzytime.language.about_wishes.reports import reported
+from fuzzytime.language.about_wishes.rewording import is_thing, reworded
+from fuzzytime.language.about_wishes.things import about_things, continuing
 
 __all__ = [
     "About",
     "AboutKind",
     "News",
     "NewsKind",
+    "about_things",
     "about_wishes",
     "added_time",
+    "by_how_much",
     "clauses_of",
+    "continued",
+    "continuing",
+    "is_thing",
     "merged_time",
     "news_in",
     "reported",
     "restated",
+    "reworded",
 ]

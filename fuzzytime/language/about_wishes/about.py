@@ -27,6 +27,18 @@ class AboutKind(StrEnum):
     CLOCK = "clock"
     SUPPOSE = "suppose"
     ANSWER = "answer"
+    AGAIN = "again"
+    LIKE = "like"
+    INSTEAD = "instead"
+    OTHER = "other"
+    REVERSE = "reverse"
+    STOP = "stop"
+    EXCEPT = "except"
+    FREE = "free"
+    ROOM = "room"
+    DID = "did"
+    BESIDE = "beside"
+    DURING = "during"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,7 +70,19 @@ class About:
     by
         Seconds: by how much later, earlier (below 0), or longer; None where that is not said.
     text
-        What is supposed: "what if I call mum at six" has "call mum at six".
+        What is supposed: "what if I call mum at six" has "call mum at six"; how much later where that is vague:
+        "a bit later".
+    thing
+        What stands in the place of something that was asked for, or is wished beside it: "the roses" of "same
+        for the roses", "dad" of "no, dad".
+    joint
+        The word in front of it where it has one: "for".
+    days
+        By how many days the new time is later than the old one: "the day after"; 0 where it does not say so.
+    earlier
+        Whether what is to be later by nobody knows how much is to be earlier.
+    other
+        Whether the one is meant that is not the last: "the other one".
     corrects
         Whether it corrects what was said before ("no, half past six"), whatever was answered since.
     certain
@@ -76,5 +100,10 @@ class About:
     number: str = ""
     by: float | None = None
     text: str = ""
+    thing: str = ""
+    joint: str = ""
+    days: int = 0
+    earlier: bool = False
+    other: bool = False
     corrects: bool = False
     certain: bool = False

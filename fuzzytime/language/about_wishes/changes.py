@@ -4,23 +4,30 @@ from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
+from fuzzytime.language.about_wishes.exceptions import exception
+from fuzzytime.language.about_wishes.lengths import DIRECTIONS, by_length, days_on, later_by
 from fuzzytime.language.about_wishes.said import TO, Said
+from fuzzytime.language.about_wishes.turns import several_in, turned
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.sentence.trees.named import is_several
+from fuzzytime.requirement import Unit
 
-DIRECTIONS = ("later", "earlier")
 REFERRED = ("last", "everything")
 FOR = "for"
+EVERY = "every"
 
 DOING = "do"
+MAKING = "make"
 
 
 def change(said: Said) -> About | None:
     """Read an order about wishes; None where it may be a wish itself."""
     return (
         _undone(said)
+        or turned(said)
         or _swapped(said)
+        or exception(said)
         or _dropped(said)
         or _ordered(said)
         or _corrected(said)
@@ -58,6 +65,8 @@ def _swapped(said: Said) -> About | None:
     rest = rest.until(len(rest.words) - 1) if rest.forms[-1:] in {("around",), ("over",)} else rest
     if not rest.words or rest.is_in("both"):
         return About(kind=AboutKind.SWAP, both=True, certain=True)
+    if (both := several_in(rest)) is not None:
+        return About(kind=AboutKind.SWAP, names=both, both=True, certain=True)
     joint = next(
         (place for place, word in enumerate(rest.forms) if word in said.lexicon.closed.joints_of_swaps), 0
     )
@@ -75,6 +84,12 @@ def _named(said: Said) -> frozenset[str]:
 
 def _about(kind: AboutKind, thing: Said, *, certain: bool = False) -> About:
     """Give what is said of a thing that was asked for, or of several."""
+    if thing.is_in("both"):
+        return About(kind=kind, both=True, certain=True)
+    if (both := several_in(thing)) is not None:
+        return About(kind=kind, names=both, both=True, certain=True)
+    if thing.is_in("other"):
+        return About(kind=kind, other=True, certain=True)
     counted = () if thing.is_in("last") else thing.places
     names = _named(thing)
     several = bool(names) and not thing.label and is_several(thing.text, thing.lexicon)
@@ -92,7 +107,7 @@ def _dropped(said: Said) -> About | None:
     if dropped is not None and (kept := _all_but(dropped)) is not None:
         return About(kind=AboutKind.DROP, names=_named(kept), everything=True, certain=True)
     rest = said.after("dropping")
-    if rest is not None and (rest.label or rest.places):
+    if rest is not None and (rest.label or rest.places or several_in(rest) is not None or rest.is_in("other")):
         return _about(AboutKind.DROP, rest)
     if rest is None or rest.has_time:
         return None
@@ -102,7 +117,8 @@ def _dropped(said: Said) -> About | None:
         return About(kind=AboutKind.DROP, both=True, certain=True)
     if _is_last(rest):
         return About(kind=AboutKind.DROP, certain=True)
-    return _about(AboutKind.DROP, rest) if rest.names else None
+    certain = said.opens_with("letting go") > 0
+    return _about(AboutKind.DROP, rest, certain=certain) if rest.names else None
 
 
 def _all_but(said: Said) -> Said | None:
@@ -114,8 +130,9 @@ def _all_but(said: Said) -> Said | None:
 
 def _ordered(said: Said) -> About | None:
     """Read what is wished to come first, or beside another: "do the soup first", "do it after the call"."""
-    if said.forms[:1] != (DOING,) or len(said.words) < 3:
+    if said.forms[:1] not in {(DOING,), (MAKING,)} or len(said.words) < 3:
         return None
+    verb = said.forms[0]
     for place in range(2, len(said.words)):
         thing, rest = said.until(place).behind(1), said.behind(place)
         if rest.is_in("first"):
@@ -124,11 +141,17 @@ def _ordered(said: Said) -> About | None:
         if new.words and not new.without(*DIRECTIONS)[0].words and _is_last(thing):
             # "Do it earlier": by how much is not said
             return About(kind=AboutKind.DELAY, certain=True)
-        if (by := _by(new)) is not None and not by[1].words:
-            return replace(_about(AboutKind.DELAY, thing), by=by[0])
+        if (later := later_by(new)) is not None and not later[1].words:
+            about = _about(AboutKind.DELAY, thing)
+            return replace(about, by=later[0].by, text=later[0].text, earlier=later[0].earlier)
+        if verb == MAKING and (_is_last(thing) or new.as_time() == new.text):
+            # "Make the bed at six", "make dinner for six"
+            return None
+        if days := days_on(new):
+            return replace(_about(AboutKind.MOVE, thing), days=days)
         if (time := new.as_time()) and (thing.names or _is_last(thing)):
             # Who has dishes to do, and says so again, may mean others.
-            again = "" if new.words != rest.words else DOING
+            again = "" if new.words != rest.words else verb
             return replace(_about(AboutKind.MOVE, thing), time=time, text=again)
         beside = rest.beside()
         if beside is not None and beside[1].names:
@@ -142,13 +165,23 @@ def _corrected(said: Said) -> About | None:
     if place and rest.forms[:1] and rest.forms[0] in said.lexicon.doing.keeping and _is_last(rest.behind(1)):
         # "No wait, keep it"
         return About(kind=AboutKind.UNDO, certain=True)
-    if rest.words and not rest.without("earlier")[0].words:
+    if rest.words and not rest.without(*DIRECTIONS)[0].words:
         # "Earlier, please": by how much is not said
-        return About(kind=AboutKind.DELAY, corrects=place > 0, certain=True)
-    delayed = _by(rest)
-    if delayed is not None and not delayed[1].words:
+        earlier = "earlier" in rest.without(*DIRECTIONS)[1]
+        return About(kind=AboutKind.DELAY, earlier=earlier, corrects=place > 0, certain=True)
+    delayed = later_by(rest)
+    if delayed is not None and (about := _later(delayed, rest)) is not None:
         # "Ten minutes later", "no, make it ten minutes earlier"
-        return About(kind=AboutKind.DELAY, by=delayed[0], corrects=place > 0, certain=True)
+        return replace(about, corrects=place > 0)
+    if days := days_on(rest):
+        # "No, the day after"
+        return About(kind=AboutKind.MOVE, days=days, corrects=place > 0, certain=True)
+    proposed = rest.after("proposing")
+    if proposed is not None and proposed.words and (about := _corrected(proposed)) is not None:
+        return replace(about, corrects=True)
+    if proposed is not None and (time := proposed.as_time()):
+        # "Let's say nine"
+        return About(kind=AboutKind.MOVE, time=time, corrects=True, certain=True)
     if place == 0 or not rest.words:
         return None
     thing, is_said, new = rest.text.rpartition(" is ")
@@ -157,6 +190,10 @@ def _corrected(said: Said) -> About | None:
         time = Said(new, said.now, said.lexicon).as_time()
         names = Said(thing, said.now, said.lexicon).names
         return About(kind=AboutKind.MOVE, names=names, time=time) if time and names else None
+    if rest.forms[:1] == (EVERY,) and (number := rest.behind(1).as_number()):
+        # "No, every ten"
+        time = f"{EVERY} {number} {Unit.MINUTE}s"
+        return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
     time = rest.as_time()
     if not time:
         return change(rest)
@@ -164,13 +201,16 @@ def _corrected(said: Said) -> About | None:
     return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
 
 
-def _by(said: Said) -> tuple[float, Said] | None:
-    """Give by how much something is to be later, below 0 for earlier, and the rest; None without either."""
-    rest, directions = said.without(*DIRECTIONS)
-    found = rest.length() if directions else None
-    if found is None:
-        return None
-    return -found.seconds if "earlier" in directions else found.seconds, found.rest
+def _later(delayed: tuple[About, Said], said: Said) -> About | None:
+    """Give what is later where nothing is named beside it but all, or both: "both an hour earlier"."""
+    about, beside = delayed
+    if not beside.words or _is_last(beside):
+        return replace(about, certain=True)
+    if beside.is_in("everything"):
+        return replace(about, everything=True, certain=True)
+    if beside.is_in("both") or several_in(beside) is not None:
+        return replace(about, names=several_in(beside) or frozenset(), both=True, certain=True)
+    return None
 
 
 def _delayed(said: Said) -> About | None:

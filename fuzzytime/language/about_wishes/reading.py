@@ -3,10 +3,12 @@
 from datetime import datetime
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.asking import asked
 from fuzzytime.language.about_wishes.changes import change
 from fuzzytime.language.about_wishes.questions import question
 from fuzzytime.language.about_wishes.reports import report
 from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.things import without_exclamations
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
 ENDS = ".?! "
@@ -27,7 +29,15 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     said = _without_courtesies(whole)
     if not said.words or not set(whole.without("answering")[0].forms) - MARKS:
         return About(kind=AboutKind.ANSWER, certain=True)
-    return question(said) or change(_without_request(said)) or change(said) or report(said)
+    found = _read(said)
+    plain = without_exclamations(said)
+    return found if found is not None or plain == said else _read(plain)
+
+
+def _read(said: Said) -> About | None:
+    return (
+        asked(said) or question(said) or change(_without_request(said)) or change(said) or report(said)
+    )
 
 
 def _without_request(said: Said) -> Said:

@@ -2,6 +2,7 @@
 
 from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
@@ -10,11 +11,25 @@ PAST = frozenset({"VBN", "VBD"})
 WITH = "with"
 ON = "on"
 TO = "to"
+MAKE = "make"
 
 
 def report(said: Said) -> About | None:
     """Read how it goes; None where it may be a wish."""
-    return _late(said) or _more(said) or _added(said) or _unstarted(said) or _finished(said) or _protest(said)
+    return _of_last(said) or _late(said) or _more(said) or _added(said) or _unstarted(said) or _finished(said) or _protest(said)
+
+
+def _of_last(said: Said) -> About | None:
+    """Read that what was spoken of last was done, or was not: "I already did", "no, not yet"."""
+    rest = said.behind(opening_correction(said))
+    if rest.is_in("said of me"):
+        return About(kind=AboutKind.DONE, text=rest.text, certain=True)
+    if rest.is_in("not done"):
+        return About(kind=AboutKind.UNSTARTED, text=rest.text, certain=True)
+    both, over = rest.opens_with("both"), rest.behind(rest.opens_with("both"))
+    if both and over.words and _is_over(over):
+        return About(kind=AboutKind.DROP, both=True, certain=True)
+    return None
 
 
 def _late(said: Said) -> About | None:
@@ -31,8 +46,10 @@ def _more(said: Said) -> About | None:
     found = without.length() if "more" in tables and said.is_one else None
     if found is None:
         return None
-    named, parts = found.rest.without("needing", "last")
-    certain = not named.names or "needing" in parts
+    made = found.rest.forms[:1] == (MAKE,)
+    rest = found.rest.behind(1) if made else found.rest
+    named, parts = rest.without("needing", "last")
+    certain = made or not named.names or "needing" in parts
     return About(kind=AboutKind.MORE, names=named.names, by=found.seconds, certain=certain)
 
 

@@ -188,6 +188,28 @@ class Said:
             found = found[1:]
         return found[0][0] if found else ""
 
+    def one_time(self) -> TimeRequirement | None:
+        """Give the time that it is, whole; None where it is none, or more."""
+        found = self._as_one_time(self.text)
+        return found[0] if found else None
+
+    def parted(self, *, bare: bool = False) -> tuple[str, str]:
+        """Give a thing and its time, either empty where there is none; both where it is more than that.
+
+        Where it may be ``bare``, a number that is no time elsewhere is one behind the thing: "the dog eight".
+        """
+        spans = list(dict.fromkeys(part.span for part in self._times))
+        if not spans and bare and len(self.words) > 1:
+            time = self.behind(len(self.words) - 1).as_time()
+            return (self.until(len(self.words) - 1).text, time) if time else (self.text, "")
+        if not spans:
+            return self.text, ""
+        first, end = spans[0]
+        before, behind = self.text[:first].strip(" ,"), self.text[end:].strip(" ,")
+        if len(spans) > 1 or (before and behind):
+            return "", ""
+        return before or behind, self.text[first:end]
+
     def as_number(self) -> str:
         """Give it where it is a number alone: what could count minutes; else empty."""
         counted = self._as_one_time(f"{FOR}{self.text} {Unit.MINUTE}s")

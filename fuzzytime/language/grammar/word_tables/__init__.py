@@ -224,6 +224,11 @@ _ROWS = {
         "present", "perfect", "absent", "finished", "having", "unstarted", "yet", "wrong", "unable", "more",
         "needing", "open", "doing", "moment", "plan", "what", "showing", "when", "lasting", "why",
         "supposing", "filling", "first", "instead", "letting", "answering", "greeting",
+        "again", "like", "continuing", "following", "closing", "naming anew", "meaning", "other",
+        "reversing", "stopping", "restoring", "slightly", "several", "skipping", "letting go", "denying",
+        "proposing", "exclaiming", "free", "may do", "having time", "done already",
+        "said of me", "not done", "asking about", "holding", "besides", "asking next", "asking when",
+        "all of it", "a day on", "a day back", "a week on", "a week back",
     ),
     "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "amounts"),
 }  # fmt: skip

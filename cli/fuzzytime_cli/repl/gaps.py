@@ -1,0 +1,210 @@
+"""Questions about what there is at some time, and where there is room: "am I free at six?"."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+
+from rich.text import Text
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language import About, find_times
+from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.times import format_duration, instant_after
+from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.render import plain
+from fuzzytime_cli.repl.naming import entry_of, unknown
+from fuzzytime_cli.repl.scene import Reply, Scene, number_of, said, waiting
+
+MOST = 5
+"""How many things, or gaps, are told at most."""
+
+SHORTEST = timedelta(minutes=1)
+"""Below this a gap is none."""
+
+ARTICLES = ("a ", "an ", "the ", "some ", "another ", "my ")
+
+
+@dataclass(frozen=True, slots=True)
+class Taken:
+    """A stretch in which hands or who speaks are taken, and by what."""
+
+    start: datetime
+    end: datetime
+    identifier: str
+    name: str
+
+    @property
+    def title(self) -> str:
+        """What it is called."""
+        return plain(f"{self.identifier} {self.name}".strip())
+
+
+def free(scene: Scene, about: About) -> Reply:
+    """Say whether one is free at a time, for as long as something takes; or when one is."""
+    if not about.time:
+        return _gaps_told(scene)
+    time = _time_of(scene, about.time)
+    first, end = _bounds(scene, time)
+    if first is None:
+        return _gaps_told(scene)
+    length = _length_of(scene, about.thing)[0] if about.thing else timedelta(0)
+    window = end if end is not None and end > first else first + max(length, SHORTEST)
+    if about.thing and time.constraint is Constraint.AT:
+        window = first + max(length, SHORTEST)
+    meeting = [one for one in _taken(scene) if one.start < window and one.end > first]
+    if not meeting:
+        behind = next((one for one in _taken(scene) if one.start >= window), None)
+        until = "" if behind is None else f" until {_at(scene, behind.start)}, when {behind.title} begins"
+        return said(f"yes: nothing is planned {about.time}{until}")
+    lines = [f"{one.title} is from {_at(scene, one.start)} to {_at(scene, one.end)}" for one in meeting]
+    whole = end is None or end - first <= SHORTEST or about.thing
+    answer = "no: " if whole else "not all of it: "
+    return _reply(meeting, [answer + lines[0], *lines[1:MOST]])
+
+
+def room(scene: Scene, about: About) -> Reply:
+    """Say whether something fits in before a time, or before something else."""
+    length, assumed = _length_of(scene, about.thing)
+    since, until = scene.now, None
+    if about.names:
+        entry = entry_of(scene, about.names) or unknown(about.names)
+        schedule = scene.plan.schedule
+        mine = [place for place, _ in waiting(scene, entry.number) if not schedule.rejected[place]]
+        if not mine:
+            raise FuzzytimeError("when that is, is not planned")
+        instants = [scene.plan.instant(schedule.start_times[place]) for place in mine]
+        ends = [scene.plan.instant(schedule.skills[place].end) for place in mine]
+        since, until = (max(since, min(ends)), None) if about.joint == "after" else (since, min(instants))
+    elif about.time:
+        time = _time_of(scene, about.time)
+        first, end = _bounds(scene, time)
+        if time.constraint is Constraint.BEFORE or time.preposition in {"by", "before"}:
+            until = end or first
+        elif first is not None:
+            since, until = max(since, first), end if end is not None and end > first else first + length
+    what = f"{about.thing} ({_long(length)}{', assumed' if assumed else ''})"
+    for begin, over in _gaps(scene, since, until):
+        if over is None or over - begin >= length:
+            return said(f"yes: {what} fits in at {_at(scene, begin)}{_until(scene, over)}")
+    limit = "" if until is None else f" before {_at(scene, until)}"
+    return said(f"no: {what} does not fit in{limit}")
+
+
+def during(scene: Scene, about: About) -> Reply:
+    """Say what there is at a time, or in a stretch of it."""
+    first, end = _bounds(scene, _time_of(scene, about.time))
+    first = scene.now if first is None else first
+    over = end if end is not None and end > first else first + SHORTEST
+    everything = list(_all(scene))
+    found = [one for one in everything if one.start < over and (one.end > first or one.start >= first)]
+    if found:
+        lines = [f"{one.title}: {_at(scene, one.start)} to {_at(scene, one.end)}" for one in found[:MOST]]
+        if len(found) > MOST:
+            lines.append(f"and {len(found) - MOST} more")
+        return _reply(found, lines)
+    behind = next((one for one in everything if one.start >= over), None)
+    then = "" if behind is None else f"; {behind.title} is at {_at(scene, behind.start)}"
+    return said(f"nothing is planned {about.time}{then}")
+
+
+def _gaps_told(scene: Scene) -> Reply:
+    """Say when one is free, until the day's last thing is over."""
+    taken = list(_taken(scene))
+    if not taken:
+        return said("free all the time: nothing is planned")
+    gaps = list(_gaps(scene, scene.now, None))
+    told = [
+        f"from {_at(scene, begin)} on" if over is None else f"from {_at(scene, begin)} to {_at(scene, over)}"
+        for begin, over in gaps
+    ]
+    kept = [*told[: MOST - 1], *told[-1:]] if len(told) > MOST else told
+    return said(f"free {', '.join(kept)}")
+
+
+def _gaps(
+    scene: Scene, since: datetime, until: datetime | None
+) -> Iterator[tuple[datetime, datetime | None]]:
+    """Give the stretches in which nothing is planned; the last has no end where none is given."""
+    begin = since
+    for one in _taken(scene):
+        if until is not None and one.start >= until:
+            break
+        if one.start - begin >= SHORTEST:
+            yield begin, one.start
+        begin = max(begin, one.end)
+    if until is None or until - begin >= SHORTEST:
+        yield begin, until
+
+
+def _taken(scene: Scene) -> list[Taken]:
+    """Give what takes hands, or who speaks, as it comes."""
+    busy = [
+        Taken(kept.start, kept.end, "", kept.what or "a busy time")
+        for kept in scene.conversation.state.busy
+        if kept.end > scene.now
+    ]
+    return sorted(
+        [*(one for one in _all(scene) if one.end > one.start), *busy], key=lambda one: (one.start, one.end)
+    )
+
+
+def _all(scene: Scene) -> Iterator[Taken]:
+    """Give all that is running or planned, as it comes."""
+    schedule = scene.plan.schedule
+    found = [
+        Taken(one.start, one.end, one.identifier, one.name)
+        for one in scene.conversation.running(scene.now)
+        if one.end > scene.now
+    ]
+    for place, one in waiting(scene):
+        if not schedule.rejected[place]:
+            planned = schedule.skills[place]
+            # What one attends keeps nobody's hands, and yet who speaks.
+            over = planned.done if one.stated else planned.end
+            start, end = scene.plan.instant(planned.start), scene.plan.instant(over)
+            found.append(Taken(start, end, one.identifier, one.skill.name))
+    yield from sorted(found, key=lambda one: (one.start, one.end))
+
+
+def _time_of(scene: Scene, words: str) -> TimeRequirement:
+    found = find_times(words, scene.now, scene.conversation.interpreter.language.lexicon).requirements
+    if not found:
+        raise FuzzytimeError(f"{words!r} is no time")
+    return found[0]
+
+
+def _bounds(scene: Scene, time: TimeRequirement) -> tuple[datetime | None, datetime | None]:
+    """Give from when to when a time is, as instants; None where a side is open."""
+    sides = (time.earliest if time.earliest is not None else time.t_spec, time.latest)
+    first, end = (None if side is None else instant_after(scene.now, side) for side in sides)
+    return first, end
+
+
+def _length_of(scene: Scene, thing: str) -> tuple[timedelta, bool]:
+    """Give how long something takes, and whether that is assumed: "a nap", "call mum"."""
+    words = next((thing[len(one) :] for one in ARTICLES if thing.lower().startswith(one)), thing)
+    for text in (words, f"have {words}"):
+        trial = scene.conversation.state.with_entries([text], scene.now)
+        made = scene.conversation.understood(scene.now, trial)
+        name = trial.entries[-1].identifier
+        own = [one for one in made.skills if one.wish.identifier == name and one.skill.duration > 0]
+        if own:
+            return timedelta(seconds=own[-1].skill.duration), own[-1].duration.assumed
+    return SHORTEST, True
+
+
+def _reply(found: list[Taken], lines: list[str]) -> Reply:
+    focus = next((number_of(one.identifier) for one in found if one.identifier), None)
+    return Reply(tuple(Text(line) for line in lines), focus=focus)
+
+
+def _long(length: timedelta) -> str:
+    return format_duration(length.total_seconds())
+
+
+def _at(scene: Scene, instant: datetime) -> str:
+    return Clock.to_minutes(scene.now).of((instant - scene.now).total_seconds())
+
+
+def _until(scene: Scene, over: datetime | None) -> str:
+    return "" if over is None else f", with room until {_at(scene, over)}"

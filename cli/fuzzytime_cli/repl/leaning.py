@@ -1,0 +1,194 @@
+"""What leans on what was said before: "and dad at seven", "same again tomorrow", "not the soup, the rice"."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import datetime, timedelta
+
+from rich.text import Text
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter import Interpreted
+from fuzzytime.language import (
+    About,
+    AboutKind,
+    Reading,
+    about_things,
+    content_words,
+    continued,
+    continuing,
+    find_times,
+    is_thing,
+    reworded,
+)
+from fuzzytime.requirement import Constraint
+from fuzzytime.times import instant_after
+from fuzzytime_cli.render import plain
+from fuzzytime_cli.repl import changing
+from fuzzytime_cli.repl.naming import entries_meant, entry_of, words_of_entry
+from fuzzytime_cli.repl.scene import Reply, Scene, waiting
+from fuzzytime_cli.session import Entry
+
+Taken = Callable[[Scene, About], Reply | None]
+"""What takes what is said of wishes as a command."""
+
+DAY = timedelta(days=1)
+
+REDIRECTED = frozenset({AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.DONE, AboutKind.EXCEPT})
+"""What may have been meant of another: "not the soup, the rice"."""
+
+
+def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply | None:
+    """Answer a line that says no verb of its own, or another thing; None where it is a wish.
+
+    Raises
+    ------
+    FuzzytimeError
+        If what it leans on is not there, or cannot be said so.
+    """
+    language = scene.conversation.interpreter.language
+    more = continuing(words, scene.now, language.lexicon)
+    last = entry_of(scene, frozenset())
+    if more is not None and last is not None:
+        anew = continued(words, scene.now, last.text, last.given, language)
+        if anew is not None:
+            return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
+        if more.certain:
+            raise FuzzytimeError(f"{words!r} leans on {last.text!r}, and is not understood: say it in full")
+    ordered = (one.operation for one in reading.instructions)
+    orders = any(one is not None and one.is_asked and not is_thing(reading) for one in ordered)
+    about = about_things(words, scene.now, language.lexicon)
+    if about is None or (orders and not about.certain):
+        return None
+    if about.kind is AboutKind.INSTEAD:
+        return _instead(scene, about, taken)
+    if about.kind is AboutKind.OTHER:
+        return the_other(scene, about, taken)
+    known = entry_of(scene, about.names) if about.names else None
+    if about.certain:
+        return taken(scene, about) if known is not None or not about.names else None
+    told = any(one.operation is not None for one in reading.instructions)
+    if known is not None and not (told and not about.corrects):
+        return taken(scene, replace(about, corrects=False))
+    if last is None or (told and not about.corrects):
+        return None
+    if about.corrects:
+        return _instead(scene, about, taken)
+    anew = continued(f"and {words}", scene.now, last.text, last.given, language)
+    return None if anew is None else Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
+
+
+def _instead(scene: Scene, about: About, taken: Taken) -> Reply | None:
+    """Put another thing in the place of one, or do to it what was done to that."""
+    meant = content_words(about.thing)
+    before = _before(scene, about)
+    if before is not None and before[1].taken is not None and entry_of(before[1], meant) is not None:
+        undone, scene = before
+        again = replace(before[1].taken, names=meant, places=(), both=False, several=False)
+        reply = taken(scene, again)
+        return None if reply is None else replace(reply, lines=(*undone.lines, *reply.lines))
+    entry = entry_of(scene, about.names) if about.kind is AboutKind.INSTEAD else entry_of(scene, frozenset())
+    if entry is None:
+        raise FuzzytimeError("nothing that is planned is about that (:list shows what is)")
+    language = scene.conversation.interpreter.language
+    if not is_thing(language.read(about.thing, now=scene.now)):
+        return None
+    reading = language.read(entry.text, now=entry.given)
+    named = about.names if about.kind is AboutKind.INSTEAD else frozenset()
+    time = about.time or None
+    text = reworded(
+        reading, language.lexicon, thing=about.thing, replaced=named, time=time, now=scene.now
+    )
+    if text is None:
+        raise FuzzytimeError(f"what {about.thing!r} stands for in {entry.text!r} is not clear: say it anew")
+    reply = changing.reworded(scene, entry.number, text)
+    head = Text(plain(f"taken as :edit {entry.number} {text}; :undo takes it back"))
+    return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
+
+
+def _before(scene: Scene, about: About) -> tuple[Reply, Scene] | None:
+    """Take back what was done last, if it may have been meant of another thing; give the scene before it."""
+    if scene.taken is None or scene.taken.kind not in REDIRECTED or scene.tried is not None:
+        return None
+    meant = content_words(about.thing)
+    dropped = scene.taken.names
+    if about.names and dropped and not about.names & dropped:
+        return None
+    if about.thing and entry_of(scene, meant) is None:
+        return None
+    undone = changing.undo(scene, "")
+    plan = scene.conversation.plan(scene.now, previous=scene.plan)
+    return undone, replace(scene, plan=plan)
+
+
+def the_other(scene: Scene, about: About, taken: Taken) -> Reply | None:
+    """Do to the other one what was done last: "not that one, the other one".
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing was done, or which one is meant is not clear.
+    """
+    before = _before(scene, about)
+    if before is None or before[1].taken is None:
+        raise FuzzytimeError("what of the other one? Say: cancel the other one, move the other one to six")
+    undone, scene = before
+    last = before[1].taken
+    meant = entries_meant(scene, last)
+    left = [e for e in scene.conversation.state.entries if waiting(scene, e.number) and e not in meant]
+    if len(left) != 1:
+        raise FuzzytimeError(f"{len(left)} others are left: say which, such as: the call")
+    again = replace(last, names=frozenset({left[0].identifier}), places=(), both=False, several=False)
+    reply = taken(scene, again)
+    return None if reply is None else replace(reply, lines=(*undone.lines, *reply.lines))
+
+
+def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
+    """Leave an occurrence of a repetition out, or what is done once then: "skip tomorrow's".
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing is planned then.
+    """
+    language = scene.conversation.interpreter.language
+    (time,) = find_times(about.time, scene.now, language.lexicon).requirements[:1]
+    if time.earliest is None or time.latest is None:
+        return None
+    first, end = (instant_after(scene.now, side) for side in (time.earliest, time.latest))
+    entries = [e for e in scene.conversation.state.entries if about.names <= words_of_entry(scene, e)]
+    repeated = [entry for entry in entries if any(_repeats(one) for _, one in waiting(scene, entry.number))]
+    if repeated:
+        spoken_of = [entry for entry in repeated if entry.number == scene.focus]
+        entry = (spoken_of or repeated)[-1]
+        one_day = end - first <= DAY + timedelta(hours=1)
+        out = f"on {first:%Y-%m-%d}" if one_day else about.time
+        text = f"{entry.text.rstrip('.! ')} except {out}"
+        reply = changing.reworded(scene, entry.number, text)
+        head = Text(plain(f"taken as :edit {entry.number} {text}; :undo takes it back"))
+        return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
+    then = [entry for entry in entries if _starts_within(scene, entry, first, end)]
+    if not about.certain and not (then and about.names):
+        return None
+    if not then:
+        raise FuzzytimeError(f"nothing that is planned is {about.time} (:list shows what is)")
+    if about.names or len(then) > 1:
+        names = about.names or frozenset()
+        drop = replace(about, kind=AboutKind.DROP, names=names or words_of_entry(scene, then[-1]), time="")
+        return taken(scene, replace(drop, names=frozenset({then[-1].identifier})))
+    raise FuzzytimeError("when then? Say: move it to tomorrow (or: cancel it)")
+
+
+def _repeats(one: Interpreted) -> bool:
+    return one.instruction is not None and any(
+        part.constraint is Constraint.EVERY for part in one.instruction.requirements
+    )
+
+
+def _starts_within(scene: Scene, entry: Entry, first: datetime, end: datetime) -> bool:
+    schedule = scene.plan.schedule
+    starts = (
+        scene.plan.instant(schedule.start_times[place])
+        for place, _ in waiting(scene, entry.number)
+        if not schedule.rejected[place]
+    )
+    return any(first <= start < end for start in starts)

@@ -1,0 +1,59 @@
+"""What is not to be once, or on some days: "not this monday", "skip tomorrow's", "no swimming today"."""
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.requirement import Constraint
+
+OF = ("'s", "’s", "'", "’")
+NO = "no"
+COMMA = ","
+FOR = "for "
+
+
+def exception(said: Said) -> About | None:
+    """Read when something is not to be that was asked for; None where it may be a wish."""
+    skipped = said.after("skipping")
+    denied = None if skipped is not None else said.after("denying")
+    rest = skipped or denied or said.after("dropping")
+    if rest is None or not rest.words or rest.places:
+        return None
+    time, thing = _day_and_thing(rest)
+    # "Not on friday" and "no swimming today", but "no, today"
+    whole = said.forms[0] == NO
+    if not time or rest.forms[0] == COMMA or (denied is not None and whole is not bool(thing.words)):
+        return None
+    names = frozenset() if thing.is_in("last") else thing.names
+    # "Cancel the gym on friday" may be to be done then, and "skip rope" is.
+    certain = not thing.words and (skipped is not None or denied is not None)
+    return About(kind=AboutKind.EXCEPT, names=names, time=time, certain=certain)
+
+
+def _day_and_thing(said: Said) -> tuple[str, Said]:
+    """Give the one day, or part of one, that is named, and what it is of: "tomorrow's walk"."""
+    forms, text = said.forms, said.text
+    owner = next((n for n, word in enumerate(forms) if word.endswith(OF)), None)
+    if owner is not None:
+        word = said.words[owner]
+        day = text[: word.start] + text[word.start : word.end].rstrip("s").rstrip("'’")
+        if (time := _as_day(day, said)) and owner < LONGEST_DAY:
+            thing = said.behind(owner + 1)
+            return time, thing
+    thing, time = said.parted()
+    if not said.has_time or not time:
+        # "Cancel dinner" is of dinner, and not of its time.
+        return "", said
+    return _as_day(time, said), Said(thing, said.now, said.lexicon)
+
+
+LONGEST_DAY = 3
+"""Words that a day has at most in front of what it is of."""
+
+
+def _as_day(text: str, said: Said) -> str:
+    """Give a text where it is a day or a part of one, or several; else nothing."""
+    bare = text.strip()
+    bare = bare[len(FOR) :] if bare.lower().startswith(FOR) else bare
+    time = Said(bare, said.now, said.lexicon).one_time()
+    if time is None or time.constraint is not Constraint.BETWEEN or time.recurrence is not None:
+        return ""
+    return bare

@@ -1,0 +1,48 @@
+"""By how much something is to be later or earlier: "ten minutes later", "a bit earlier"."""
+
+from datetime import datetime
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+
+DIRECTIONS = ("later", "earlier")
+
+DAYS = {"a day on": 1, "a day back": -1, "a week on": 7, "a week back": -7}
+"""By how many days what is said in each of these tables is later."""
+
+
+def by_length(said: Said) -> tuple[float, Said] | None:
+    """Give by how much something is to be later, below 0 for earlier, and the rest; None without either."""
+    rest, directions = said.without(*DIRECTIONS)
+    found = rest.length() if directions else None
+    if found is None:
+        return None
+    return -found.seconds if "earlier" in directions else found.seconds, found.rest
+
+
+def later_by(said: Said) -> tuple[About, Said] | None:
+    """Read what is to be later or earlier by a length, or by some, and what stands beside that; else None."""
+    if (found := by_length(said)) is not None:
+        return About(kind=AboutKind.DELAY, by=found[0]), found[1]
+    for place in range(len(said.words)):
+        slight = longest_match(said.words, place, said.table("slightly"))
+        end = place + len(slight or ())
+        way = said.behind(end)
+        directions = way.without(*DIRECTIONS)
+        if slight and way.words and directions[1] and not directions[0].words:
+            text = f"{' '.join(slight)} later"
+            earlier = "earlier" in directions[1]
+            return About(kind=AboutKind.DELAY, text=text, earlier=earlier), said.until(place)
+    return None
+
+
+def days_on(said: Said) -> int:
+    """Give by how many days a new time is later that counts from the old one: "the day after"; 0 for none."""
+    return next((days for name, days in DAYS.items() if said.is_in(name)), 0)
+
+
+def by_how_much(text: str, now: datetime, lexicon: Lexicon) -> float | None:
+    """Give the seconds that a line is which answers "by how much?"; None where it says anything else."""
+    found = Said(text.strip(".?! "), now, lexicon).without(*DIRECTIONS)[0].length()
+    return None if found is None or found.rest.words else found.seconds

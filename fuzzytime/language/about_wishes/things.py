@@ -1,0 +1,108 @@
+"""What a line without a verb says of wishes: "and dad at seven", "no, the rice", "the call an hour later"."""
+
+from dataclasses import replace
+from datetime import datetime
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.corrections import opening_correction
+from fuzzytime.language.about_wishes.lengths import later_by
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.grammar.lexicon import Lexicon
+
+ENDS = ".?! "
+COMMA = ","
+NOT = "not"
+BUT = "but"
+INSTEAD_OF = ("instead", "of")
+FOR = "for"
+
+
+def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
+    """Read what goes on with the verb that was said last; None where no word says that it goes on.
+
+    >>> from datetime import datetime
+    >>> from fuzzytime.language.finding import shipped_lexicon
+    >>> said = continuing("and dad at seven", datetime(2026, 3, 4, 9), shipped_lexicon())
+    >>> said.thing, said.time
+    ('dad', 'at seven')
+    """
+    said = without_exclamations(Said(text.strip(ENDS), now, lexicon))
+    if (same := said.after("like")) is not None and same.words:
+        thing, time = same.parted()
+        return About(kind=AboutKind.LIKE, thing=thing, time=time, joint=FOR, certain=True) if thing else None
+    again = said.after("again")
+    if again is not None and (time := again.as_time() if again.words else ""):
+        return About(kind=AboutKind.AGAIN, time=time, certain=True)
+    if again is not None and not again.words and len(said.words) > 1:
+        return About(kind=AboutKind.AGAIN, certain=True)
+    opened = said.opens_with("continuing")
+    follows = "then" if said.opens_with("following") else ""
+    rest = said.behind(opened)
+    closing = max((form for form in said.table("closing") if rest.forms[-len(form) :] == form), key=len, default=())
+    rest = rest.until(len(rest.words) - len(closing)) if closing else rest
+    if not (opened or closing) or not rest.words:
+        return None
+    if opened and (more := continuing(rest.text, now, lexicon)) is not None and more.certain:
+        return more
+    thing, time = rest.parted()
+    return About(kind=AboutKind.LIKE, thing=thing, time=time, text=follows) if thing else None
+
+
+def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
+    """Read what a line without a verb says of things that were, or might have been, asked for; else None."""
+    whole = without_exclamations(Said(text.strip(ENDS), now, lexicon))
+    place = opening_correction(whole)
+    said = without_exclamations(whole.behind(place)) if place else whole
+    naming = whole.after("naming anew") or whole.after("meaning")
+    if naming is not None and naming.words:
+        said, place = naming, 1
+    instead = _instead(said)
+    if instead is not None:
+        return instead
+    later = later_by(said)
+    if later is not None and later[1].names:
+        return replace(later[0], names=later[1].names, certain=True)
+    thing, time = said.parted(bare=True)
+    if not thing:
+        return None
+    if time:
+        return About(kind=AboutKind.MOVE, names=Said(thing, now, lexicon).names, thing=thing, time=time)
+    if place and COMMA not in said.forms:
+        return About(kind=AboutKind.INSTEAD, thing=thing, certain=True)
+    return None
+
+
+def _instead(said: Said) -> About | None:
+    """Read what stands in the place of what: "not the soup, the rice", "butter, not bread"."""
+    forms = said.forms
+    joint = next((n for n, word in enumerate(forms) if word in {COMMA, BUT} and n), None)
+    if forms[:1] == (NOT,) and joint is not None:
+        old, new = said.until(joint).behind(1), said.behind(joint + 1)
+        new = new.behind(1) if new.forms[:1] == (BUT,) else new
+    elif joint is not None and forms[joint + 1 : joint + 2] == (NOT,):
+        old, new = said.behind(joint + 2), said.until(joint)
+    elif (place := _instead_of(said)) is not None:
+        old, new = said.behind(place + len(INSTEAD_OF)), said.until(place)
+    else:
+        return None
+    if new.as_time() and old.as_time():
+        # "At three, not two"
+        return About(kind=AboutKind.MOVE, time=new.as_time(), corrects=True, certain=True)
+    if new.is_in("other"):
+        return About(kind=AboutKind.OTHER, certain=True)
+    if not (new.names and (old.names or old.is_in("last"))) or COMMA in new.forms:
+        return None
+    return About(kind=AboutKind.INSTEAD, names=old.names, thing=new.text, certain=True)
+
+
+def _instead_of(said: Said) -> int | None:
+    size = len(INSTEAD_OF)
+    return next((n for n in range(1, len(said.forms)) if said.forms[n : n + size] == INSTEAD_OF), None)
+
+
+def without_exclamations(said: Said) -> Said:
+    """Leave out what opens a line and says nothing of wishes: "oh", "hmm, maybe", "ok then"."""
+    while (taken := said.opens_with("exclaiming")) and taken < len(said.words):
+        rest = said.behind(taken)
+        said = rest.behind(1) if rest.forms[:1] == (COMMA,) and len(rest.words) > 1 else rest
+    return said

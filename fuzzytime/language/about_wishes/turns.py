@@ -1,0 +1,36 @@
+"""What turns to what was said or done just before: "stop that", "the other way round", "the other one"."""
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.corrections import opening_correction
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.sentence.trees.named import is_several
+
+COMMA = ","
+
+
+def turned(said: Said) -> About | None:
+    """Read what is about what was said or done last; None where it may be a wish."""
+    corrected = opening_correction(said)
+    rest = said.behind(corrected)
+    if rest.is_in("restoring"):
+        # "Put it back", where something was dropped
+        return About(kind=AboutKind.UNDO, text=rest.text, certain=corrected > 0)
+    for kind, name in ((AboutKind.STOP, "stopping"), (AboutKind.REVERSE, "reversing")):
+        if rest.is_in(name):
+            return About(kind=kind, certain=True)
+    # "Not that one, the other one"
+    kept = rest.after("denying")
+    joint = -1 if kept is None or COMMA not in kept.forms else kept.forms.index(COMMA)
+    if kept is not None and joint > 0 and kept.until(joint).is_in("last"):
+        rest = kept.behind(joint + 1)
+    return About(kind=AboutKind.OTHER, certain=True) if rest.is_in("other") else None
+
+
+def several_in(said: Said) -> frozenset[str] | None:
+    """Give what two are called that are meant, none where by nothing: "the two calls"; None for no two."""
+    rest = said.after("both")
+    if rest is None or not rest.words or rest.has_time or not is_several(rest.text, said.lexicon):
+        return None
+    general = content_words(" ".join(word for form in said.table("several") for word in form))
+    return rest.names - general
