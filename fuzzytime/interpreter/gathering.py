@@ -16,9 +16,9 @@ from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
 from fuzzytime.interpreter.told_anew import asks_beside_another, meant, on_its_day, told_anew
+from fuzzytime.interpreter.why_nothing import why_nothing
 from fuzzytime.language import (
     Instruction,
-    Lexicon,
     News,
     NewsKind,
     Reading,
@@ -174,7 +174,7 @@ class Gathering:
         """Make an instruction's skills; where there is none to make, say why."""
         if is_spoiled(instruction, reading, remarks_of(reading, wish)):
             return []
-        why_none = _why_nothing(instruction, reading, self.maker.lexicon)
+        why_none = why_nothing(instruction, reading, self.skills, self.maker.lexicon)
         if why_none is None:
             try:
                 made = self.maker.spoken(wish, reading, instruction, inside)
@@ -290,12 +290,3 @@ def _noted_inside(wish: SpokenWish, instruction: Instruction, inside: GoingOn) -
     what = "is the end of this" if closing else "is as long as this goes on"
     message = f"{said.text!r} {what}: {inside.name}"
     return problem_of(wish, ProblemKind.NOTE, message, said.span, wish.identifier)
-
-
-def _why_nothing(instruction: Instruction, reading: Reading, lexicon: Lexicon) -> str | None:
-    """Say why an instruction asks for nothing; None where it asks for something."""
-    if reported(reading, lexicon) is not None:
-        return "tells what was done, and asks for nothing"
-    if instruction.operation is None:
-        return "says a time but nothing to do"
-    return "asks for something not to be done" if instruction.operation.negated else None

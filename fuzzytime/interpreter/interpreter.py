@@ -9,6 +9,7 @@ from fuzzytime.errors import InstructionError
 from fuzzytime.interpreter.asked import by_agents
 from fuzzytime.interpreter.gathering import Gathering
 from fuzzytime.interpreter.horizon import horizon_of, within_horizon
+from fuzzytime.interpreter.in_full import in_full
 from fuzzytime.interpreter.in_order import Rows, free_of_circles, of_places
 from fuzzytime.interpreter.interpretation import Interpretation, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
@@ -112,7 +113,7 @@ class Interpreter:
             If a wish refers to an identifier that there is none of, or the context is not as declared.
         """
         admitted = request.context.admitted(self.rulebook.signals)
-        request = request.named()
+        request = in_full(request.named(), self.language)
         names = frozenset(wish.identifier for wish in request.wishes)
         maker = Maker(self.rulebook, self.language.lexicon, request)
         gathered = Gathering(maker, Links(names), Rows(request.in_order))

@@ -113,7 +113,9 @@ def beside(scene: Scene, about: About) -> Reply:
     if about.joint == "before":
         found = sorted((p for p, time in times.items() if time < begin), key=lambda p: -times[p])[:FEW]
     else:
-        found = sorted((p for p, time in times.items() if time >= min(begin, end)), key=lambda p: times[p])[:FEW]
+        found = sorted((p for p, time in times.items() if time >= min(begin, end)), key=lambda p: times[p])[
+            :FEW
+        ]
     if not found:
         return said(f"nothing is planned {about.joint} {plain(about.thing)}")
     return Reply(tuple(_start(scene, place) for place in found), focus=_focus(scene, found))

@@ -51,12 +51,19 @@ def free(scene: Scene, about: About) -> Reply:
     window = end if end is not None and end > first else first + max(length, SHORTEST)
     if about.thing and time.constraint is Constraint.AT:
         window = first + max(length, SHORTEST)
-    meeting = [one for one in _taken(scene) if one.start < window and one.end > first]
+    short = [one for one in _all(scene) if one.end - one.start < SHORTEST]
+    everything = sorted([*_taken(scene), *short], key=lambda one: one.start)
+    meeting = [one for one in everything if one.start < window and max(one.end, one.start + SHORTEST) > first]
     if not meeting:
         behind = next((one for one in _taken(scene) if one.start >= window), None)
         until = "" if behind is None else f" until {_at(scene, behind.start)}, when {behind.title} begins"
         return said(f"yes: nothing is planned {about.time}{until}")
-    lines = [f"{one.title} is from {_at(scene, one.start)} to {_at(scene, one.end)}" for one in meeting]
+    lines = [
+        f"{one.title} is from {_at(scene, one.start)} to {_at(scene, one.end)}"
+        if one.end - one.start >= SHORTEST
+        else f"{one.title} is at {_at(scene, one.start)}"
+        for one in meeting
+    ]
     whole = end is None or end - first <= SHORTEST or about.thing
     answer = "no: " if whole else "not all of it: "
     return _reply(meeting, [answer + lines[0], *lines[1:MOST]])
@@ -104,7 +111,7 @@ def during(scene: Scene, about: About) -> Reply:
         return _reply(found, lines)
     behind = next((one for one in everything if one.start >= over), None)
     then = "" if behind is None else f"; {behind.title} is at {_at(scene, behind.start)}"
-    return said(f"nothing is planned {about.time}{then}")
+    return said(f"nothing is planned then{then}")
 
 
 def _gaps_told(scene: Scene) -> Reply:
@@ -144,7 +151,8 @@ def _taken(scene: Scene) -> list[Taken]:
         if kept.end > scene.now
     ]
     return sorted(
-        [*(one for one in _all(scene) if one.end > one.start), *busy], key=lambda one: (one.start, one.end)
+        [*(one for one in _all(scene) if one.end - one.start >= SHORTEST), *busy],
+        key=lambda one: (one.start, one.end),
     )
 
 

@@ -18,6 +18,7 @@ from fuzzytime.language import (
     continuing,
     find_times,
     is_thing,
+    may_be_thing,
     reworded,
 )
 from fuzzytime.requirement import Constraint
@@ -90,14 +91,12 @@ def _instead(scene: Scene, about: About, taken: Taken) -> Reply | None:
     if entry is None:
         raise FuzzytimeError("nothing that is planned is about that (:list shows what is)")
     language = scene.conversation.interpreter.language
-    if not is_thing(language.read(about.thing, now=scene.now)):
-        return None
+    if not may_be_thing(language.read(about.thing, now=scene.now), language.lexicon):
+        raise FuzzytimeError(f"{about.thing!r} is not understood of {entry.text!r}: say it anew")
     reading = language.read(entry.text, now=entry.given)
     named = about.names if about.kind is AboutKind.INSTEAD else frozenset()
     time = about.time or None
-    text = reworded(
-        reading, language.lexicon, thing=about.thing, replaced=named, time=time, now=scene.now
-    )
+    text = reworded(reading, language.lexicon, thing=about.thing, replaced=named, time=time, now=scene.now)
     if text is None:
         raise FuzzytimeError(f"what {about.thing!r} stands for in {entry.text!r} is not clear: say it anew")
     reply = changing.reworded(scene, entry.number, text)

@@ -1,5 +1,6 @@
 """Commands of the conversation that look: they show, draw and explain, and change nothing."""
 
+from collections import Counter
 from datetime import datetime
 from pathlib import Path
 
@@ -54,7 +55,14 @@ def what_would_move(scene: Scene, head: str, state: State) -> Reply:
 def move_lines(before: Plan | None, after: Plan, started: set[str] | None = None) -> list[str]:
     """Say what moved between two plans."""
     lines = []
-    for move in moves(before, after, started or set()):
+    found = moves(before, after, started or set())
+    several = Counter(_repeated(move) for move in found)
+    told = set[tuple[str, bool, bool]]()
+    for move in found:
+        repeated = _repeated(move)
+        if repeated in told:
+            continue
+        told.add(repeated)
         ends = _ends(move, after.request.now)
         name = f"{plain(move.identifier)} {plain(move.name)}"
         if not ends[1]:
@@ -63,7 +71,14 @@ def move_lines(before: Plan | None, after: Plan, started: set[str] | None = None
             lines.append(f"found a place: {name} at {ends[1]}")
         else:
             lines.append(f"moved: {name} from {ends[0]} to {ends[1]}")
+        if several[repeated] > 1:
+            lines[-1] += f", and {several[repeated] - 1} more like it"
     return lines
+
+
+def _repeated(move: Move) -> tuple[str, bool, bool]:
+    """Give what moves of one thing that is done again and again have in common."""
+    return f"{move.identifier.partition('.')[0]} {move.name}", move.before is None, move.after is None
 
 
 def _ends(move: Move, now: datetime) -> list[str]:

@@ -72,7 +72,11 @@ def _changing(scene: Scene, about: About) -> str | None:
             return f":drop {numbers}"
         case AboutKind.DELAY:
             return f":delay {numbers} {_length(scene, about)}"
-        case _ if about.places and about.time == AT_ONCE and (other := _of_two(scene, meant[0])) is not None:
+        case _ if (
+            (about.places or about.joint)
+            and about.time == AT_ONCE
+            and (other := _of_two(scene, meant[0])) is not None
+        ):
             # "Do the second one first"
             return f":swap {other} {numbers}"
         case _ if len(meant) == 1 and about.days:
@@ -157,7 +161,11 @@ def _progress(scene: Scene, about: About) -> str | None:
     if last is not None and longer:
         return line(last.identifier)
     planned_last = entry_of(scene, frozenset()) if longer and not about.names else None
-    if planned_last is not None and called(scene, planned_last.number) is not None and scene.focus is not None:
+    if (
+        planned_last is not None
+        and called(scene, planned_last.number) is not None
+        and scene.focus is not None
+    ):
         return _lengthened(scene, planned_last.number, about)
     over = "" if last is None else Clock(scene.now, with_seconds=False).at(last.done)
     if not about.names:
@@ -190,11 +198,12 @@ def _unstarted(scene: Scene, about: About) -> str:
     FuzzytimeError
         If nothing that is meant has started, or which of several is not said.
     """
-    done = scene.taken is not None and scene.taken.kind is AboutKind.DONE
-    if about.text and done and scene.told_last is None:
-        return ":undo"
-    one = running_one(scene, about.names)
-    if one is None:
+    last = entry_of(scene, frozenset()) if about.text else None
+    if last is not None:
+        # "No, not yet": what was spoken of last
+        about = replace(about, names=frozenset({last.identifier}))
+    one = running_one(scene, about.names) or next(reversed(all_called(scene, about.names)), None)
+    if one is None or (about.text and last is not None and called(scene, last.number) is not None):
         entry = entry_of(scene, about.names)
         planned = None if entry is None else called(scene, entry.number)
         raise FuzzytimeError(

@@ -44,7 +44,9 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
 def _things_of(scene: Scene, entry: Entry) -> frozenset[str]:
     """Give the words that an entry itself says of what is done, and not of when."""
     skills = (one for one in scene.plan.skills if one.wish.identifier == entry.identifier)
-    return content_words(entry.text) & frozenset[str]().union(*(content_words(one.skill.name) for one in skills))
+    return content_words(entry.text) & frozenset[str]().union(
+        *(content_words(one.skill.name) for one in skills)
+    )
 
 
 def entries_meant(scene: Scene, about: About) -> list[Entry]:
@@ -87,7 +89,9 @@ def words_of_entry(scene: Scene, entry: Entry) -> frozenset[str]:
     lexicon = scene.conversation.interpreter.language.lexicon
     skills = [one for one in scene.plan.skills if one.wish.identifier == entry.identifier]
     verbs = (one.operation.lemma for one in skills if one.operation is not None)
-    nouns = frozenset(noun for verb in verbs for noun in (*verb_forms(verb, lexicon), *nouns_of(verb), f"{verb}er"))
+    nouns = frozenset(
+        noun for verb in verbs for noun in (*verb_forms(verb, lexicon), *nouns_of(verb), f"{verb}er")
+    )
     return nouns.union(*(content_words(one.skill.name) for one in skills), {entry.identifier})
 
 

@@ -1,6 +1,6 @@
 """Plain words about what was asked for already, taken as the commands that they mean."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from datetime import datetime
 
@@ -12,8 +12,10 @@ from fuzzytime.language import (
     AboutKind,
     Language,
     Reading,
+    about_things,
     about_wishes,
     added_time,
+    behind_what_is_told,
     by_how_much,
     content_words,
     reported,
@@ -72,50 +74,25 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
     about = about_wishes(words, scene.now, lexicon) or _behind_what_is_told(scene, words)
     if about is None:
         return _told(scene, words)
-    match about.kind:
-        case AboutKind.FREE:
-            return gaps.free(scene, about)
-        case AboutKind.ROOM:
-            return gaps.room(scene, about)
-        case AboutKind.DURING:
-            return gaps.during(scene, about)
-        case AboutKind.DID:
-            return answering.did(scene, about)
-        case AboutKind.BESIDE:
-            return answering.beside(scene, about)
-        case AboutKind.NEXT | AboutKind.ANSWER:
-            return answering.coming(scene)
-        case AboutKind.ALL:
-            return looking.show_list(scene, "")
-        case AboutKind.CLOCK:
-            return looking.now(scene, "")
-        case AboutKind.WHEN:
-            return answering.when(scene, about)
-        case AboutKind.LASTING:
-            return answering.lasting(scene, about)
-        case AboutKind.WHY:
-            return answering.why(scene, about)
-        case AboutKind.SUPPOSE:
-            return _supposed(scene, about.text)
-        case _:
-            return _taken(scene, about) or _told(scene, words)
+    if about.kind in ANSWERS:
+        return ANSWERS[about.kind](scene, about)
+    return _taken(scene, about) or _told(scene, words)
 
 
 def _behind_what_is_told(scene: Scene, words: str) -> About | None:
-    """Read what a line says of wishes behind something that asks for nothing: "he is tired, cancel the walk"."""
-    told, mark, rest = words.rpartition(",")
+    """Read what is said of wishes behind what asks for nothing: "he is tired, cancel the walk"."""
     language = scene.conversation.interpreter.language
-    if not mark or not told.strip() or not rest.strip():
+    found = behind_what_is_told(words, scene.now, language.lexicon)
+    if found is None:
         return None
-    about = about_wishes(rest, scene.now, language.lexicon)
-    if about is None or not about.certain and (
-        about.kind not in CHANGING or not entries_meant(scene, about) or not about.names
-    ):
+    told, about = found
+    if not about.certain and (about.kind not in CHANGING or not entries_meant(scene, about)):
         return None
+    if not told:
+        return about
     reading = language.read(told, now=scene.now)
-    asked = (one.operation for one in reading.instructions)
-    times = any(one.requirements for one in reading.instructions)
-    return None if times or any(one is not None and one.is_asked for one in asked) else about
+    asks = any(one.operation is not None and one.operation.is_asked for one in reading.instructions)
+    return None if asks or any(one.requirements for one in reading.instructions) else about
 
 
 def _told(scene: Scene, words: str) -> Reply | None:
@@ -128,7 +105,10 @@ def _told(scene: Scene, words: str) -> Reply | None:
     """
     language = scene.conversation.interpreter.language
     reading = language.read(words, now=scene.now)
-    operation = reported(reading, language.lexicon)
+    # "I meant the cat" tells of nothing that was done.
+    means = about_things(words, scene.now, language.lexicon)
+    meant = means is not None and means.kind is AboutKind.INSTEAD
+    operation = None if meant else reported(reading, language.lexicon)
     if operation is None:
         _check_labels(scene, reading)
         added = added_time(words, scene.now, language.lexicon)
@@ -205,3 +185,21 @@ def _supposed(scene: Scene, text: str) -> Reply:
 
 def _supposable(scene: Scene, about: About) -> str | None:
     return command_meant(scene, about) if about.kind in CHANGING else None
+
+
+ANSWERS: Mapping[AboutKind, Callable[[Scene, About], Reply]] = {
+    AboutKind.NEXT: lambda scene, _: answering.coming(scene),
+    AboutKind.ANSWER: lambda scene, _: answering.coming(scene),
+    AboutKind.ALL: lambda scene, _: looking.show_list(scene, ""),
+    AboutKind.CLOCK: lambda scene, _: looking.now(scene, ""),
+    AboutKind.WHEN: answering.when,
+    AboutKind.LASTING: answering.lasting,
+    AboutKind.WHY: answering.why,
+    AboutKind.DID: answering.did,
+    AboutKind.BESIDE: answering.beside,
+    AboutKind.FREE: gaps.free,
+    AboutKind.ROOM: gaps.room,
+    AboutKind.DURING: gaps.during,
+    AboutKind.SUPPOSE: lambda scene, about: _supposed(scene, about.text),
+}
+"""What answers each kind of question."""

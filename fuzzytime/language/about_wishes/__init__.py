@@ -6,9 +6,9 @@ from fuzzytime.language.about_wishes.corrections import added_time, restated
 from fuzzytime.language.about_wishes.lengths import by_how_much
 from fuzzytime.language.about_wishes.merging import merged_time
 from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
-from fuzzytime.language.about_wishes.reading import about_wishes
+from fuzzytime.language.about_wishes.reading import about_wishes, behind_what_is_told
 from fuzzytime.language.about_wishes.reports import reported
-from fuzzytime.language.about_wishes.rewording import is_thing, reworded
+from fuzzytime.language.about_wishes.rewording import is_thing, may_be_thing, reworded
 from fuzzytime.language.about_wishes.things import about_things, continuing
 
 __all__ = [
@@ -19,11 +19,13 @@ __all__ = [
     "about_things",
     "about_wishes",
     "added_time",
+    "behind_what_is_told",
     "by_how_much",
     "clauses_of",
     "continued",
     "continuing",
     "is_thing",
+    "may_be_thing",
     "merged_time",
     "news_in",
     "reported",

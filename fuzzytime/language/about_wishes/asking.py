@@ -55,6 +55,8 @@ def _room(said: Said) -> About | None:
     rest = said.after("having time")
     if rest is None or not rest.words:
         return None
+    closing = (form for form in said.table("closing") if rest.forms[-len(form) :] == form != rest.forms)
+    rest = rest.until(len(rest.words) - max(map(len, closing), default=0))
     for place in range(len(rest.words) - 1, 0, -1):
         way = BESIDE.get(rest.forms[place])
         if way is None:
@@ -91,12 +93,12 @@ def _named(said: Said) -> frozenset[str]:
 
 
 def _during(said: Said) -> About | None:
-    """Read what there is at some time: "what's on friday?", "what am I doing at nine?", "what about thursday?"."""
+    """Read what there is at some time: "what's on friday?", "what am I doing at nine?"."""
     rest = said.after("holding")
     if rest is None or not rest.words:
         return None
     again = rest.after("holding") or rest
-    for one in (again, said.behind(len(said.words) - len(rest.words) - 1)):
+    for one in (said.behind(len(said.words) - len(rest.words) - 1), again):
         # "What's on friday": "on" may belong to the question, or to the time
         found = one.one_time()
         if found is not None and found.constraint is not Constraint.FOR:

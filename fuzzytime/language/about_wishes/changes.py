@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.exceptions import exception
-from fuzzytime.language.about_wishes.lengths import DIRECTIONS, by_length, days_on, later_by
+from fuzzytime.language.about_wishes.lengths import DIRECTIONS, days_on, later_by
 from fuzzytime.language.about_wishes.said import TO, Said
 from fuzzytime.language.about_wishes.turns import several_in, turned
 from fuzzytime.language.finding import find_times
@@ -107,7 +107,9 @@ def _dropped(said: Said) -> About | None:
     if dropped is not None and (kept := _all_but(dropped)) is not None:
         return About(kind=AboutKind.DROP, names=_named(kept), everything=True, certain=True)
     rest = said.after("dropping")
-    if rest is not None and (rest.label or rest.places or several_in(rest) is not None or rest.is_in("other")):
+    if rest is not None and (
+        rest.label or rest.places or several_in(rest) is not None or rest.is_in("other")
+    ):
         return _about(AboutKind.DROP, rest)
     if rest is None or rest.has_time:
         return None
@@ -133,6 +135,9 @@ def _ordered(said: Said) -> About | None:
     if said.forms[:1] not in {(DOING,), (MAKING,)} or len(said.words) < 3:
         return None
     verb = said.forms[0]
+    if verb == MAKING and said.without("more")[1]:
+        # "Make the lesson an hour longer"
+        return None
     for place in range(2, len(said.words)):
         thing, rest = said.until(place).behind(1), said.behind(place)
         if rest.is_in("first"):
@@ -170,7 +175,7 @@ def _corrected(said: Said) -> About | None:
         earlier = "earlier" in rest.without(*DIRECTIONS)[1]
         return About(kind=AboutKind.DELAY, earlier=earlier, corrects=place > 0, certain=True)
     delayed = later_by(rest)
-    if delayed is not None and (about := _later(delayed, rest)) is not None:
+    if delayed is not None and (about := _later(*delayed)) is not None:
         # "Ten minutes later", "no, make it ten minutes earlier"
         return replace(about, corrects=place > 0)
     if days := days_on(rest):
@@ -194,16 +199,15 @@ def _corrected(said: Said) -> About | None:
         # "No, every ten"
         time = f"{EVERY} {number} {Unit.MINUTE}s"
         return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
-    time = rest.as_time()
+    number = rest.as_number()
+    time = rest.as_time() or (f"for {number} {Unit.MINUTE}s" if number else "")
     if not time:
         return change(rest)
-    number = rest.as_number()
     return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
 
 
-def _later(delayed: tuple[About, Said], said: Said) -> About | None:
+def _later(about: About, beside: Said) -> About | None:
     """Give what is later where nothing is named beside it but all, or both: "both an hour earlier"."""
-    about, beside = delayed
     if not beside.words or _is_last(beside):
         return replace(about, certain=True)
     if beside.is_in("everything"):

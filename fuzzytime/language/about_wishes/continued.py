@@ -1,4 +1,4 @@
-"""What leans on the verb of what was said before it, in full: "call mum at six", and then "and dad at seven"."""
+"""What leans on the verb said before it, in full: "call mum at six", and then "and dad at seven"."""
 
 from datetime import datetime
 from typing import TYPE_CHECKING
@@ -6,15 +6,18 @@ from typing import TYPE_CHECKING
 from fuzzytime.language.about_wishes.about import AboutKind
 from fuzzytime.language.about_wishes.rewording import is_thing, reworded
 from fuzzytime.language.about_wishes.things import continuing
-from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import words_of
+from fuzzytime.language.instruction import Operation
+
+MOST_WORDS = 6
+"""Words that the name of a thing has at most."""
 
 if TYPE_CHECKING:
     from fuzzytime.language.reader import Language
 
 
-def continued(
-    text: str, now: datetime, before: str, said: datetime, language: "Language"
-) -> str | None:
+def continued(text: str, now: datetime, before: str, said: datetime, language: "Language") -> str | None:
     """Give in full what leans on what was asked for before; None where it does not, or cannot.
 
     Parameters
@@ -35,19 +38,49 @@ def continued(
     about = continuing(text, now, lexicon)
     if about is None:
         return None
+    if about.kind is AboutKind.LIKE and not about.certain and not _is_thing(about.thing, now, language):
+        return None
     reading = language.read(before, now=said)
     operations = [one.operation for one in reading.instructions if one.operation is not None]
-    if not operations or len(operations) > 1 or operations[0].negated:
+    if len(operations) != 1 or operations[0].negated:
         return None
     if about.kind is AboutKind.AGAIN:
         return reworded(reading, lexicon, time=about.time, now=now)
-    if not about.certain:
-        own = content_words(about.thing)
-        # "And dinner at seven" is something of its own.
-        happens = bool(about.time) and not own.isdisjoint(lexicon.events | lexicon.happening)
-        if happens or is_thing(reading) or not is_thing(language.read(about.thing, now=now)):
-            return None
+    if not about.certain and (operations[0].stated or is_thing(reading)):
+        return None
+    if not about.certain and _is_met(about.thing, operations[0], lexicon):
+        return None
     # "Then physics" comes when the other is over, and not when that was to be.
     time = about.time if about.time or about.text else None
     anew = reworded(reading, lexicon, thing=about.thing, joint=about.joint, time=time, now=now)
     return f"{about.text} {anew}".strip() if anew is not None else None
+
+
+def _is_met(thing: str, operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether somebody is met, to whom that is not done: "water the plants", "and the doctor at six"."""
+    people = lexicon.persons
+    person = not people.isdisjoint(word.text for word in words_of(thing)[-1:])
+    known = (
+        any(word.text in people for word in words_of(operation.name)) or operation.lemma in lexicon.addressing
+    )
+    return person and not known
+
+
+def _is_thing(thing: str, now: datetime, language: "Language") -> bool:
+    """Whether words name a thing with which nothing is done without another verb.
+
+    "And dinner at seven" and "then a nap" are something of their own, and so is "and stir".
+    """
+    lexicon = language.lexicon
+    words = [word.text for word in words_of(thing)]
+    if not words or len(words) > MOST_WORDS or words[0] in lexicon.closed.anaphors:
+        return False
+    by_itself = {form[0] for form in lexicon.conversation["by itself"]}
+    definite = len(words) > 1 and words[0] not in lexicon.closed.indefinite_determiners
+    if not definite and words[-1] in lexicon.events | lexicon.happening | by_itself:
+        return False
+    numbered = len(words) == 2 and (words[1].isdecimal() or words[1] in lexicon.numbers)
+    if len(words) == 1 or numbered:
+        # Trees take a word alone for an order, and one with a number: "bread", "chapter four".
+        return words[0] not in lexicon.alone | lexicon.intransitive | lexicon.chores
+    return is_thing(language.read(thing, now=now))

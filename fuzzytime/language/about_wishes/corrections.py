@@ -47,8 +47,11 @@ def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     'at seven'
     """
     said = Said(text.strip(ENDS), now, lexicon)
+    closing = (form for form in lexicon.courtesies if said.forms[-len(form) :] == form != said.forms)
+    said = said.until(len(said.words) - max(map(len, closing), default=0))
     time = said.as_time() if said.has_time else ""
-    return About(kind=AboutKind.MOVE, time=time[0].lower() + time[1:]) if time else None
+    number = said.as_number() if len(said.words) == 1 else ""
+    return About(kind=AboutKind.MOVE, time=time[0].lower() + time[1:], number=number) if time else None
 
 
 def _closing(said: Said) -> frozenset[tuple[str, ...]]:

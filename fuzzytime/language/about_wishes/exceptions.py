@@ -38,11 +38,11 @@ def _day_and_thing(said: Said) -> tuple[str, Said]:
         if (time := _as_day(day, said)) and owner < LONGEST_DAY:
             thing = said.behind(owner + 1)
             return time, thing
-    thing, time = said.parted()
+    of, time = said.parted()
     if not said.has_time or not time:
         # "Cancel dinner" is of dinner, and not of its time.
         return "", said
-    return _as_day(time, said), Said(thing, said.now, said.lexicon)
+    return _as_day(time, said), Said(of, said.now, said.lexicon)
 
 
 LONGEST_DAY = 3

@@ -2,6 +2,7 @@
 
 from datetime import datetime
 
+from fuzzytime.language.about_wishes.said import CLOCKED
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
@@ -10,6 +11,9 @@ from fuzzytime.times import instant_after
 
 DAY_OR_LONGER = DAY_SECONDS - 3600 - 1
 """Seconds that a day has at least, where clocks change."""
+
+HALVES = ("am", "pm")
+"""The halves of the day, as they are said behind an hour."""
 
 
 def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexicon) -> str:
@@ -33,7 +37,7 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
     times = {piece: time for piece in _pieces(old) if (time := _one_time(piece, said, lexicon)) is not None}
     days = [piece for piece, time in times.items() if _is_of_days(time)]
     for piece, told in times.items():
-        if _is_of_days(other) and any(day in piece for day in days):
+        if _is_of_days(other) and any(day.split()[-1] in piece.split() for day in days):
             continue
         words = _as_said_now(piece, told, said, now, lexicon)
         kept = _one_time(words, now, lexicon) or told
@@ -41,9 +45,37 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
         # Days stand in front: "saturday at six".
         for text in reversed(texts) if _is_of_days(other) else texts:
             both = _one_time(text, now, lexicon)
-            if both is not None and (_lies_in(both, other, kept) or _goes_on(both, kept, other)):
-                return text
-    return new
+            if both is not None and any(fits(both, other, kept) for fits in (_lies_in, _goes_on, _in_part)):
+                clock = words if _is_of_days(other) else new
+                return _at_that_hour(text, clock, old, said, now, lexicon)
+    return _at_that_hour(new, new, old, said, now, lexicon)
+
+
+def _at_that_hour(text: str, clock: str, old: str, said: datetime, now: datetime, lexicon: Lexicon) -> str:
+    """Give a new time with the half of the day said that lies next to the old time, where none is.
+
+    What was at six in the evening, and is moved to friday, is so in the evening.
+    """
+    before, anew = _one_time(old, said, lexicon), _one_time(text, now, lexicon)
+    if before is None or anew is None or not (_is_at_clock(before) and _is_at_clock(anew)):
+        return text
+    hour = _hour_of(before, said)
+    halves = [text.replace(clock, f"{clock} {half}", 1) for half in HALVES]
+    read = [(words, time) for words in halves if (time := _one_time(words, now, lexicon)) is not None]
+    if len({_hour_of(time, now) for _, time in read if _is_at_clock(time)}) < len(HALVES):
+        return text
+    words, time = min(read, key=lambda pair: abs(_hour_of(pair[1], now) - hour))
+    return text if _hour_of(time, now) == _hour_of(anew, now) else words
+
+
+def _is_at_clock(time: TimeRequirement) -> bool:
+    return time.constraint is Constraint.AT and time.t_spec is not None and time.grain in CLOCKED
+
+
+def _hour_of(time: TimeRequirement, now: datetime) -> float:
+    """Give the hour of a clock time, with its fraction."""
+    instant = instant_after(now, time.t_spec or 0.0)
+    return instant.hour + instant.minute / 60.0
 
 
 def _pieces(text: str) -> list[str]:
@@ -86,7 +118,19 @@ def _lies_in(both: TimeRequirement, one: TimeRequirement, other: TimeRequirement
     return first is not None and last is not None and all(first <= bound <= last for bound in bounds)
 
 
-def _goes_on(both: TimeRequirement, kept: TimeRequirement, other: TimeRequirement) -> bool:
+def _goes_on(both: TimeRequirement, other: TimeRequirement, kept: TimeRequirement) -> bool:
     """Whether what is repeated is so at another time: "every day at six", and then "at seven"."""
     repeated = both.constraint is Constraint.EVERY and kept.constraint is Constraint.EVERY
     return repeated and other.constraint is not Constraint.EVERY
+
+
+def _in_part(both: TimeRequirement, one: TimeRequirement, other: TimeRequirement) -> bool:
+    """Whether two times together are the clock time of the one, in the part of the day of the other."""
+    times = [time for time in (one, other) if time.constraint is Constraint.AT]
+    parts = [time for time in (one, other) if time.constraint is Constraint.BETWEEN and not _is_of_days(time)]
+    if not (times and parts) or both.constraint is not Constraint.AT or both.t_spec is None:
+        return False
+    first, last = parts[0].earliest, parts[0].latest
+    # "At six", taken as 18:00, and then "no, in the evening" is another time in the evening.
+    anew = parts[0] is not one or both.t_spec != times[0].t_spec
+    return anew and first is not None and last is not None and first <= both.t_spec <= last

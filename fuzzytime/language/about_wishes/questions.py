@@ -72,8 +72,13 @@ def _lasting(said: Said) -> About | None:
     rest = said.after("lasting")
     if rest is not None and not rest.words:
         return About(kind=AboutKind.NEXT, certain=True)
-    if rest is None or not rest.words or rest.forms[0] not in _helping(said):
+    if rest is None or not rest.words:
         return None
+    # "Tell me how long that takes"
+    told = rest.forms[-1:] in said.table("needing") and len(rest.words) > 1
+    if rest.forms[0] not in _helping(said) and not told:
+        return None
+    rest = rest.until(len(rest.words) - 1) if told else rest
     left = rest.names & _words(said, "plan")
     names = _names(rest) - left
     # "How long is left?" asks for what is going on.

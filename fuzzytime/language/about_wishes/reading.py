@@ -5,6 +5,7 @@ from datetime import datetime
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.asking import asked
 from fuzzytime.language.about_wishes.changes import change
+from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.questions import question
 from fuzzytime.language.about_wishes.reports import report
 from fuzzytime.language.about_wishes.said import Said
@@ -26,18 +27,43 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     whole = Said(text.strip(ENDS), now, lexicon)
     if not whole.words:
         return None
-    said = _without_courtesies(whole)
+    said = _without_closing(_without_courtesies(whole))
     if not said.words or not set(whole.without("answering")[0].forms) - MARKS:
         return About(kind=AboutKind.ANSWER, certain=True)
     found = _read(said)
     plain = without_exclamations(said)
-    return found if found is not None or plain == said else _read(plain)
+    # "Ok then do it the day after"
+    then = plain.after("following") or plain
+    for other in (plain, then):
+        found = _read(other) if found is None and other != said and other.words else found
+    return found
 
 
 def _read(said: Said) -> About | None:
-    return (
-        asked(said) or question(said) or change(_without_request(said)) or change(said) or report(said)
-    )
+    return asked(said) or question(said) or change(_without_request(said)) or change(said) or report(said)
+
+
+def _without_closing(said: Said) -> Said:
+    """Leave out what is said of a wish behind it: "an hour earlier would be better"."""
+    closing = (form for form in said.table("preferring") if said.forms[-len(form) :] == form != said.forms)
+    return said.until(len(said.words) - max(map(len, closing), default=0))
+
+
+def behind_what_is_told(text: str, now: datetime, lexicon: Lexicon) -> tuple[str, About] | None:
+    """Give what a line tells, and what it says of wishes behind that: "he is tired, cancel the walk".
+
+    What is told may be nothing that asks; who reads its words must see to that.
+    """
+    told, mark, rest = text.rpartition(",")
+    if not mark or not rest.strip(ENDS):
+        return None
+    about = about_wishes(rest, now, lexicon)
+    if about is None or about.kind is AboutKind.ANSWER:
+        return None
+    front = without_exclamations(Said(told.strip(ENDS), now, lexicon))
+    front = front.behind(opening_correction(front))
+    said = about_wishes(front.text, now, lexicon) if front.words else None
+    return "" if said is not None and said.certain else front.text, about
 
 
 def _without_request(said: Said) -> Said:

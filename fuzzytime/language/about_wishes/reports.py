@@ -16,7 +16,15 @@ MAKE = "make"
 
 def report(said: Said) -> About | None:
     """Read how it goes; None where it may be a wish."""
-    return _of_last(said) or _late(said) or _more(said) or _added(said) or _unstarted(said) or _finished(said) or _protest(said)
+    return (
+        _of_last(said)
+        or _late(said)
+        or _more(said)
+        or _added(said)
+        or _unstarted(said)
+        or _finished(said)
+        or _protest(said)
+    )
 
 
 def _of_last(said: Said) -> About | None:
@@ -42,15 +50,31 @@ def _late(said: Said) -> About | None:
 
 def _more(said: Said) -> About | None:
     """Read for how much longer something goes on: "five more minutes", "the soup needs another minute"."""
+    if said.forms[:1] == (MAKE,):
+        return _made_longer(said.behind(1))
     without, tables = said.without("more")
     found = without.length() if "more" in tables and said.is_one else None
     if found is None:
-        return None
-    made = found.rest.forms[:1] == (MAKE,)
-    rest = found.rest.behind(1) if made else found.rest
+        left, parts = said.without("more", "needing", "lengths")
+        # "The sanding takes longer": by how much is not said
+        known = {"more", "needing"} <= parts and said.forms[-1:] in said.table("lengths")
+        return About(kind=AboutKind.MORE, names=left.names, certain=True) if known and left.names else None
+    rest = found.rest
     named, parts = rest.without("needing", "last")
-    certain = made or not named.names or "needing" in parts
+    certain = not named.names or "needing" in parts
     return About(kind=AboutKind.MORE, names=named.names, by=found.seconds, certain=certain)
+
+
+def _made_longer(said: Said) -> About | None:
+    """Read what is to take longer: "make the lesson ten minutes longer"."""
+    without, tables = said.without("more")
+    for place in range(1, len(without.words)):
+        found = without.behind(place).length()
+        if "more" in tables and found is not None and not found.rest.words:
+            thing = without.until(place)
+            names = frozenset() if thing.is_in("last") else thing.names
+            return About(kind=AboutKind.MORE, names=names, by=found.seconds, certain=True)
+    return None
 
 
 def _added(said: Said) -> About | None:

@@ -21,6 +21,11 @@ OBJECTS = ("obj", "iobj", "root", "nmod", "obl")
 
 CASE = "case"
 
+BARE = "VB"
+OF_NOUNS = ("DT", "PRP$")
+QUALITIES = ("JJ", "RB", "VB", "IN")
+"""How tags of words begin that say how something is, or what it does."""
+
 
 def reworded(
     reading: Reading,
@@ -87,6 +92,17 @@ def is_thing(text_reading: Reading) -> bool:
     return all(one.stated and content_words(one.verb) <= content_words(one.object) for one in operations)
 
 
+def may_be_thing(reading: Reading, lexicon: Lexicon) -> bool:
+    """Whether words may stand for a thing: not "quick", "for four people" or "six was fine"."""
+    root = _root(reading)
+    if root is None or reading.tokens[0].text.lower() in lexicon.closed.prepositions_of_nouns:
+        return False
+    tag = reading.tokens[root].tag
+    # Trees take a word alone for an order: "bread", "a walk".
+    alone = tag == BARE and (len(reading.tokens) == 1 or reading.tokens[0].tag in OF_NOUNS)
+    return alone or not tag.startswith(QUALITIES)
+
+
 def _place_of(
     reading: Reading, thing: str, replaced: frozenset[str], joint: str, lexicon: Lexicon
 ) -> int | None:
@@ -103,7 +119,9 @@ def _place_of(
         if behind:
             return behind[-1]
     if _is_person(thing, lexicon):
-        people = [place for place in places if _is_person(reading.text[slice(*_span_of(reading, place))], lexicon)]
+        people = [
+            place for place in places if _is_person(reading.text[slice(*_span_of(reading, place))], lexicon)
+        ]
         if people:
             return people[-1]
     for relation in OBJECTS:

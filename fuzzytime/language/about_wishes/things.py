@@ -15,6 +15,7 @@ NOT = "not"
 BUT = "but"
 INSTEAD_OF = ("instead", "of")
 FOR = "for"
+FIRST = "first"
 
 
 def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
@@ -38,7 +39,9 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     opened = said.opens_with("continuing")
     follows = "then" if said.opens_with("following") else ""
     rest = said.behind(opened)
-    closing = max((form for form in said.table("closing") if rest.forms[-len(form) :] == form), key=len, default=())
+    closing = max(
+        (form for form in said.table("closing") if rest.forms[-len(form) :] == form), key=len, default=()
+    )
     rest = rest.until(len(rest.words) - len(closing)) if closing else rest
     if not (opened or closing) or not rest.words:
         return None
@@ -56,9 +59,17 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     naming = whole.after("naming anew") or whole.after("meaning")
     if naming is not None and naming.words:
         said, place = naming, 1
-    instead = _instead(said)
+    instead = _instead(whole) or _instead(said)
     if instead is not None:
         return instead
+    denied = said.after("denying") if not place else None
+    if denied is not None and denied.names and COMMA not in denied.forms and not denied.has_time:
+        # "Not the carrots"
+        return About(kind=AboutKind.DROP, names=denied.names, thing=denied.text)
+    if said.forms[:1] == (FIRST,) and len(said.words) > 1 and not said.has_time:
+        return About(
+            kind=AboutKind.MOVE, names=said.behind(1).names, time="right now", joint=FIRST, certain=True
+        )
     later = later_by(said)
     if later is not None and later[1].names:
         return replace(later[0], names=later[1].names, certain=True)
@@ -66,7 +77,8 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if not thing:
         return None
     if time:
-        return About(kind=AboutKind.MOVE, names=Said(thing, now, lexicon).names, thing=thing, time=time)
+        names = Said(thing, now, lexicon).names
+        return About(kind=AboutKind.MOVE, names=names, thing=thing, time=time, corrects=place > 0)
     if place and COMMA not in said.forms:
         return About(kind=AboutKind.INSTEAD, thing=thing, certain=True)
     return None

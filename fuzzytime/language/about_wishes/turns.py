@@ -20,7 +20,7 @@ def turned(said: Said) -> About | None:
         if rest.is_in(name):
             return About(kind=kind, certain=True)
     # "Not that one, the other one"
-    kept = rest.after("denying")
+    kept = said.after("denying")
     joint = -1 if kept is None or COMMA not in kept.forms else kept.forms.index(COMMA)
     if kept is not None and joint > 0 and kept.until(joint).is_in("last"):
         rest = kept.behind(joint + 1)

@@ -228,7 +228,8 @@ _ROWS = {
         "reversing", "stopping", "restoring", "slightly", "several", "skipping", "letting go", "denying",
         "proposing", "exclaiming", "free", "may do", "having time", "done already",
         "said of me", "not done", "asking about", "holding", "besides", "asking next", "asking when",
-        "all of it", "a day on", "a day back", "a week on", "a week back",
+        "all of it", "by itself", "preferring", "lengths", "a day on", "a day back",
+        "a week on", "a week back",
     ),
     "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "amounts"),
 }  # fmt: skip
