@@ -1,5 +1,6 @@
 """What leans on the verb said before it, in full: "call mum at six", and then "and dad at seven"."""
 
+from dataclasses import replace
 from datetime import datetime
 from typing import TYPE_CHECKING
 
@@ -38,6 +39,10 @@ def continued(text: str, now: datetime, before: str, said: datetime, language: "
     about = continuing(text, now, lexicon)
     if about is None:
         return None
+    first, _, rest = about.thing.partition(" ")
+    if rest and first in lexicon.closed.prepositions_of_nouns and f" {first} " in before:
+        # "Lesson with Mia at two", "and with Tom at three"
+        about = replace(about, thing=rest, joint=first, certain=True)
     if about.kind is AboutKind.LIKE and not about.certain and not _is_thing(about.thing, now, language):
         return None
     reading = language.read(before, now=said)

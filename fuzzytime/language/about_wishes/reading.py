@@ -27,14 +27,14 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     whole = Said(text.strip(ENDS), now, lexicon)
     if not whole.words:
         return None
-    said = _without_closing(_without_courtesies(whole))
+    said = _without_courtesies(whole)
     if not said.words or not set(whole.without("answering")[0].forms) - MARKS:
         return About(kind=AboutKind.ANSWER, certain=True)
     found = _read(said)
     plain = without_exclamations(said)
     # "Ok then do it the day after"
     then = plain.after("following") or plain
-    for other in (plain, then):
+    for other in (plain, then, _without_closing(plain)):
         found = _read(other) if found is None and other != said and other.words else found
     return found
 

@@ -86,7 +86,13 @@ def reworded(
 def is_thing(text_reading: Reading) -> bool:
     """Whether words are read as a thing and no order: "dad at seven", "the tomatoes"."""
     root = _root(text_reading)
-    if root is None or not text_reading.tokens[root].tag.startswith("NN"):
+    if root is None:
+        return False
+    tag, first = text_reading.tokens[root].tag, text_reading.tokens[0].tag
+    if tag == BARE and first in OF_NOUNS:
+        # "The lawn", which a tree takes for an order
+        return True
+    if not tag.startswith("NN"):
         return False
     operations = [one.operation for one in text_reading.instructions if one.operation is not None]
     return all(one.stated and content_words(one.verb) <= content_words(one.object) for one in operations)

@@ -21,6 +21,9 @@ def turned(said: Said) -> About | None:
             return About(kind=kind, certain=True)
     # "Not that one, the other one"
     kept = said.after("denying")
+    if kept is not None and kept.words and kept.is_in("last"):
+        # "Not that one"
+        return About(kind=AboutKind.WRONG, certain=True)
     joint = -1 if kept is None or COMMA not in kept.forms else kept.forms.index(COMMA)
     if kept is not None and joint > 0 and kept.until(joint).is_in("last"):
         rest = kept.behind(joint + 1)
