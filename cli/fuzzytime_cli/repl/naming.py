@@ -158,7 +158,10 @@ def all_called(scene: Scene, names: frozenset[str]) -> list[Started]:
 def _words(scene: Scene, one: Started) -> frozenset[str]:
     number = number_of(one.identifier)
     texts = (entry.text for entry in scene.conversation.state.entries if entry.number == number)
-    return content_words(one.name) | content_words(next(texts, "")) | {f"s{number}"}
+    lexicon = scene.conversation.interpreter.language.lexicon
+    # "Have I fed the cat?"
+    verb = verb_forms(one.name.partition(" ")[0].lower(), lexicon)
+    return content_words(one.name) | content_words(next(texts, "")) | verb | {f"s{number}"}
 
 
 def unknown(names: frozenset[str]) -> NoReturn:

@@ -80,6 +80,10 @@ def _is_thing(thing: str, now: datetime, language: "Language") -> bool:
     words = [word.text for word in words_of(thing)]
     if not words or len(words) > MOST_WORDS or words[0] in lexicon.closed.anaphors:
         return False
+    openers = lexicon.closed.noun_openers | lexicon.closed.anaphors
+    if words[0] not in openers and not openers.isdisjoint(words[1:]):
+        # "Add the rice" is an order, and needs no tree to be one.
+        return False
     by_itself = {form[0] for form in lexicon.conversation["by itself"]}
     definite = len(words) > 1 and words[0] not in lexicon.closed.indefinite_determiners
     if not definite and words[-1] in lexicon.events | lexicon.happening | by_itself:

@@ -20,6 +20,7 @@ OBJECTS = ("obj", "iobj", "root", "nmod", "obl")
 """What a thing is in a wish, what it is most likely about first."""
 
 CASE = "case"
+NUMBER = "CD"
 
 BARE = "VB"
 OF_NOUNS = ("DT", "PRP$")
@@ -169,6 +170,10 @@ def _span_of(reading: Reading, place: int) -> Span:
         and token.relation in ADJUNCTS
         and not any(overlap(token.span, span) for span in times)
     ]
+    behind = reading.tokens[place + 1 : place + 2]
+    if behind and behind[0].tag == NUMBER and not any(overlap(behind[0].span, span) for span in times):
+        # "Part one"
+        own.append(place + 1)
     spans = [reading.tokens[one].span for one in own]
     return min(first for first, _ in spans), max(end for _, end in spans)
 
