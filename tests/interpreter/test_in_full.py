@@ -12,7 +12,7 @@ pytestmark = pytest.mark.model
     ("lines", "names"),
     [
         (["call mum at six pm", "and dad at seven pm"], ["call mum", "call dad"]),
-        (["water the roses at noon", "and the beans too", "same for the peas"], ["water the roses", "water the beans", "water the peas"]),
+        (["water it at noon", "and the peas too", "same for figs"], ["water it", "water the peas", "water figs"]),
         (["call mum at six pm", "and dinner at seven pm"], ["call mum", "dinner"]),
         (["add the salt at noon", "and stir"], ["add the salt", "stir"]),
         (["and dad at seven pm"], ["dad"]),

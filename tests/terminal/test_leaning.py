@@ -1,4 +1,4 @@
-"""Lines of a conversation that lean on those before them: other things, other times, once more, not that one."""
+"""Lines of a conversation that lean on those before them: other things and times, once more, not that one."""
 
 from datetime import datetime
 
