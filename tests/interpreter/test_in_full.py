@@ -12,7 +12,7 @@ pytestmark = pytest.mark.model
     ("lines", "names"),
     [
         (["call mum at six pm", "and dad at seven pm"], ["call mum", "call dad"]),
-        (["water it at noon", "and the peas too", "same for figs"], ["water it", "water the peas", "water figs"]),
+        (["dust it at noon", "and the rug too", "same for lamps"], ["dust it", "dust the rug", "dust lamps"]),
         (["call mum at six pm", "and dinner at seven pm"], ["call mum", "dinner"]),
         (["add the salt at noon", "and stir"], ["add the salt", "stir"]),
         (["and dad at seven pm"], ["dad"]),

@@ -17,6 +17,7 @@ from fuzzytime.language import (
     continued,
     continuing,
     find_times,
+    is_person,
     is_thing,
     may_be_thing,
     reworded,
@@ -53,7 +54,7 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
         anew = continued(words, scene.now, last.text, last.given, language)
         if anew is not None:
             return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
-        if more.certain:
+        if more.certain or is_person(more.thing, language.lexicon):
             raise FuzzytimeError(f"{words!r} leans on {last.text!r}, and is not understood: say it in full")
     ordered = (one.operation for one in reading.instructions)
     orders = any(one is not None and one.is_asked and not is_thing(reading) for one in ordered)
@@ -170,10 +171,9 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
         return None
     if not then:
         raise FuzzytimeError(f"nothing that is planned is {about.time} (:list shows what is)")
-    if about.names or len(then) > 1:
-        names = about.names or frozenset()
-        drop = replace(about, kind=AboutKind.DROP, names=names or words_of_entry(scene, then[-1]), time="")
-        return taken(scene, replace(drop, names=frozenset({then[-1].identifier})))
+    if about.names:
+        meant = frozenset({then[-1].identifier})
+        return taken(scene, replace(about, kind=AboutKind.DROP, names=meant, time=""))
     raise FuzzytimeError("when then? Say: move it to tomorrow (or: cancel it)")
 
 

@@ -31,7 +31,10 @@ def command_meant(scene: Scene, about: About) -> str | None:
         If nothing that is known can be meant, or which of several is not said.
     """
     match about.kind:
-        case AboutKind.UNDO if not about.certain and scene.taken is None:
+        case AboutKind.UNDO if about.text and scene.taken is None:
+            # "No, leave it", where nothing was changed
+            if about.certain:
+                raise FuzzytimeError("nothing was changed: it stays as it is")
             return None
         case AboutKind.UNDO | AboutKind.REDO:
             return f":{about.kind.value}"

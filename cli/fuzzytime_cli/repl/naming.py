@@ -90,7 +90,15 @@ def words_of_entry(scene: Scene, entry: Entry) -> frozenset[str]:
     skills = [one for one in scene.plan.skills if one.wish.identifier == entry.identifier]
     verbs = (one.operation.lemma for one in skills if one.operation is not None)
     nouns = frozenset(
-        noun for verb in verbs for noun in (*verb_forms(verb, lexicon), *nouns_of(verb), f"{verb}er")
+        noun
+        for verb in verbs
+        for noun in (
+            *verb_forms(verb, lexicon),
+            *nouns_of(verb),
+            f"{verb}er",
+            f"{verb}y",
+            f"{verb.removesuffix('e')}y",
+        )
     )
     return nouns.union(*(content_words(one.skill.name) for one in skills), {entry.identifier})
 

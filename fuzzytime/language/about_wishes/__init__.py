@@ -8,7 +8,7 @@ from fuzzytime.language.about_wishes.merging import merged_time
 from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
 from fuzzytime.language.about_wishes.reading import about_wishes, behind_what_is_told
 from fuzzytime.language.about_wishes.reports import reported
-from fuzzytime.language.about_wishes.rewording import is_thing, may_be_thing, reworded
+from fuzzytime.language.about_wishes.rewording import is_person, is_thing, may_be_thing, reworded
 from fuzzytime.language.about_wishes.things import about_things, continuing
 
 __all__ = [
@@ -24,6 +24,7 @@ __all__ = [
     "clauses_of",
     "continued",
     "continuing",
+    "is_person",
     "is_thing",
     "may_be_thing",
     "merged_time",

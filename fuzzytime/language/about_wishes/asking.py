@@ -46,7 +46,7 @@ def _free(said: Said) -> About | None:
     if rest is None or not rest.words:
         return None
     # "Can I go at five?"
-    thing, time = rest.parted()
+    thing, time = rest.without("instead")[0].parted()
     return About(kind=AboutKind.FREE, thing=thing, time=time, certain=True) if time else None
 
 
@@ -104,6 +104,10 @@ def _during(said: Said) -> About | None:
         if found is not None and found.constraint is not Constraint.FOR:
             return About(kind=AboutKind.DURING, time=one.text, certain=True)
     time = rest.as_time()
+    if not time:
+        # "What do I take tomorrow?"
+        verb, time = rest.parted()
+        time = time if " " not in verb else ""
     return About(kind=AboutKind.DURING, time=time, certain=True) if time else None
 
 

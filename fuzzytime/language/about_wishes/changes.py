@@ -169,7 +169,7 @@ def _corrected(said: Said) -> About | None:
     rest = said.behind(place)
     if place and rest.forms[:1] and rest.forms[0] in said.lexicon.doing.keeping and _is_last(rest.behind(1)):
         # "No wait, keep it"
-        return About(kind=AboutKind.UNDO, certain=True)
+        return About(kind=AboutKind.UNDO, text=rest.text, certain=True)
     if rest.words and not rest.without(*DIRECTIONS)[0].words:
         # "Earlier, please": by how much is not said
         earlier = "earlier" in rest.without(*DIRECTIONS)[1]
@@ -199,6 +199,10 @@ def _corrected(said: Said) -> About | None:
         # "No, every ten"
         time = f"{EVERY} {number} {Unit.MINUTE}s"
         return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
+    longer, more = rest.without("more")
+    if more and (found := longer.length()) is not None and not found.rest.words:
+        # "Make it ten minutes longer"
+        return About(kind=AboutKind.MORE, by=found.seconds, certain=True)
     number = rest.as_number()
     time = rest.as_time() or (f"for {number} {Unit.MINUTE}s" if number else "")
     if not time:

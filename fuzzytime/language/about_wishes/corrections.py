@@ -47,7 +47,8 @@ def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     'at seven'
     """
     said = Said(text.strip(ENDS), now, lexicon)
-    closing = (form for form in lexicon.courtesies if said.forms[-len(form) :] == form != said.forms)
+    behind = lexicon.courtesies | said.table("preferring")
+    closing = (form for form in behind if said.forms[-len(form) :] == form != said.forms)
     said = said.until(len(said.words) - max(map(len, closing), default=0))
     time = said.as_time() if said.has_time else ""
     number = said.as_number() if len(said.words) == 1 else ""

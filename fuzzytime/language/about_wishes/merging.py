@@ -115,6 +115,9 @@ def _lies_in(both: TimeRequirement, one: TimeRequirement, other: TimeRequirement
     if len(days) != 1 or not bounds or _is_of_days(both):
         return False
     first, last = days[0].earliest, days[0].latest
+    if last is not None and both.earliest is not None and both.earliest >= last:
+        # "After tomorrow" begins when that is over.
+        return False
     return first is not None and last is not None and all(first <= bound <= last for bound in bounds)
 
 

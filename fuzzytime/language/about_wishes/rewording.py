@@ -125,9 +125,9 @@ def _place_of(
         behind = [place for place in places if _case_of(reading, place) == joint]
         if behind:
             return behind[-1]
-    if _is_person(thing, lexicon):
+    if is_person(thing, lexicon):
         people = [
-            place for place in places if _is_person(reading.text[slice(*_span_of(reading, place))], lexicon)
+            place for place in places if is_person(reading.text[slice(*_span_of(reading, place))], lexicon)
         ]
         if people:
             return people[-1]
@@ -138,7 +138,7 @@ def _place_of(
     return None
 
 
-def _is_person(thing: str, lexicon: Lexicon) -> bool:
+def is_person(thing: str, lexicon: Lexicon) -> bool:
     """Whether a thing is somebody: kin, or what is written with a capital."""
     words = thing.split()
     return bool(words) and (words[-1].lower() in lexicon.persons or words[-1][:1].isupper())

@@ -48,7 +48,8 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if opened and (more := continuing(rest.text, now, lexicon)) is not None and more.certain:
         return more
     thing, time = rest.parted()
-    return About(kind=AboutKind.LIKE, thing=thing, time=time, text=follows) if thing else None
+    named = bool(thing) and not is_of_all(Said(thing, now, lexicon))
+    return About(kind=AboutKind.LIKE, thing=thing, time=time, text=follows) if named else None
 
 
 def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
@@ -76,12 +77,19 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     thing, time = said.parted(bare=True)
     if not thing:
         return None
+    if time and is_of_all(Said(thing, now, lexicon)):
+        return About(kind=AboutKind.MOVE, everything=True, time=time, certain=True)
     if time:
         names = Said(thing, now, lexicon).names
         return About(kind=AboutKind.MOVE, names=names, thing=thing, time=time, corrects=place > 0)
     if place and COMMA not in said.forms:
         return About(kind=AboutKind.INSTEAD, thing=thing, certain=True)
     return None
+
+
+def is_of_all(said: Said) -> bool:
+    """Whether words name all that is left, or both, or what was spoken of last, and no other thing."""
+    return any(said.is_in(name) for name in ("both", "everything", "last", "other"))
 
 
 def _instead(said: Said) -> About | None:
