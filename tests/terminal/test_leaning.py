@@ -98,6 +98,7 @@ def test_what_goes_on_outlives_what_it_leant_on() -> None:
             ["call dad at seven"],
         ),
         ("chop leeks at ten | chop beans at noon | not the beans", ["chop leeks at ten"]),
+        ("order milk at ten | and bread | not milk", ["order bread at ten"]),
     ],
 )
 def test_another_thing_is_meant(lines: str, entries: list[str]) -> None:
@@ -173,6 +174,13 @@ def test_one_of_a_repetition_is_left_out(lines: str, left: str) -> None:
     assert f"{talk.start('s1'):%Y-%m-%d %H:%M}" == left
     talk.say(":undo")
     assert f"{talk.start('s1'):%Y-%m-%d %H:%M}" < left
+
+
+def test_what_is_left_out_is_done_on_another_day() -> None:
+    talk = _said("inspect it every monday at eight am | not this monday | do it on tuesday instead")
+    assert talk.entries[1:] == ["inspect it on tuesday at eight am"]
+    talk = _said("inspect it every day at ten | not tomorrow | at eleven")
+    assert len(talk.entries) == 1
 
 
 def test_what_is_done_once_is_asked_about_or_dropped() -> None:

@@ -35,6 +35,9 @@ Taken = Callable[[Scene, About], Reply | None]
 
 DAY = timedelta(days=1)
 
+NAME = 2
+"""Words that somebody is called by at most."""
+
 REDIRECTED = frozenset({AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.DONE, AboutKind.EXCEPT})
 """What may have been meant of another: "not the soup, the rice"."""
 
@@ -54,7 +57,11 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
         anew = continued(words, scene.now, last.text, last.given, language)
         if anew is not None:
             return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
-        if more.certain or is_person(more.thing, language.lexicon):
+        # "And Sam too" is nothing to do at any time.
+        somebody = (
+            not more.time and len(more.thing.split()) <= NAME and is_person(more.thing, language.lexicon)
+        )
+        if more.certain or somebody:
             raise FuzzytimeError(f"{words!r} leans on {last.text!r}, and is not understood: say it in full")
     ordered = (one.operation for one in reading.instructions)
     orders = any(one is not None and one.is_asked and not is_thing(reading) for one in ordered)
@@ -68,6 +75,8 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
     known = entry_of(scene, about.names) if about.names else None
     if about.certain:
         return taken(scene, about) if known is not None or not about.names else None
+    if about.kind is AboutKind.DROP:
+        return taken(scene, about) if known is not None else None
     told = any(one.operation is not None for one in reading.instructions)
     if known is not None and not (told and not about.corrects):
         return taken(scene, replace(about, corrects=False))
@@ -175,6 +184,35 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
         meant = frozenset({then[-1].identifier})
         return taken(scene, replace(about, kind=AboutKind.DROP, names=meant, time=""))
     raise FuzzytimeError("when then? Say: move it to tomorrow (or: cancel it)")
+
+
+def left_out_then(scene: Scene, about: About) -> Reply | None:
+    """Do once on another day what was left out just before: "not this monday", "do it on tuesday"."""
+    last = scene.taken is not None and scene.taken.kind is AboutKind.EXCEPT
+    if (
+        not last
+        or about.kind is not AboutKind.MOVE
+        or about.names
+        or not about.time
+        or scene.tried is not None
+    ):
+        return None
+    entry = entry_of(scene, frozenset())
+    repeated = [] if entry is None else [one for _, one in waiting(scene, entry.number) if _repeats(one)]
+    if entry is None or not repeated or repeated[0].instruction is None:
+        return None
+    every = (p for p in repeated[0].instruction.requirements if p.constraint is Constraint.EVERY)
+    language = scene.conversation.interpreter.language
+    once = language.read(entry.text[: next(every).span[1]], now=entry.given)
+    anew = reworded(once, language.lexicon, time=about.time, now=scene.now)
+    if anew is None or any(
+        part.constraint is Constraint.EVERY
+        for one in language.read(anew, now=scene.now).instructions
+        for part in one.requirements
+    ):
+        # "Not tomorrow", and then "at eleven", is of all that are left.
+        return None
+    return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
 
 
 def _repeats(one: Interpreted) -> bool:

@@ -61,9 +61,9 @@ def entries_meant(scene: Scene, about: About) -> list[Entry]:
     if about.both:
         left = [one for one in left if about.names <= words_of_entry(scene, one)]
         if len(left) != BOTH:
-            what = f" {' '.join(sorted(about.names))}" if about.names else ""
-            is_are = "is" if len(left) == 1 else "are"
-            raise FuzzytimeError(f"{len(left) or 'none'}{what} {is_are} left: say which, such as: the call")
+            what = f" that {'is' if len(left) == 1 else 'are'} about {' '.join(sorted(about.names))}"
+            count = f"{len(left) or 'none'} {'is' if len(left) == 1 else 'are'} left"
+            raise FuzzytimeError(f"{count}{what if about.names else ''}: say which, such as: the call")
         return left
     if about.other:
         last = scene.told_last if scene.focus is None else scene.focus

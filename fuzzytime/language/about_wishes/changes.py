@@ -7,7 +7,7 @@ from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.exceptions import exception
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, days_on, later_by
 from fuzzytime.language.about_wishes.said import TO, Said
-from fuzzytime.language.about_wishes.turns import several_in, turned
+from fuzzytime.language.about_wishes.turns import all_but, several_in, turned
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.sentence.trees.named import is_several
@@ -104,7 +104,7 @@ def _dropped(said: Said) -> About | None:
     if rest is not None and rest.label:
         return _about(AboutKind.DROP, rest)
     dropped = said.after("dropping") or rest
-    if dropped is not None and (kept := _all_but(dropped)) is not None:
+    if dropped is not None and (kept := all_but(dropped)) is not None:
         return About(kind=AboutKind.DROP, names=_named(kept), everything=True, certain=True)
     rest = said.after("dropping")
     if rest is not None and (
@@ -121,13 +121,6 @@ def _dropped(said: Said) -> About | None:
         return About(kind=AboutKind.DROP, certain=True)
     certain = said.opens_with("letting go") > 0
     return _about(AboutKind.DROP, rest, certain=certain) if rest.names else None
-
-
-def _all_but(said: Said) -> Said | None:
-    """Give what everything is meant but for: "everything except the call"; None where nothing is named."""
-    taken = said.opens_with("everything")
-    kept = said.behind(taken).after("except") if 0 < taken < len(said.words) else None
-    return kept if kept is not None and kept.names else None
 
 
 def _ordered(said: Said) -> About | None:

@@ -30,6 +30,9 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     said = _without_courtesies(whole)
     if not said.words or not set(whole.without("answering")[0].forms) - MARKS:
         return About(kind=AboutKind.ANSWER, certain=True)
+    if text.rstrip().endswith("?") and said.without("yet")[0].is_in("finished"):
+        # "Done?"
+        return About(kind=AboutKind.DID, certain=True)
     found = _read(said)
     plain = without_exclamations(said)
     # "Ok then do it the day after"
