@@ -67,6 +67,14 @@ def test_there_is_no_room_where_all_is_taken() -> None:
     assert "fits in at 12:00" in talk.say("is there time for a nap?")
 
 
+def test_what_is_repeated_is_known_further_than_it_is_shown() -> None:
+    talk = Talk()
+    talk.say("feed the hens every day at eight am except on sunday")
+    assert "feed the hens: Sat 08:00" in talk.say("what do I do on saturday?")
+    assert "no: s1" in talk.say("am I free on saturday at eight am?")
+    assert "nothing is planned then" in talk.say("what do I do on sunday?")
+
+
 def test_nothing_planned_is_free() -> None:
     assert "free all the time" in Talk().say("when am I free?")
 

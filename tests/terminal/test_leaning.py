@@ -167,6 +167,7 @@ def test_what_is_asked_back_is_answered_by_a_length() -> None:
         ("water it every day at ten | skip today's", "2026-03-05 10:00"),
         ("water it every day at ten | not today | not tomorrow", "2026-03-06 10:00"),
         ("practise piano every day at ten | no piano today", "2026-03-05 10:00"),
+        ("feed the hens every day at ten | not the hens today", "2026-03-05 10:00"),
     ],
 )
 def test_one_of_a_repetition_is_left_out(lines: str, left: str) -> None:
@@ -187,6 +188,7 @@ def test_what_is_done_once_is_asked_about_or_dropped() -> None:
     talk = _said("swim at five pm")
     assert "when then?" in talk.say("not today")
     assert "nothing that is planned is tomorrow" in talk.say("not tomorrow")
+    assert "nothing that is planned is tomorrow" in talk.say("no swimming tomorrow")
     talk.say("no swimming today")
     assert talk.entries == []
 

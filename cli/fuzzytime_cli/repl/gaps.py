@@ -1,15 +1,16 @@
 """Questions about what there is at some time, and where there is room: "am I free at six?"."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter import MAX_HORIZON, WITHOUT_END
 from fuzzytime.language import About, find_times
 from fuzzytime.requirement import Constraint, TimeRequirement
-from fuzzytime.times import format_duration, instant_after
+from fuzzytime.times import format_duration, instant_after, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.naming import entry_of, unknown
@@ -47,6 +48,7 @@ def free(scene: Scene, about: About) -> Reply:
     first, end = _bounds(scene, time)
     if first is None:
         return _gaps_told(scene)
+    scene = _as_far_as(scene, end or first)
     length = _length_of(scene, about.thing)[0] if about.thing else timedelta(0)
     window = end if end is not None and end > first else first + max(length, SHORTEST)
     if about.thing and time.constraint is Constraint.AT:
@@ -102,7 +104,7 @@ def during(scene: Scene, about: About) -> Reply:
     first, end = _bounds(scene, _time_of(scene, about.time))
     first = scene.now if first is None else first
     over = end if end is not None and end > first else first + SHORTEST
-    everything = list(_all(scene))
+    everything = list(_all(_as_far_as(scene, over)))
     found = [one for one in everything if one.start < over and (one.end > first or one.start >= first)]
     if found:
         lines = [f"{one.title}: {_at(scene, one.start)} to {_at(scene, one.end)}" for one in found[:MOST]]
@@ -112,6 +114,21 @@ def during(scene: Scene, about: About) -> Reply:
     behind = next((one for one in everything if one.start >= over), None)
     then = "" if behind is None else f"; {behind.title} is at {_at(scene, behind.start)}"
     return said(f"nothing is planned then{then}")
+
+
+def _as_far_as(scene: Scene, end: datetime) -> Scene:
+    """Give the scene with what is repeated until then, where that is further than plans show it."""
+    ahead = seconds_between(scene.now, end)
+    repeated = any(
+        part.recurrence is not None
+        for one in scene.plan.skills
+        if one.instruction is not None
+        for part in one.instruction.requirements
+    )
+    if not repeated or not WITHOUT_END < ahead < MAX_HORIZON or scene.conversation.horizon is not None:
+        return scene
+    further = replace(scene.conversation, horizon=ahead)
+    return replace(scene, plan=further.plan(scene.now, further.state, previous=scene.plan))
 
 
 def _gaps_told(scene: Scene) -> Reply:

@@ -176,7 +176,7 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
         head = Text(plain(f"taken as :edit {entry.number} {text}; :undo takes it back"))
         return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
     then = [entry for entry in entries if _starts_within(scene, entry, first, end)]
-    if not about.certain and not (then and about.names):
+    if not about.certain and not (entries and about.names):
         return None
     if not then:
         raise FuzzytimeError(f"nothing that is planned is {about.time} (:list shows what is)")

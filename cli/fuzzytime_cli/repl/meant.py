@@ -92,7 +92,10 @@ def _changing(scene: Scene, about: About) -> str | None:
 def _of_two(scene: Scene, entry: Entry) -> int | None:
     """Give the number of the other of two that are left; None where there are others, or one has no time."""
     left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
-    timed = all(one.requirements for one in scene.plan.skills)
+    timed = all(
+        one.requirements and all(part.anchor is None for part in one.requirements)
+        for one in scene.plan.skills
+    )
     others = [one.number for one in left if one is not entry and one.number != entry.number]
     return others[0] if timed and len(others) == 1 else None
 

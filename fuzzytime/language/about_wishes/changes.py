@@ -17,6 +17,7 @@ REFERRED = ("last", "everything")
 FOR = "for"
 EVERY = "every"
 
+ROUND = {("around",), ("over",), ("back",)}
 DOING = "do"
 MAKING = "make"
 
@@ -62,7 +63,7 @@ def _swapped(said: Said) -> About | None:
     rest = said.after("swapping")
     if rest is None:
         return None
-    rest = rest.until(len(rest.words) - 1) if rest.forms[-1:] in {("around",), ("over",)} else rest
+    rest = rest.until(len(rest.words) - 1) if rest.forms[-1:] in ROUND else rest
     if not rest.words or rest.is_in("both"):
         return About(kind=AboutKind.SWAP, both=True, certain=True)
     if (both := several_in(rest)) is not None:

@@ -19,8 +19,8 @@ def exception(said: Said) -> About | None:
         return None
     time, thing = _day_and_thing(rest)
     # "Not on friday" and "no swimming today", but "no, today"
-    whole = said.forms[0] == NO
-    if not time or rest.forms[0] == COMMA or (denied is not None and whole is not bool(thing.words)):
+    corrects = said.forms[0] == NO and not thing.words
+    if not time or rest.forms[0] == COMMA or corrects:
         return None
     names = frozenset() if thing.is_in("last") else thing.names
     # "Cancel the gym on friday" may be to be done then, and "skip rope" is.

@@ -16,6 +16,7 @@ BUT = "but"
 INSTEAD_OF = ("instead", "of")
 FOR = "for"
 FIRST = "first"
+NO = "no"
 
 
 def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
@@ -67,6 +68,10 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if denied is not None and denied.names and COMMA not in denied.forms and not denied.has_time:
         # "Not the carrots"
         return About(kind=AboutKind.DROP, names=denied.names, thing=denied.text)
+    if said.forms[-1:] == (FIRST,) and len(said.words) > 1:
+        # "The test first"
+        names = said.until(len(said.words) - 1).names
+        return About(kind=AboutKind.MOVE, names=names, time="right now", joint=FIRST) if names else None
     if said.forms[:1] == (FIRST,) and len(said.words) > 1 and not said.has_time:
         return About(
             kind=AboutKind.MOVE, names=said.behind(1).names, time="right now", joint=FIRST, certain=True
@@ -79,6 +84,9 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         return None
     if time and is_of_all(Said(thing, now, lexicon)):
         return About(kind=AboutKind.MOVE, everything=True, time=time, certain=True)
+    if time and whole.forms[0] == NO and whole.forms[1:2] != (COMMA,):
+        # "No swimming today", where none is known
+        return None
     if time:
         names = Said(thing, now, lexicon).names
         return About(kind=AboutKind.MOVE, names=names, thing=thing, time=time, corrects=place > 0)
