@@ -5,6 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.bounded_repeats import bounded_repeat, is_of_day
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
@@ -18,7 +19,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.first_times import ending_with
 from fuzzytime.language.meaning.intervals_on_days import on_days
-from fuzzytime.language.meaning.repeats_beside import bounded_repeat, is_of_day, narrowed_repeat, timed_as
+from fuzzytime.language.meaning.repeats_beside import narrowed_repeat, timed_as
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()

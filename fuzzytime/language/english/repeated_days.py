@@ -4,10 +4,11 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.bounded_repeats import bounded_repeat
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Duration, Edge, Offset, Repeat, Said, UnitWord, Wall
 from fuzzytime.language.meaning.nested import Nth
-from fuzzytime.language.meaning.repeats_beside import bounded_repeat, narrowed_repeat
+from fuzzytime.language.meaning.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.language.meaning.weekdays_left_out import without_weekdays
 from fuzzytime.requirement import Constraint, Unit

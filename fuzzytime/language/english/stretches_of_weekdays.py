@@ -5,9 +5,10 @@ from dataclasses import replace
 from fuzzytime.language.english.clocks import number
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.bounded_repeats import bounded_repeat, within_hours
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Range, Repeat, Said, Wall
-from fuzzytime.language.meaning.repeats_beside import bounded_repeat, narrowed_repeat, within_hours
+from fuzzytime.language.meaning.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.requirement import Constraint, Unit
 

@@ -15,7 +15,7 @@ From values to requirements
     ``range_instants``; repetitions: ``series``.
     One of several times: ``offered_days``.
     When something is not to be done: ``denied_times``.
-    Two times as one: ``beside``, ``told_apart``, ``repeats_beside``, ``first_times``, ``distances``,
-    ``intervals_on_days``, ``throughout``, ``offered``, ``range_ends``, ``weekdays_left_out``.
+    Two times as one: ``beside``, ``told_apart``, ``repeats_beside``, ``bounded_repeats``, ``first_times``,
+    ``distances``, ``intervals_on_days``, ``throughout``, ``offered``, ``range_ends``, ``weekdays_left_out``.
     What is handed on: ``requirements``, ``grains``, ``decisions``.
 """

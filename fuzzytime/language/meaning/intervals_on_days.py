@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.meaning.bounded_repeats import bounded_repeat, is_of_day
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, HourMark, Range, Repeat, Said, Time
-from fuzzytime.language.meaning.repeats_beside import bounded_repeat, is_of_day
 from fuzzytime.requirement import Constraint, Unit
 
 

@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.meaning.bounded_repeats import bounded_repeat
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import Repeat, Rest, Said, Wall
-from fuzzytime.language.meaning.repeats_beside import MOMENTS, bounded_repeat, narrowed_repeat
+from fuzzytime.language.meaning.repeats_beside import MOMENTS, narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.requirement import Constraint, Unit
 

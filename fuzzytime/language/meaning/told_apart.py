@@ -3,13 +3,14 @@
 from dataclasses import replace
 
 from fuzzytime.language.meaning.beside import joined, refined
+from fuzzytime.language.meaning.bounded_repeats import bounded_repeat
 from fuzzytime.language.meaning.expressions import (
     Offset,
     Repeat,
     Said,
     Wall,
 )
-from fuzzytime.language.meaning.repeats_beside import MOMENTS, bounded_repeat, narrowed_repeat
+from fuzzytime.language.meaning.repeats_beside import MOMENTS, narrowed_repeat
 from fuzzytime.requirement import Constraint
 
 
