@@ -8,6 +8,8 @@ from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, whole_numb
 from fuzzytime_cli.session import Entry, Started
 
 BOTH = 2
+"""How many "both" are."""
+
 FEW = 2
 """Words that are repeated at most."""
 

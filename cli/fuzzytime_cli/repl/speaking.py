@@ -160,11 +160,13 @@ def _run(scene: Scene, about: About, line: str) -> Reply:
     """Run a command, and say which."""
     kind = about.kind if not line.startswith(":drop") else AboutKind.DROP
     command, rest = command_of(line)
-    number = rest.partition(" ")[0].partition(".")[0].lstrip("s")
-    numbers = rest.partition(" ")[0].split(",")
-    dropped = "; ".join(_text_of(scene, one) for one in numbers) if kind is AboutKind.DROP else ""
+    named = rest.partition(" ")[0]
+    dropped, focus = "", None
+    if kind is AboutKind.DROP:
+        dropped = "; ".join(_text_of(scene, number) for number in named.split(","))
+    else:
+        focus = whole_number(named.partition(".")[0].lstrip("s"))
     reply = command.run(scene, rest)
-    focus = whole_number(number) if kind is not AboutKind.DROP else None
     if not (reply.changed or scene.tried is not None):
         return replace(reply, focus=focus)
     if kind in {AboutKind.UNDO, AboutKind.REDO} or line == ":undo":

@@ -7,7 +7,6 @@ from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
 COMMA = ","
-ENDS = ".?! "
 
 
 def opening_correction(said: Said) -> int:
@@ -30,7 +29,7 @@ def restated(text: str, now: datetime, lexicon: Lexicon) -> str | None:
     >>> restated("no, feed the dog at seven instead", datetime(2026, 3, 4, 9), shipped_lexicon())
     'feed the dog at seven'
     """
-    said = Said(text.strip(ENDS), now, lexicon)
+    said = Said.of(text, now, lexicon)
     place = opening_correction(said)
     rest = said.behind(place)
     closing = max((form for form in _closing(said) if rest.forms[-len(form) :] == form), key=len, default=())
@@ -46,7 +45,7 @@ def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     >>> added_time("At seven.", datetime(2026, 3, 4, 9), shipped_lexicon()).time
     'at seven'
     """
-    said = Said(text.strip(ENDS), now, lexicon)
+    said = Said.of(text, now, lexicon)
     behind = lexicon.courtesies | said.table("preferring")
     closing = (form for form in behind if said.forms[-len(form) :] == form != said.forms)
     said = said.until(len(said.words) - max(map(len, closing), default=0))

@@ -2,8 +2,7 @@
 
 from datetime import datetime
 
-from fuzzytime.language.about_wishes.said import CLOCKED
-from fuzzytime.language.finding import find_times
+from fuzzytime.language.about_wishes.said import CLOCKED, one_time
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
 from fuzzytime.requirement import Constraint, TimeRequirement
@@ -31,20 +30,20 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
     >>> merged_time("tomorrow at six", wednesday, "at seven", wednesday, shipped_lexicon())
     'tomorrow at seven'
     """
-    other = _one_time(new, now, lexicon)
+    other = one_time(new, now, lexicon)
     if other is None:
         return new
-    times = {piece: time for piece in _pieces(old) if (time := _one_time(piece, said, lexicon)) is not None}
+    times = {piece: time for piece in _pieces(old) if (time := one_time(piece, said, lexicon)) is not None}
     days = [piece for piece, time in times.items() if _is_of_days(time)]
     for piece, told in times.items():
         if _is_of_days(other) and any(day.split()[-1] in piece.split() for day in days):
             continue
         words = _as_said_now(piece, told, said, now, lexicon)
-        kept = _one_time(words, now, lexicon) or told
+        kept = one_time(words, now, lexicon) or told
         texts = [f"{words} {new}", f"{new} {words}"]
         # Days stand in front: "saturday at six".
         for text in reversed(texts) if _is_of_days(other) else texts:
-            both = _one_time(text, now, lexicon)
+            both = one_time(text, now, lexicon)
             if both is not None and any(fits(both, other, kept) for fits in (_lies_in, _goes_on, _in_part)):
                 clock = words if _is_of_days(other) else new
                 return _at_that_hour(text, clock, old, said, now, lexicon)
@@ -56,12 +55,12 @@ def _at_that_hour(text: str, clock: str, old: str, said: datetime, now: datetime
 
     What was at six in the evening, and is moved to friday, is so in the evening.
     """
-    before, anew = _one_time(old, said, lexicon), _one_time(text, now, lexicon)
+    before, anew = one_time(old, said, lexicon), one_time(text, now, lexicon)
     if before is None or anew is None or not (_is_at_clock(before) and _is_at_clock(anew)):
         return text
     hour = _hour_of(before, said)
     halves = [text.replace(clock, f"{clock} {half}", 1) for half in HALVES]
-    read = [(words, time) for words in halves if (time := _one_time(words, now, lexicon)) is not None]
+    read = [(words, time) for words in halves if (time := one_time(words, now, lexicon)) is not None]
     if len({_hour_of(time, now) for _, time in read if _is_at_clock(time)}) < len(HALVES):
         return text
     words, time = min(read, key=lambda pair: abs(_hour_of(pair[1], now) - hour))
@@ -86,15 +85,9 @@ def _pieces(text: str) -> list[str]:
     return sorted((" ".join(part).rstrip(",") for part in (words, *parts)), key=len, reverse=True)
 
 
-def _one_time(text: str, now: datetime, lexicon: Lexicon) -> TimeRequirement | None:
-    """Give the time that a text is, whole."""
-    found = find_times(text, now, lexicon).requirements
-    return found[0] if len(found) == 1 and found[0].span == (0, len(text)) else None
-
-
 def _as_said_now(piece: str, kept: TimeRequirement, said: datetime, now: datetime, lexicon: Lexicon) -> str:
     """Give the words for a day as they are now: "tomorrow", said yesterday, is a date."""
-    anew = _one_time(piece, now, lexicon)
+    anew = one_time(piece, now, lexicon)
     if kept.earliest is None or anew is None or anew.earliest is None or not _is_of_days(kept):
         return piece
     day = instant_after(said, kept.earliest)

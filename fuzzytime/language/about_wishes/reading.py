@@ -8,11 +8,10 @@ from fuzzytime.language.about_wishes.changes import change
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.questions import question
 from fuzzytime.language.about_wishes.reports import report
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import ENDS, Said
 from fuzzytime.language.about_wishes.things import without_exclamations
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
-ENDS = ".?! "
 MARKS = frozenset({",", ".", "!", "?", "-"})
 
 
@@ -24,7 +23,7 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     >>> about_wishes("no, make it six", datetime(2026, 3, 4, 9), shipped_lexicon()).time
     'at six'
     """
-    whole = Said(text.strip(ENDS), now, lexicon)
+    whole = Said.of(text, now, lexicon)
     if not whole.words:
         return None
     said = _without_courtesies(whole)
@@ -63,7 +62,7 @@ def behind_what_is_told(text: str, now: datetime, lexicon: Lexicon) -> tuple[str
     about = about_wishes(rest, now, lexicon)
     if about is None or about.kind is AboutKind.ANSWER:
         return None
-    front = without_exclamations(Said(told.strip(ENDS), now, lexicon))
+    front = without_exclamations(Said.of(told, now, lexicon))
     front = front.behind(opening_correction(front))
     said = about_wishes(front.text, now, lexicon) if front.words else None
     return "" if said is not None and said.certain else front.text, about

@@ -27,9 +27,18 @@ LONGEST = 24
 """Words of a line in which a length is looked for."""
 
 
+ENDS = ".?! "
+"""Marks at the ends of a line."""
+
 FOR = "for "
 THE = "the"
 LAST = "last"
+
+
+def one_time(text: str, now: datetime, lexicon: Lexicon) -> TimeRequirement | None:
+    """Give the time that a text is, whole; None where it is none, or several."""
+    found = find_times(text, now, lexicon).requirements
+    return found[0] if len(found) == 1 and found[0].span == (0, len(text)) else None
 
 
 @dataclass(frozen=True)
@@ -51,6 +60,11 @@ class Said:
     text: str
     now: datetime
     lexicon: Lexicon
+
+    @classmethod
+    def of(cls, text: str, now: datetime, lexicon: Lexicon) -> "Said":
+        """Give a line without the marks at its ends."""
+        return cls(text.strip(ENDS), now, lexicon)
 
     @cached_property
     def words(self) -> Sequence[Word]:
@@ -216,9 +230,9 @@ class Said:
         return self.text if counted and counted[0].unit is Unit.MINUTE else ""
 
     def _as_one_time(self, text: str) -> tuple[TimeRequirement, ...]:
-        """Give the time that a text is, whole."""
-        found = find_times(text, self.now, self.lexicon).requirements
-        return found if len(found) == 1 and found[0].span == (0, len(text)) else ()
+        """Give the time that a text is, whole, if it is one."""
+        found = one_time(text, self.now, self.lexicon)
+        return () if found is None else (found,)
 
     def beside(self) -> tuple[str, "Said"] | None:
         """Give what it comes "before" or "after", and what that is; None where it says neither."""

@@ -9,7 +9,6 @@ from fuzzytime.language.about_wishes.lengths import later_by
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import Lexicon
 
-ENDS = ".?! "
 COMMA = ","
 NOT = "not"
 BUT = "but"
@@ -28,7 +27,7 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     >>> said.thing, said.time
     ('dad', 'at seven')
     """
-    said = without_exclamations(Said(text.strip(ENDS), now, lexicon))
+    said = without_exclamations(Said.of(text, now, lexicon))
     if (same := said.after("like")) is not None and same.words:
         thing, time = same.parted()
         return About(kind=AboutKind.LIKE, thing=thing, time=time, joint=FOR, certain=True) if thing else None
@@ -55,7 +54,7 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
 
 def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     """Read what a line without a verb says of things that were, or might have been, asked for; else None."""
-    whole = without_exclamations(Said(text.strip(ENDS), now, lexicon))
+    whole = without_exclamations(Said.of(text, now, lexicon))
     place = opening_correction(whole)
     said = without_exclamations(whole.behind(place)) if place else whole
     naming = whole.after("naming anew") or whole.after("meaning")
