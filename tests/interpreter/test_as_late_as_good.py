@@ -34,3 +34,8 @@ def test_who_goes_somewhere_by_a_time_goes_shortly_before(line: str) -> None:
 )
 def test_an_errand_is_run_at_once(line: str) -> None:
     assert starts(told([line])) == {"s1": "07:00"}
+
+
+def test_bedtime_is_in_the_evening_whatever_was_said_before() -> None:
+    found = starts(told(["unload the van before eight am", "put the kids to bed no later than 8:30"]))
+    assert found["s2"] == "20:15"

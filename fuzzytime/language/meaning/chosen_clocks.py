@@ -43,7 +43,7 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         choices = tuple(moments) if told in moments else ()
         return Instants(told, told, clock.grain, choices, wall.zone)
     morning = _of_morning(here, moments, clock, named=named)
-    if morning is not None:
+    if morning is not None and (not here.usual or morning in plausible):
         chosen = morning
     elif here.since is not None and not here.usual and _is_late(here, here.since, moments):
         # "The interval is at 20:35", "strike the set at ten": that evening, however late.
