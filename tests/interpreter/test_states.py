@@ -72,3 +72,10 @@ def _second(understanding: Interpreter, wishes: tuple[SpokenWish, ...], awaits: 
 )
 def test_what_is_put_somewhere_gets_there(lines: list[str], last: str) -> None:
     assert starts(told(lines))[f"s{len(lines)}"] == last
+
+
+@pytest.mark.parametrize("end", ["until the guests come", "until it rains", "until the pan is hot"])
+def test_an_end_that_nothing_tells_of_is_said(end: str) -> None:
+    made = told([f"play music {end}"])
+    assert starts(made)["s1"] == "07:00"
+    assert any(f"nothing tells {end!r}" in note for note in notes(made))

@@ -135,13 +135,19 @@ def _clause(question: Question) -> Said:
         formula = with_hedges_of(understood.formula, formula)
     if formula is None and row.model == "until" and not rules and not understood.composed:
         # What nothing can tell of is not said to have happened: it may begin.
-        note = f"not yet: nothing tells {condition.text!r}, so that any time from now on counts as before it"
-        return Said(satisfaction=ALWAYS, model="always", notes=(*notes, note))
+        return Said(satisfaction=ALWAYS, model="always", notes=(*notes, _not_told(condition)))
     if formula is None:
         reason = understood.reason if understood.composed else None
         reason = reason or _why_not_understood(understood, rules, question)
         return Said(satisfaction=NEVER, model=chosen.model, reason=reason, notes=notes)
+    if chosen.model == "until" and not question.known(formula):
+        notes = (*notes, _not_told(condition))
     return _awaited(question, formula, chosen, heard, notes)
+
+
+def _not_told(condition: Condition) -> str:
+    """Say of an end that nobody knows when it is."""
+    return f"not yet: nothing tells {condition.text!r}, so that any time from now on counts as before it"
 
 
 def _binds_as(rule: Rule, row: Row) -> bool:
