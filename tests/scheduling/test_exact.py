@@ -23,7 +23,7 @@ from scheduling.random_tasks import faults
         *(("several agents, shares", seed) for seed in range(16)),
         *(("several agents, program", seed) for seed in range(3)),
         *(("lags", seed) for seed in range(6)),
-        *(("lags, pauses", seed) for seed in range(12)),
+        *(("lags, pauses", seed) for seed in (*range(12), 793)),
         *(("lags, program", seed) for seed in range(4)),
         *(("curves and lags", seed) for seed in range(12)),
         *(("events", seed) for seed in (15, 23, 30, 51, 135)),

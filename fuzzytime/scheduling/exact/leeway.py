@@ -123,8 +123,11 @@ class Leeway:
         # Lags are sorted: what must come before is told before what comes behind.
         lags = [lag for lag in self._lags if not (inside.done >> lag.first | inside.done >> lag.second) & 1]
         for lag in lags:
-            np.maximum(low[lag.second], low[lag.first] + lag.low, out=low[lag.second])
-            np.minimum(last[lag.second], last[lag.first] + lag.high, out=last[lag.second])
+            # What can never start says nothing of what may be any time before or behind it.
+            if lag.low > -np.inf:
+                np.maximum(low[lag.second], low[lag.first] + lag.low, out=low[lag.second])
+            if lag.high < np.inf:
+                np.minimum(last[lag.second], last[lag.first] + lag.high, out=last[lag.second])
         lost = np.zeros(shape, bool)
         lost[inside.outside] = low[inside.outside] > last[inside.outside]
         for lag in lags:
