@@ -1,6 +1,7 @@
 """From typed words to instructions with time requirements; the only home of spaCy."""
 
 from fuzzytime.language.about_wishes import (
+    AT_ONCE,
     About,
     AboutKind,
     News,
@@ -21,6 +22,7 @@ from fuzzytime.language.about_wishes import (
     reported,
     restated,
     reworded,
+    without_article,
 )
 from fuzzytime.language.answer import NAMED, answer
 from fuzzytime.language.finding import Times, check_customs, check_length, find_times, shipped_lexicon
@@ -49,6 +51,7 @@ from fuzzytime.language.sentence.trees.named import is_several
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 
 __all__ = [
+    "AT_ONCE",
     "HALF_OF_DAY_ADVICE",
     "NAMED",
     "About",
@@ -103,4 +106,5 @@ __all__ = [
     "undoes",
     "verb_forms",
     "with_words",
+    "without_article",
 ]

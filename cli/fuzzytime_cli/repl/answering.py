@@ -108,14 +108,12 @@ def beside(scene: Scene, about: About) -> Reply:
     if not named and running is None:
         return _nothing(about.names)
     begin = min((schedule.start_times[place] for place in named), default=0.0)
-    end = max((schedule.skills[place].end for place in named), default=0.0)
     times = {place: schedule.start_times[place] for place in left if place not in named}
     if about.joint == "before":
-        found = sorted((p for p, time in times.items() if time < begin), key=lambda p: -times[p])[:FEW]
+        found = sorted((p for p, time in times.items() if time < begin), key=lambda p: -times[p])
     else:
-        found = sorted((p for p, time in times.items() if time >= min(begin, end)), key=lambda p: times[p])[
-            :FEW
-        ]
+        found = sorted((p for p, time in times.items() if time >= begin), key=lambda p: times[p])
+    found = found[:FEW]
     if not found:
         return said(f"nothing is planned {about.joint} {plain(about.thing)}")
     return Reply(tuple(_start(scene, place) for place in found), focus=_focus(scene, found))

@@ -8,7 +8,7 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import MAX_HORIZON, WITHOUT_END
-from fuzzytime.language import About, find_times
+from fuzzytime.language import About, find_times, without_article
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration, instant_after, seconds_between
 from fuzzytime_cli.formats.clock import Clock
@@ -21,8 +21,6 @@ MOST = 5
 
 SHORTEST = timedelta(minutes=1)
 """Below this a gap is none."""
-
-ARTICLES = ("a ", "an ", "the ", "some ", "another ", "my ")
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,7 +205,7 @@ def _bounds(scene: Scene, time: TimeRequirement) -> tuple[datetime | None, datet
 
 def _length_of(scene: Scene, thing: str) -> tuple[timedelta, bool]:
     """Give how long something takes, and whether that is assumed: "a nap", "call mum"."""
-    words = next((thing[len(one) :] for one in ARTICLES if thing.lower().startswith(one)), thing)
+    words = without_article(thing, scene.conversation.interpreter.language.lexicon)
     for text in (words, f"have {words}"):
         trial = scene.conversation.state.with_entries([text], scene.now)
         made = scene.conversation.understood(scene.now, trial)

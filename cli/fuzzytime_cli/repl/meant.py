@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, content_words
+from fuzzytime.language import AT_ONCE, About, AboutKind, content_words
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.repl.naming import (
     all_called,
@@ -18,7 +18,6 @@ from fuzzytime_cli.repl.retiming import days_on, some_time, with_time
 from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting
 from fuzzytime_cli.session import Entry
 
-AT_ONCE = "right now"
 ONE_AT_A_TIME = "one at a time, such as: move the call to six; or: push everything back by an hour"
 
 

@@ -1,6 +1,6 @@
 """What is said about what was asked for already: "no, make it six", "cancel the call", "when do I stir?"."""
 
-from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.about import AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.continued import continued
 from fuzzytime.language.about_wishes.corrections import added_time, restated
 from fuzzytime.language.about_wishes.lengths import by_how_much
@@ -8,10 +8,17 @@ from fuzzytime.language.about_wishes.merging import merged_time
 from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
 from fuzzytime.language.about_wishes.reading import about_wishes, behind_what_is_told
 from fuzzytime.language.about_wishes.reports import reported
-from fuzzytime.language.about_wishes.rewording import is_person, is_thing, may_be_thing, reworded
+from fuzzytime.language.about_wishes.rewording import (
+    is_person,
+    is_thing,
+    may_be_thing,
+    reworded,
+    without_article,
+)
 from fuzzytime.language.about_wishes.things import about_things, continuing
 
 __all__ = [
+    "AT_ONCE",
     "About",
     "AboutKind",
     "News",
@@ -32,4 +39,5 @@ __all__ = [
     "reported",
     "restated",
     "reworded",
+    "without_article",
 ]

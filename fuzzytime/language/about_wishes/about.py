@@ -3,6 +3,9 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
+AT_ONCE = "right now"
+"""The time of what is to be done before all else."""
+
 
 class AboutKind(StrEnum):
     """What is said of them."""

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.about import AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.exceptions import exception
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, days_on, later_by
@@ -135,7 +135,7 @@ def _ordered(said: Said) -> About | None:
     for place in range(2, len(said.words)):
         thing, rest = said.until(place).behind(1), said.behind(place)
         if rest.is_in("first"):
-            return replace(_about(AboutKind.MOVE, thing), time="right now")
+            return replace(_about(AboutKind.MOVE, thing), time=AT_ONCE)
         new = rest.without("instead")[0]
         if new.words and not new.without(*DIRECTIONS)[0].words and _is_last(thing):
             # "Do it earlier": by how much is not said

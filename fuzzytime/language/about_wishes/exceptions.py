@@ -9,6 +9,9 @@ NO = "no"
 COMMA = ","
 FOR = "for "
 
+LONGEST_DAY = 3
+"""Words that a day has at most in front of what it is of."""
+
 
 def exception(said: Said) -> About | None:
     """Read when something is not to be that was asked for; None where it may be a wish."""
@@ -43,10 +46,6 @@ def _day_and_thing(said: Said) -> tuple[str, Said]:
         # "Cancel dinner" is of dinner, and not of its time.
         return "", said
     return _as_day(time, said), Said(of, said.now, said.lexicon)
-
-
-LONGEST_DAY = 3
-"""Words that a day has at most in front of what it is of."""
 
 
 def _as_day(text: str, said: Said) -> str:

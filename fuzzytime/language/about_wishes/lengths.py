@@ -44,5 +44,5 @@ def days_on(said: Said) -> int:
 
 def by_how_much(text: str, now: datetime, lexicon: Lexicon) -> float | None:
     """Give the seconds that a line is which answers "by how much?"; None where it says anything else."""
-    found = Said(text.strip(".?! "), now, lexicon).without(*DIRECTIONS, "more")[0].length()
+    found = Said.of(text, now, lexicon).without(*DIRECTIONS, "more")[0].length()
     return None if found is None or found.rest.words else found.seconds

@@ -62,7 +62,7 @@ def reworded(
             return None
         span = _span_of(reading, place)
         bare = place == _root(reading) and reading.text[slice(*span)].split()[0].lower() not in EMPTY
-        changes.append((span, _without_article(thing, lexicon) if bare else thing))
+        changes.append((span, without_article(thing, lexicon) if bare else thing))
     if time is not None:
         told = [part for part in _times(reading) if part.constraint is not Constraint.FOR]
         spans = list(dict.fromkeys(part.span for part in told))
@@ -188,7 +188,7 @@ def _root(reading: Reading) -> int | None:
     return next((place for place, token in enumerate(reading.tokens) if token.relation == "root"), None)
 
 
-def _without_article(thing: str, lexicon: Lexicon) -> str:
+def without_article(thing: str, lexicon: Lexicon) -> str:
     """Give a thing as it is called in an entry of a diary: "stew" for "the stew"."""
     first, _, rest = thing.partition(" ")
     return rest if rest and first.lower() in lexicon.closed.noun_openers else thing

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from datetime import datetime
 
-from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.about import AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import later_by
 from fuzzytime.language.about_wishes.said import Said
@@ -70,11 +70,9 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if said.forms[-1:] == (FIRST,) and len(said.words) > 1:
         # "The test first"
         names = said.until(len(said.words) - 1).names
-        return About(kind=AboutKind.MOVE, names=names, time="right now", joint=FIRST) if names else None
+        return About(kind=AboutKind.MOVE, names=names, time=AT_ONCE, joint=FIRST) if names else None
     if said.forms[:1] == (FIRST,) and len(said.words) > 1 and not said.has_time:
-        return About(
-            kind=AboutKind.MOVE, names=said.behind(1).names, time="right now", joint=FIRST, certain=True
-        )
+        return About(kind=AboutKind.MOVE, names=said.behind(1).names, time=AT_ONCE, joint=FIRST, certain=True)
     later = later_by(said)
     if later is not None and later[1].names:
         return replace(later[0], names=later[1].names, certain=True)

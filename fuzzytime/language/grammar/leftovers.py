@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.things_of_times import is_of_thing
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Remark, RemarkKind, Span
+from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 
 TELLING = frozenset(
     {"unit", "day", "weekday", "weekdays", "part", "parts", "day_part", "month", "hh:mm", "hh:mm:ss", "y-m-d"}
@@ -97,7 +97,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
 
 def _meets(explained: Sequence[Span], first: Word, last: Word) -> bool:
     """Whether some of the words from one to another were understood."""
-    return any(begin < last.end and first.start < end for begin, end in explained)
+    return any(overlap(span, (first.start, last.end)) for span in explained)
 
 
 def _weekends(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
