@@ -8,6 +8,7 @@ from datetime import UTC, date, datetime, timedelta
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, Time, Wall
+from fuzzytime.language.meaning.hours_of_turns import hours_of_turns
 from fuzzytime.language.meaning.instants import Instants, is_eve
 from fuzzytime.language.meaning.moment import Moment, zone_of
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
@@ -61,7 +62,11 @@ class Deciding:
         if begins_by_policy(repeat) and isinstance(recurrence, EvenRecurrence) and recurrence.first:
             first = self.moment.grounding().now + timedelta(seconds=recurrence.first)
             remarks.append(self._noted(f" begins at {first:%H:%M}: when on that day is not said"))
-        for bound in () if repeat.lent else bounds_said(repeat):
+        bounds = () if repeat.lent else bounds_said(repeat)
+        hours = hours_of_turns(*bounds, self.moment) if bounds else None
+        if hours is not None and not remarks:
+            return self.of_instants(hours, hours.zone)[0]
+        for bound in bounds:
             said = bound.anchor if isinstance(bound, Offset) else bound
             if isinstance(said, Wall) and said.clock is not None and not remarks:
                 remarks += self.of_instants(self.moment.grounding(said.zone).instants(said), said.zone)[0]

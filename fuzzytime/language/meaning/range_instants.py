@@ -47,9 +47,7 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
     clock_end = last.clock if isinstance(last, Wall) and last.days is None else None
     if clock_end is not None and clock_end.is_open and clock_end.half is None:
         # "From sunset until eleven": the next one, however late.
-        ends = (midnight(start.start.date()) + timedelta(seconds=s) for s in clock_end.candidates())
-        nearest = min(moment + timedelta(days=moment <= start.start) for moment in ends)
-        return Instants(start.start, nearest, start.grain)
+        return Instants(start.start, first_after(start.start, clock_end), start.grain)
     if end.start < start.start and isinstance(last, Wall):
         end = _after(clock, start.start).instants(last)
     return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
@@ -186,9 +184,13 @@ def _clock_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
             # "From friday at five to thursday at three": the thursday behind that friday.
             end = _after(clock, start.start).wall(there)
         return replace(grounded, end=end.start)
-    ends = (midnight(start.start.date()) + timedelta(seconds=s) for s in end_clock.candidates())
-    later = [e if e > start.start else e + timedelta(days=1) for e in ends]
-    return replace(grounded, end=min(later), zone=first.zone)
+    return replace(grounded, end=first_after(start.start, end_clock), zone=first.zone)
+
+
+def first_after(moment: datetime, clock: Clock) -> datetime:
+    """Give the first of the moments behind another that a clock time may mean."""
+    there = (midnight(moment.date()) + timedelta(seconds=seconds) for seconds in clock.candidates())
+    return min(found + timedelta(days=found <= moment) for found in there)
 
 
 def half_before(start: Clock, end: Clock) -> Clock:

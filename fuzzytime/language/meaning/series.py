@@ -17,6 +17,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.hours_of_turns import hours_of_turns
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.range_instants import half_before
@@ -176,13 +177,25 @@ def _bounds(repeat: Repeat, moment: Moment) -> tuple[float | None, float | None]
     if both is not None:
         found = moment.grounding().instants(both)
         return moment.seconds(found.start), moment.seconds(found.end)
+    hours = hours_of_turns(first, last, moment)
+    if hours is not None:
+        over = moment.seconds(hours.end, hours.zone)
+        return _next_turn(repeat, moment.seconds(hours.start, hours.zone), over), over
     begins, ends = _bound(first, moment, last=False), _bound(last, moment, last=True)
-    over = begins is not None and ends is not None and ends <= 0 < begins
-    if over and _is_timed(first) and _is_timed(last):
+    gone = begins is not None and ends is not None and ends <= 0 < begins
+    if gone and _is_timed(first) and _is_timed(last):
         # "Every hour between seven and nine", said at nine: the next seven and the nine behind it.
         found = moment.grounding().instants(Range(first, last))
         return moment.seconds(found.start), moment.seconds(found.end)
     return begins, ends
+
+
+def _next_turn(repeat: Repeat, begins: float, ends: float) -> float:
+    """Give when the next turn is of a stretch that may be on: now, where none is left in it."""
+    if begins >= 0.0 or repeat.every is None:
+        return begins
+    coming = begins % repeat.every.seconds
+    return coming if coming <= ends else 0.0
 
 
 def _as_range(first: Time | None, last: Time | None) -> Range | None:
