@@ -115,3 +115,32 @@ def test_what_is_due_on_the_day_of_a_heading_is_done_on_it() -> None:
     assert (bins.constraint, bins.latest) == (Constraint.BETWEEN, DAY - 2 * 3600)
     assert bins.earliest is not None
     assert bins.earliest > 0
+
+
+@pytest.mark.parametrize(
+    "line", ["Saturday, garden:", "Garden, Saturday:", "Saturday 7 March, garden and shed:"]
+)
+def test_a_title_of_several_words_gives_its_day(line: str) -> None:
+    ((mow,),) = _times(line, "- mow at 11")
+    assert mow.earliest == 3 * DAY + 2 * 3600
+
+
+@pytest.mark.parametrize("line", ["Bakery, night shift:", "Morning round, ward 7:", "Robots, line 2:"])
+def test_a_title_is_nothing_to_do(line: str) -> None:
+    title, below = Language.shipped().read_all([(line, NOW), ("- boil the eggs at 12", NOW)])
+    assert title.instructions == ()
+    assert [remark.kind for remark in title.remarks] == [RemarkKind.POLICY]
+    assert [part.earliest for one in below.instructions for part in one.requirements] == [3 * 3600]
+
+
+@pytest.mark.parametrize(
+    "line", ["Clean:", "Fix the fence, saturday:", "Call mum, then:", "Garden, Saturday"]
+)
+def test_an_order_or_an_entry_is_no_title(line: str) -> None:
+    first, _ = Language.shipped().read_all([(line, NOW), ("- boil the eggs at 12", NOW)])
+    assert len(first.instructions) == 1
+
+
+def test_a_remark_below_a_heading_quotes_its_words() -> None:
+    *_, below = Language.shipped().read_all([("Before the guests, at seven:", NOW), ("lay the table", NOW)])
+    assert any(remark.message.startswith("'at seven' is taken as 19:00") for remark in below.remarks)

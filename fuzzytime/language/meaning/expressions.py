@@ -284,10 +284,14 @@ class Said:
 
 @dataclass(frozen=True, slots=True)
 class Phrase:
-    """A stretch of words that is a time: what it says, and where it stands, in words and in characters."""
+    """A stretch of words that is a time: what it says, and where it stands, in words and in characters.
+
+    ``above`` are its words where they stand on a line above, and none of them in this one.
+    """
 
     said: Said
     first: int
     end: int
     span: tuple[int, int]
     rule: str
+    above: str = ""

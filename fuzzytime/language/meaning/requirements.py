@@ -85,7 +85,7 @@ class _Grounder:
     def __init__(self, phrase: Phrase, text: str, moment: Moment) -> None:
         self.phrase = phrase
         self.said = _bounded(phrase.said)
-        self.text = text[phrase.span[0] : phrase.span[1]]
+        self.text = phrase.above or text[phrase.span[0] : phrase.span[1]]
         self.moment = moment
         self._deciding = Deciding(self.text, phrase.span, moment)
 

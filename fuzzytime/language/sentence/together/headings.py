@@ -1,6 +1,7 @@
 """Times on lines of their own, which hold for the lines below: "Saturday:", "Before the guests come:"."""
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -9,6 +10,7 @@ from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Phrase, Range, TimeWord, Wall
 from fuzzytime.language.meaning.told_apart import told_apart
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
+from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
 
 MARK = ":"
@@ -16,6 +18,9 @@ MARK = ":"
 
 FEWEST = 3
 """Lines below a title, at least."""
+
+LONGEST = 6
+"""Words of a title, at most."""
 
 CALLED = 2
 """Words that call a worker: "Robot 2:"."""
@@ -56,6 +61,9 @@ def _heading_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
     marked = draft.text.rstrip(" *_").endswith(MARK)
     if marked and (called := _called(draft, lexicon)) is not None:
         return Heading(called, draft.text, draft.scanned, addressee=called)
+    if marked and _is_title(draft, lexicon):
+        days = [phrase for phrase in draft.phrases if not _names_thing(phrase, draft)]
+        return Heading(_name_of(draft), draft.text, draft.scanned, _held(draft, days))
     if len(draft.parts) != 1 or not (marked or len(draft.phrases) == 1):
         return None
     if marked:
@@ -72,8 +80,55 @@ def _heading_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
         return None
     if (not marked and not _is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
         return None
-    held = tuple(replace(phrase, first=0, end=0, span=(0, 0), rule=HEADED) for phrase in phrases)
-    return Heading(draft.text.strip(" :.-*#_"), draft.text, draft.scanned, held, clauses)
+    return Heading(_name_of(draft), draft.text, draft.scanned, _held(draft, phrases), clauses)
+
+
+def _is_title(draft: Draft, lexicon: Lexicon) -> bool:
+    """Whether a line with a colon says what the lines below are about: "Saturday, garden:", "Bakery:".
+
+    It has no times but days, and asks for nothing.
+    """
+    named = [word for word in draft.scanned.words if word.is_letters]
+    timed = {place for phrase in draft.phrases for place in range(phrase.first, phrase.end)}
+    beside = [
+        word for place, word in enumerate(draft.scanned.words) if place not in timed and word.is_letters
+    ]
+    if not beside or beside[0].text in lexicon.function_words or len(named) > LONGEST:
+        return False
+    if not all(phrase.said.is_day and _is_of_calendar(phrase) for phrase in draft.phrases):
+        return False
+    asked = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
+    return not any(_begins_order(part, asked) for part in draft.parts)
+
+
+def _names_thing(phrase: Phrase, draft: Draft) -> bool:
+    """Whether a part of the day calls what stands behind it: "Morning round:"."""
+    words = draft.scanned.words
+    return not _names_day(phrase) and phrase.end < len(words) and words[phrase.end].is_letters
+
+
+def _begins_order(part: Part, asked: AbstractSet[str]) -> bool:
+    """Whether a part begins with what is done to something: "clean:", "fix the fence:"."""
+    tree = part.tree
+    first = next((place for place, node in enumerate(tree.nodes) if node.text[0].isalpha()), None)
+    if first is None:
+        return False
+    owned = any(tree.children(thing, "det", "poss") for thing in tree.children(first, "dobj"))
+    root = tree.nodes[tree.root]
+    return tree.nodes[first].lower in asked or root.lower in asked or owned
+
+
+def _name_of(draft: Draft) -> str:
+    """Give the words of a heading, without its marks."""
+    return draft.text.strip(" :.-*#_")
+
+
+def _held(draft: Draft, phrases: Sequence[Phrase]) -> tuple[Phrase, ...]:
+    """Give times as they hold for other lines, in which they have no place."""
+    return tuple(
+        replace(phrase, first=0, end=0, span=(0, 0), rule=HEADED, above=draft.text[slice(*phrase.span)])
+        for phrase in phrases
+    )
 
 
 def _title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
@@ -95,8 +150,7 @@ def _title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
     done = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
     if named[-1] in events - lexicon.frames or named[0] in done:
         return None
-    held = replace(day, first=0, end=0, span=(0, 0), rule=HEADED)
-    return Heading(first.text[slice(*day.span)], first.text, first.scanned, (held,))
+    return Heading(first.text[slice(*day.span)], first.text, first.scanned, _held(first, (day,)))
 
 
 def _is_clocked(phrase: Phrase) -> bool:
@@ -166,6 +220,8 @@ def read_heading(draft: Draft) -> Reading:
     said = draft.text if heading is None else heading.name
     what = "day" if heading is not None and heading.is_day and not heading.clauses else "time"
     message = f"{said!r} is taken as the {what} of the lines below it"
+    if heading is not None and not heading.phrases and not heading.clauses:
+        message = f"{said!r} is taken as what the lines below it are about"
     if heading is not None and heading.addressee is not None:
         message = f"{said!r} is taken as who is asked in the lines below it"
     remark = Remark(RemarkKind.POLICY, (0, len(draft.text)), message)
