@@ -69,6 +69,9 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
         if "not" in between and _lies_in(new.said.time, old.said.time):
             # "Tomorrow, not at noon"
             continue
+        if "not" in between and _is_length(old.said) is not _is_length(new.said):
+            # "For an hour, not at noon": how long, and when not.
+            continue
         if _takes_back(between):
             # "On monday, not tuesday"; but "tomorrow, not before ten" is one time.
             kept.remove(new)
@@ -94,6 +97,11 @@ def _lies_in(inner: Time | Duration | Repeat, outer: Time | Duration | Repeat) -
         return inner.clock is not None or outer.part is None
     longer = outer.days is not None and outer.days.grain is not Unit.DAY
     return longer and isinstance(inner.days, Fields) and inner.days.weekly
+
+
+def _is_length(said: Said) -> bool:
+    """Whether it says how long, and not when."""
+    return said.constraint is Constraint.FOR or isinstance(said.time, Duration)
 
 
 def _takes_back(between: Sequence[str]) -> bool:
