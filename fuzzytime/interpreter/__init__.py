@@ -14,6 +14,7 @@ Understanding (``interpreter``)
 What binds skills
     References: ``references``, ``ties``, ``circles``; what cannot be done during another (``both_hands``).
     Order: ``in_order`` by ``steps``, ``procedures``, ``loosening``.
+    Where some skills are left out: ``renumbering``.
 
 Planning (``planner``)
     What happens by itself, and what has begun: ``happening``, ``started``.

@@ -7,6 +7,7 @@ from dataclasses import replace
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import too_late
+from fuzzytime.interpreter.renumbering import renumbered
 from fuzzytime.interpreter.request import Started
 from fuzzytime.satisfaction import NEVER, Rectangle
 from fuzzytime.skills import Busy, Precedence
@@ -29,20 +30,15 @@ def without_started(
     ]
     moved = {position: place for place, position in enumerate(open_positions)}
     skills = {position: _possible(interpretation.skills[position], failed) for position in open_positions}
-    binding: list[list[Precedence]] = [[], []]
-    for kept, precedences in zip(binding, (interpretation.precedences, interpretation.order), strict=True):
-        for precedence in precedences:
-            if precedence.first in moved and precedence.second in moved:
-                first, second = moved[precedence.first], moved[precedence.second]
-                kept.append(replace(precedence, first=first, second=second))
-            elif precedence.second in moved:
-                first_started = by_identifier[interpretation.skills[precedence.first].identifier]
-                skills[precedence.second] = _released(skills[precedence.second], first_started, precedence)
+    for precedence in (*interpretation.precedences, *interpretation.order):
+        if precedence.second in moved and precedence.first not in moved:
+            first = by_identifier[interpretation.skills[precedence.first].identifier]
+            skills[precedence.second] = _released(skills[precedence.second], first, precedence)
     return replace(
         interpretation,
         skills=tuple(skills[position] for position in open_positions),
-        precedences=tuple(binding[0]),
-        order=tuple(binding[1]),
+        precedences=renumbered(interpretation.precedences, moved),
+        order=renumbered(interpretation.order, moved),
         problems=_open_problems(interpretation, by_identifier),
     ), _held(interpretation, started)
 

@@ -5,9 +5,9 @@ How often that is can be told only where it is known when the other is.
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 
 from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.interpreter.renumbering import renumbered
 from fuzzytime.skills import Precedence
 
 
@@ -35,14 +35,7 @@ def without(
     """Leave out the skills at some positions, and what binds them."""
     kept = [place for place in range(len(skills)) if place not in positions]
     moved = {place: new for new, place in enumerate(kept)}
-    left = [
-        tuple(
-            replace(entry, first=moved[entry.first], second=moved[entry.second])
-            for entry in precedences
-            if entry.first in moved and entry.second in moved
-        )
-        for precedences in binding
-    ]
+    left = [renumbered(precedences, moved) for precedences in binding]
     return [skills[place] for place in kept], left
 
 

@@ -642,6 +642,32 @@ def test_a_new_time_keeps_what_it_leaves_open(first: str, anew: str, entry: str)
 
 
 @pytest.mark.model
+@pytest.mark.parametrize(
+    ("first", "anew", "entry"),
+    [
+        ("walk the dog at seven pm", "make that half past", "walk the dog at half past 7 pm"),
+        ("walk the dog at seven pm", "make it quarter to", "walk the dog at quarter to 7 pm"),
+        ("walk the dog at seven pm", "sorry, ten to", "walk the dog at ten to 7 pm"),
+        ("walk the dog at half past seven pm", "no, quarter to", "walk the dog at quarter to 8 pm"),
+        ("walk the dog at quarter past six pm", "no, half past", "walk the dog at half past 6 pm"),
+        ("walk the dog before seven pm", "no, by half past", "walk the dog by half past 7 pm"),
+        ("walk the dog at midnight", "no, ten to", "walk the dog at ten to 12 am"),
+        ("walk the dog tomorrow at seven am", "no, half past", "walk the dog tomorrow at half past 7 am"),
+        ("walk the dog every day at six pm", "no, half past", "walk the dog every day at half past 6 pm"),
+        # No hour was said that could be kept, or a new one is.
+        ("walk the dog in ten minutes", "no, half past", "walk the dog at half past"),
+        ("walk the dog at seven pm", "no, half past eight pm", "walk the dog at half past eight pm"),
+        ("walk the dog at seven pm", "no, at eight pm", "walk the dog at eight pm"),
+    ],
+)
+def test_minutes_past_no_hour_keep_the_one_that_was_said(first: str, anew: str, entry: str) -> None:
+    talk = Talk()
+    talk.say(first)
+    talk.say(anew)
+    assert talk.entries == [entry]
+
+
+@pytest.mark.model
 def test_a_day_that_stays_is_the_same_day_when_it_is_said_later() -> None:
     talk = Talk()
     talk.say("call mum tomorrow at six pm")

@@ -1,6 +1,6 @@
 """A new time with what it leaves of the old one: "tomorrow at six", and then "no, at seven"."""
 
-from datetime import datetime
+from datetime import datetime, timedelta
 
 from fuzzytime.language.about_wishes.said import CLOCKED, one_time
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -30,6 +30,7 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
     >>> merged_time("tomorrow at six", wednesday, "at seven", wednesday, shipped_lexicon())
     'tomorrow at seven'
     """
+    new = _past_hour_said(new, old, said, now, lexicon)
     other = one_time(new, now, lexicon)
     if other is None:
         return new
@@ -67,8 +68,61 @@ def _at_that_hour(text: str, clock: str, old: str, said: datetime, now: datetime
     return text if _hour_of(time, now) == _hour_of(anew, now) else words
 
 
+def _past_hour_said(new: str, old: str, said: datetime, now: datetime, lexicon: Lexicon) -> str:
+    """Give minutes past or to no hour with the one that makes them the nearest to the old time.
+
+    Of two as near that is the hour of the old one: what was at seven, and then is at half past, is so
+    half an hour later.
+    """
+    before, anew = _clock_in(old, said, lexicon), one_time(new, now, lexicon)
+    if before is None or anew is None or not _names_clock(anew):
+        return new
+    begin = before.replace(minute=0, second=0, microsecond=0)
+    minute = instant_after(now, anew.t_spec or 0.0).minute
+    found: list[tuple[float, bool, str]] = []
+    for hours in (0, 1, -1, 2):
+        hour = begin + timedelta(hours=hours)
+        text = f"{new} {hour.hour % 12 or 12} {HALVES[hour.hour // 12]}"
+        whole = one_time(text, now, lexicon)
+        if whole is None or not _names_clock(whole):
+            continue
+        then = instant_after(now, whole.t_spec or 0.0)
+        if then.minute == minute:
+            away = abs(_second_of(then) - _second_of(before))
+            found.append((min(away, DAY_SECONDS - away), then.hour != begin.hour, text))
+    return min(found)[2] if found else new
+
+
+def _clock_in(text: str, said: datetime, lexicon: Lexicon) -> datetime | None:
+    """Give the clock time that a time is at, or bounded by first; None where it names none."""
+    if not any(_is_clock(word, said, lexicon) for word in text.split()):
+        # "Tomorrow morning" begins at an hour that nobody said.
+        return None
+    for piece in _pieces(text):
+        time = one_time(piece, said, lexicon)
+        bounds = () if time is None else (time.t_spec, time.earliest, time.latest)
+        first = next((bound for bound in bounds if bound is not None), None)
+        if time is not None and time.grain in CLOCKED and first is not None:
+            return instant_after(said, first)
+    return None
+
+
+def _is_clock(word: str, said: datetime, lexicon: Lexicon) -> bool:
+    time = one_time(f"at {word}", said, lexicon)
+    return time is not None and _is_at_clock(time)
+
+
+def _second_of(instant: datetime) -> float:
+    """Give the second of the day."""
+    return instant.hour * 3600.0 + instant.minute * 60.0 + instant.second
+
+
+def _names_clock(time: TimeRequirement) -> bool:
+    return time.t_spec is not None and time.grain in CLOCKED
+
+
 def _is_at_clock(time: TimeRequirement) -> bool:
-    return time.constraint is Constraint.AT and time.t_spec is not None and time.grain in CLOCKED
+    return time.constraint is Constraint.AT and _names_clock(time)
 
 
 def _hour_of(time: TimeRequirement, now: datetime) -> float:

@@ -227,7 +227,9 @@ class Said:
     def as_number(self) -> str:
         """Give it where it is a number alone: what could count minutes; else empty."""
         counted = self._as_one_time(f"{FOR}{self.text} {Unit.MINUTE}s")
-        return self.text if counted and counted[0].unit is Unit.MINUTE else ""
+        # "For half past minutes" is no length of time, but one gone by.
+        lasts = bool(counted) and counted[0].constraint is Constraint.FOR
+        return self.text if lasts and counted[0].unit is Unit.MINUTE else ""
 
     def _as_one_time(self, text: str) -> tuple[TimeRequirement, ...]:
         """Give the time that a text is, whole, if it is one."""
