@@ -50,6 +50,19 @@ def test_a_line_goes_on_with_the_verb_said_last(lines: str, entries: list[str]) 
     assert _said(lines).entries == entries
 
 
+def test_the_same_again_is_repeated_on_another_day_from_the_hour_said() -> None:
+    talk = _said("stir the soup every hour from ten am to two pm | same again tomorrow")
+    again = "stir the soup every hour from ten am to two pm tomorrow"
+    assert talk.entries == ["stir the soup every hour from ten am to two pm", again]
+
+
+@pytest.mark.parametrize("line", ["stir it every hour until 2 pm", "stir it every ten minutes for an hour"])
+def test_the_same_again_is_pointed_at_where_no_hour_was_said_to_begin(line: str) -> None:
+    talk = _said(line)
+    assert "say it in full" in talk.say("same again tomorrow")
+    assert talk.entries == [line]
+
+
 @pytest.mark.parametrize(
     "lines",
     [

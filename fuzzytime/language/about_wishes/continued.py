@@ -6,10 +6,13 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.about_wishes.about import AboutKind
 from fuzzytime.language.about_wishes.rewording import is_thing, reworded
+from fuzzytime.language.about_wishes.said import one_time
 from fuzzytime.language.about_wishes.things import continuing
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
-from fuzzytime.language.instruction import Operation
+from fuzzytime.language.instruction import Operation, Reading
+from fuzzytime.requirement import TimeRequirement
+from fuzzytime.times import instant_after
 
 MOST_WORDS = 6
 """Words that the name of a thing has at most."""
@@ -50,7 +53,11 @@ def continued(text: str, now: datetime, before: str, said: datetime, language: "
     if len(operations) != 1 or operations[0].negated:
         return None
     if about.kind is AboutKind.AGAIN:
-        return reworded(reading, lexicon, time=about.time, now=now)
+        anew = reworded(reading, lexicon, time=about.time, now=now)
+        if anew is None or not about.time:
+            return anew
+        day = one_time(about.time, now, lexicon)
+        return anew if _is_repeated_alike(reading, language.read(anew, now=now), said, now, day) else None
     if not about.certain and (operations[0].stated or is_thing(reading)):
         return None
     if not about.certain and _is_met(about.thing, operations[0], lexicon):
@@ -59,6 +66,29 @@ def continued(text: str, now: datetime, before: str, said: datetime, language: "
     time = about.time if about.time or about.text else None
     anew = reworded(reading, lexicon, thing=about.thing, joint=about.joint, time=time, now=now)
     return f"{about.text} {anew}".strip() if anew is not None else None
+
+
+def _is_repeated_alike(
+    old: Reading, anew: Reading, said: datetime, now: datetime, day: TimeRequirement | None
+) -> bool:
+    """Whether what is repeated begins at the same hour on the new day; what is done once may at any.
+
+    "Every hour until two" says no hour at which it would begin tomorrow.
+    """
+    before, then = (_first_turn(reading) for reading in (old, anew))
+    if before is None or then is None:
+        return True
+    if day is None or day.earliest is None:
+        return False
+    on_day = day.earliest <= then and (day.latest is None or then < day.latest)
+    return on_day and instant_after(said, before).time() == instant_after(now, then).time()
+
+
+def _first_turn(reading: Reading) -> float | None:
+    """Give when what is repeated is done first; None where nothing is."""
+    recurrences = (part.recurrence for one in reading.instructions for part in one.requirements)
+    turns = (turn for one in recurrences if one is not None for turn in one.coming(1))
+    return next((begin for begin, _ in turns), None)
 
 
 def _is_met(thing: str, operation: Operation, lexicon: Lexicon) -> bool:
