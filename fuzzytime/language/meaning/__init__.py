@@ -12,7 +12,7 @@ Values
 
 From values to requirements
     Grounding: ``grounding``, ``chosen_clocks``, ``dated_weekdays``, ``part_instants``,
-    ``range_instants``; repetitions: ``series``.
+    ``range_instants``; repetitions: ``series``, ``hours_of_turns``.
     One of several times: ``offered_days``.
     When something is not to be done: ``denied_times``.
     Two times as one: ``beside``, ``told_apart``, ``repeats_beside``, ``bounded_repeats``, ``first_times``,
