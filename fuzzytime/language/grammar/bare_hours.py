@@ -90,7 +90,11 @@ class BareHours(Standing):
             return True
         if not self.measures.is_number(before):
             return False
-        named = before > 0 and self.texts[before - 1] in self.lexicon.machines
+        called = self.texts[before - 1] if before else ""
+        # "Answer question 9 by 9"; but "a table 4 by 6"
+        named = called in self.lexicon.machines or self.measures.is_called(before)
+        # "Choose one by five"
+        named = named or self.texts[before] in self.closed.singular_determiners
         measures = not named and not self.measures.is_amount(before)
         return said.preposition == "through" or (said.preposition == "by" and measures)
 

@@ -10,11 +10,11 @@ def is_played(start: int, around: Surroundings) -> bool:
 
     That is the time words right behind the verb, or words with capitals.
     """
-    verb = next((p for p, text in enumerate(around.texts[:start]) if text in around.lexicon.playing), start)
+    verb = next((place for place in range(start) if around.plays(place)), start)
     title = range(verb + 1, start + 1)
     capital = all(around.words[p].capital or around.texts[p] in around.closed.articles for p in title)
     timely = all(around.timely(p) or around.is_counting(p) for p in title)
-    return verb < start and around.opens(verb) and (capital or timely)
+    return verb < start and (capital or timely)
 
 
 def says_which(piece: Piece, around: Surroundings) -> bool:

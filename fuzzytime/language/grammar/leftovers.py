@@ -6,6 +6,7 @@ from fuzzytime.language.grammar.called_things import is_event, is_played, says_o
 from fuzzytime.language.grammar.countdowns import counted_from_zero
 from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.proper_names import names_in
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.things_of_times import is_of_thing
@@ -65,6 +66,7 @@ def not_understood(text: str, span: Span) -> str:
 def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:
     """Give the places of words that look like time, and are no part of a noun: "the Sunday dress"."""
     around = Surroundings(scanned.words, lexicon)
+    named = {place for start, end in names_in(around) for place in range(start, end)}
     yield from _weekends(scanned, explained, around)
     yield from _dates(scanned, explained, around)
     yield from counted_from_zero(scanned, explained, lexicon)
@@ -79,6 +81,8 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                 counted = start > 0 and "integer" in scanned.cells[start - 1]
                 doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
                 if len(words) == 1 and words[0].is_letters and doubtful and not counted:
+                    continue
+                if not named.isdisjoint(range(piece.start, piece.end)):
                     continue
                 if is_of_thing(piece, around) or is_event(piece, around):
                     continue

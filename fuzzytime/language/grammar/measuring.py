@@ -115,6 +115,9 @@ class Measures:
             return text in lexicon.measure_verbs or text in nouns
         if said.preposition not in AMOUNTED:
             return False
+        if text in lexicon.counting and said.preposition == "by" and place + 1 < piece.start:
+            # "Choose one by five", "count the till by ten"
+            return False
         if text in lexicon.amount_nouns or text in lexicon.counting:
             return True
         if self.texts[piece.start] not in {"by", "from", "up"}:
@@ -180,6 +183,17 @@ class Measures:
         """Whether four digits are a clock time: "0815"."""
         return self.words[place].is_digits and len(self.texts[place]) == CLOCK_DIGITS
 
+    def is_called(self, place: int) -> bool:
+        """Whether a number is the name of a thing that has no article: "at platform 9", "season 2"."""
+        led = {*self.texts[max(0, place - 2) : place - 1]}
+        named = place > 0 and self.texts[place - 1] in self.called_by_number
+        return named and self.is_number(place) and not led <= self.closed.noun_openers
+
+    @property
+    def called_by_number(self) -> frozenset[str]:
+        """What a number right behind is the name of: "room 12", "season 2"."""
+        return self.lexicon.measure_nouns | self.lexicon.machines | self.lexicon.no_times.numbered
+
     def divided(self, piece: Piece) -> bool:
         """Whether a number says into how many parts: "cut it in two"."""
         return bool(self.lexicon.dividing & set(self.texts[max(0, piece.start - NEAR) : piece.start]))
@@ -190,7 +204,7 @@ class Measures:
         bare = piece.value.preposition is None and self.is_number(piece.start)
         # "Flight 6:40 am on friday" leaves then.
         bare = bare and self.lexicon.beside.of_hours.isdisjoint(self.texts[piece.start : piece.end])
-        nouns = self.lexicon.measure_nouns | self.lexicon.machines if bare else self.lexicon.amount_nouns
+        nouns = self.called_by_number if bare else self.lexicon.amount_nouns
         # "Turn it down a degree at ten": how much is said.
         told = not bare and self.texts[max(0, piece.start - 2) : piece.start - 1] in (["a"], ["one"])
         return piece.start > 0 and self.texts[piece.start - 1] in nouns and not told

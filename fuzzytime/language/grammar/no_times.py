@@ -1,11 +1,12 @@
 """What looks like a time and is none: street numbers, ratios, set values, metres, arithmetic, idioms."""
 
-from collections import defaultdict
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.proper_names import has_surname, names_in
+from fuzzytime.language.grammar.spoken_of import is_spoken_of
 from fuzzytime.language.grammar.standing import Standing
+from fuzzytime.language.grammar.things_of_times import is_of_street
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall
 from fuzzytime.requirement import Unit
 
@@ -18,16 +19,6 @@ FAR = 6
 ENDS = frozenset({".", ",", "!", "?", ";"})
 
 
-@lru_cache(maxsize=4)
-def _by_first_word(texts: frozenset[str]) -> dict[str, list[tuple[str, ...]]]:
-    """Give forms of some words by their first."""
-    found: defaultdict[str, list[tuple[str, ...]]] = defaultdict(list)
-    for text in texts:
-        form = tuple(text.split())
-        found[form[0]].append(form)
-    return dict(found)
-
-
 class NoTime(Standing):
     """What stands around readings that only look like a time."""
 
@@ -35,7 +26,11 @@ class NoTime(Standing):
         """Whether a reading is none."""
         return (
             self._is_of_idiom(piece)
-            or self._is_of_street(piece)
+            or is_of_street(piece, self.around)
+            or is_spoken_of(piece, self.around)
+            or has_surname(piece, self.around)
+            or self._is_in_sunshine(piece)
+            or self._is_age(piece)
             or self._is_value(piece)
             or self._is_far(piece)
             or self._is_reckoned(piece)
@@ -53,22 +48,38 @@ class NoTime(Standing):
 
     @cached_property
     def _idioms(self) -> list[tuple[int, int]]:
-        """Give where idioms stand in the text."""
-        forms = _by_first_word(self.lexicon.no_times.idioms)
-        found = (
-            (start, longest_match(self.words, start, forms[text]))
-            for start, text in enumerate(self.texts)
-            if text in forms
-        )
-        return [(start, start + len(form)) for start, form in found if form is not None]
+        """Give where idioms, and names that hold a time, stand in the text."""
+        return names_in(self.around)
 
-    def _is_of_street(self, piece: Piece) -> bool:
-        """Whether a street is called like it: "12 march road"; but "on 12 march road works begin"."""
-        streets = self.lexicon.no_times.streets
-        if not self.around.is_day(piece.end - 1) or self.around.follower(piece) not in streets:
+    def _is_in_sunshine(self, piece: Piece) -> bool:
+        """Whether the sun in it shines: "in the sun at noon", "dry it in the morning sun"."""
+        return any(map(self._shines, range(max(1, piece.start), min(piece.end + 1, len(self.texts)))))
+
+    def _shines(self, place: int) -> bool:
+        """Whether a weekday's short form has an article, and so is a thing; but "meet on the sat"."""
+        if not (self.is_ambiguous(place) and self.around.is_weekday(place)):
             return False
-        behind = {*self.texts[piece.end + 1 : piece.end + 2]}
-        return behind <= self.lexicon.function_words | ENDS or self.around.timely(piece.end + 1)
+        led = place - 1
+        if led and self.around.is_part(led):
+            # "The afternoon sun"
+            led -= 1
+            return self.texts[led] in self.closed.noun_openers
+        *_, before = ("", *self.texts[:led])
+        return self.texts[led] == "the" and before != "on"
+
+    def _is_age(self, piece: Piece) -> bool:
+        """Whether it begins with how old somebody is then: "she turns nine on friday"."""
+        wall, verb = piece.value.time, piece.start - 1
+        clock = wall.clock if isinstance(wall, Wall) and piece.value.preposition is None else None
+        if clock is None or clock.grain is not Unit.HOUR or verb < 1:
+            return False
+        told = not self.beside.of_clocks.isdisjoint(self.texts[piece.start : piece.end])
+        if told or not self.measures.is_number(piece.start):
+            return False
+        somebody = self.texts[verb - 1] in self.closed.third_person_singular | self.lexicon.persons
+        known = self.texts[verb - 1] not in {"it", *self.closed.object_pronouns}
+        aged = self.texts[verb] in self.lexicon.no_times.aging
+        return aged or (somebody and known and self.texts[verb] in self.closed.third_person_be)
 
     def _is_value(self, piece: Piece) -> bool:
         """Whether something is set to it: "set the ratio to 1:30", "price it at 8.45", "upgrade to 10.30"."""

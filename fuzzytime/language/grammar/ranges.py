@@ -28,6 +28,9 @@ class Ranges(Standing):
         if self.around.is_owned(piece):
             # "Move my three o'clock to five"
             return False
+        if self.measures.is_called(piece.start) and self.texts[piece.start - 2] in self.lexicon.places:
+            # "Wait at platform 9 until 9"
+            return False
         if self.texts[piece.start] == "one" and self.around.before(piece).isalpha():
             # "Reserve the blue one until friday"
             return False

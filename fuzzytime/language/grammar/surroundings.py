@@ -92,6 +92,12 @@ class Surroundings(LookedUp):
         starts = asked or before in self.beside.sentence_starts or before in self.lexicon.addresses
         return starts or self._follows_time(place)
 
+    def plays(self, place: int) -> bool:
+        """Whether a verb at a place has a title behind it, as "play", or "listen to" with both its words."""
+        if self.texts[place] == "to" and place:
+            return self.texts[place - 1] in self.lexicon.no_times.listening and self.opens(place - 1)
+        return self.texts[place] in self.lexicon.playing and self.opens(place)
+
     def _follows_time(self, place: int) -> bool:
         """Whether only another time, and a joint, stands before a place: "at six or | at eight call dad"."""
         before = self.texts[: max(place - 1, 0)]

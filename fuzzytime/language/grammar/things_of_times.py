@@ -1,6 +1,7 @@
 """Words about time that belong to a thing: "the 24-hour shop", "next week's shifts", "10/min"."""
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.spoken_of import is_spoken_of
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.language.meaning.relations import Relative, Which
@@ -8,6 +9,9 @@ from fuzzytime.requirement import Unit
 
 DEICTICS = frozenset(Which)
 """Words before a unit that say which: "next week"."""
+
+ENDS = frozenset({".", ",", "!", "?", ";"})
+"""Marks behind which a sentence, or a clause, is over."""
 
 BOUND = frozenset({"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"})
 """Prepositions that make a day of what is named behind them."""
@@ -20,6 +24,8 @@ def is_of_thing(piece: Piece, around: Surroundings) -> bool:
         or around.is_object(piece.start)
         or (around.before(piece) == "to" and around.names_place(piece))
         or _is_noun(piece, around)
+        or is_of_street(piece, around)
+        or is_spoken_of(piece, around)
         or _is_title(piece, around)
         or _is_share(piece, around)
         or _is_rate(piece, around)
@@ -30,6 +36,15 @@ def is_of_thing(piece: Piece, around: Surroundings) -> bool:
         or around.is_somebody(piece.start)
         or _is_from_the_past(piece, around)
     )
+
+
+def is_of_street(piece: Piece, around: Surroundings) -> bool:
+    """Whether a street is called like it: "12 march road"; but "on 12 march road works begin"."""
+    streets = around.lexicon.no_times.streets
+    if not around.is_day(piece.end - 1) or around.follower(piece) not in streets:
+        return False
+    behind = {*around.texts[piece.end + 1 : piece.end + 2]}
+    return behind <= around.lexicon.function_words | ENDS or around.timely(piece.end + 1)
 
 
 def _is_cited(piece: Piece, around: Surroundings) -> bool:

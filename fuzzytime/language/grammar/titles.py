@@ -94,9 +94,9 @@ class Titles(Standing):
         # "Play blue monday by new order"
         named = self.around.follower(piece) == "by" and not self.around.timely(piece.end + 1)
         named = named and not self.around.is_day_from_now(piece.start)
-        while verb > 0 and (named or self._is_titular(verb)) and self.texts[verb] not in self.lexicon.playing:
+        while verb > 0 and (named or self._is_titular(verb)) and not self.around.plays(verb):
             verb -= 1
-        return verb >= 0 and self.texts[verb] in self.lexicon.playing and self.around.opens(verb)
+        return verb >= 0 and self.around.plays(verb)
 
     @cached_property
     def _written_out(self) -> frozenset[int]:
@@ -106,7 +106,7 @@ class Titles(Standing):
     @cached_property
     def _plays(self) -> bool:
         """Whether anything is played in the text."""
-        return not self.lexicon.playing.isdisjoint(self.texts)
+        return not (self.lexicon.playing | self.lexicon.no_times.listening).isdisjoint(self.texts)
 
     def _is_of_its_year(self, piece: Piece) -> bool:
         """Whether it is the year that what is played is from: "play a song from 1975"."""

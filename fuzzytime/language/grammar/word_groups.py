@@ -15,6 +15,7 @@ class ClosedClasses:
 
     endings_of_manner: Words
     articles: Words
+    of_titles: Words
     first_person_possessives: Words
     sure_possessives: Words
     possessives: Words
@@ -280,3 +281,13 @@ class NoTimes:
     tiny: Words
     adjectives: Words
     idioms: Words
+    capital_names: Words
+    words: Words
+    words_for: Words
+    spelling: Words
+    meaning: Words
+    rhyming: Words
+    listening: Words
+    of_years: Words
+    aging: Words
+    numbered: Words

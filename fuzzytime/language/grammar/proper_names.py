@@ -1,0 +1,64 @@
+"""Names that hold a word about time: of persons, bands, films, brands, and of what is named after them."""
+
+from functools import lru_cache
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import form_of, longest_match
+from fuzzytime.language.grammar.surroundings import Surroundings
+
+NOTABLE = frozenset({"about", "with", "by", "of", "as"})
+"""Prepositions before who is spoken of: "read about Wednesday Addams"."""
+
+
+@lru_cache(maxsize=4)
+def _forms(texts: frozenset[str]) -> dict[str, list[tuple[str, ...]]]:
+    """Give forms of some words by their first."""
+    found: dict[str, list[tuple[str, ...]]] = {}
+    for form in map(form_of, sorted(texts)):
+        found.setdefault(form[0], []).append(form)
+    return found
+
+
+def names_in(around: Surroundings) -> list[tuple[int, int]]:
+    """Give where what is known by such a name stands: idioms and titles, those with capitals if so typed.
+
+    A name with capitals is one where other words have none: not in "Call Ann After Eight".
+    """
+    kinds, found = around.lexicon.no_times, []
+    for start in range(len(around.words)):
+        for texts in (kinds.idioms, kinds.capital_names):
+            forms = _forms(texts).get(around.texts[start])
+            form = longest_match(around.words, start, forms) if forms else None
+            if form is not None and (texts is kinds.idioms or _is_typed(around, start, len(form))):
+                found.append((start, start + len(form)))
+    return found
+
+
+def _is_typed(around: Surroundings, start: int, length: int) -> bool:
+    """Whether a name is typed with its capitals, where other words are small."""
+    inside = around.words[start : start + length]
+    capitals = all(
+        word.capital or not word.is_letters or word.text in around.closed.of_titles for word in inside
+    )
+    others = (*around.words[:start], *around.words[start + length :])
+    return capitals and any(word.is_letters and not word.capital for word in others)
+
+
+def has_surname(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is a weekday with a name behind it, right behind a verb: "tell Wednesday Addams".
+
+    Persons whose word is no name may be asked on that day: "call Wednesday Mum".
+    """
+    place = piece.start + (around.texts[piece.start] in NOTABLE)
+    if place + 1 != piece.end or not around.is_weekday(place) or not around.words[place].capital:
+        return False
+    name = around.words[piece.end : piece.end + 1]
+    if not name or not name[0].capital or around.timely(piece.end):
+        return False
+    if name[0].text in around.lexicon.persons | around.lexicon.function_words:
+        return False
+    small = any(word.is_letters and not word.capital for word in around.words)
+    before = around.texts[place - 1] if place else ""
+    acted = place > 0 and around.opens(place - 1) and before.isalpha()
+    acted = acted and before not in around.lexicon.function_words and not around.words[place - 1].capital
+    return small and (acted or before in NOTABLE)

@@ -1,0 +1,80 @@
+"""Words about time that are spoken of as words: "the word february", "what does noon mean"."""
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.surroundings import Surroundings
+
+ASKED = "what"
+"""The word that asks for a meaning."""
+
+SAY = "say"
+
+FAR = 4
+"""Words of a question before the word that is asked about, at most."""
+
+LONGEST_HAVING = 3
+"""Words of what has units of time, with its preposition: "of the week"."""
+
+OF_UNITS = frozenset({"of", "in"})
+"""Prepositions between units and what has so many: "the days of the week", "minutes in a day"."""
+
+
+def is_spoken_of(piece: Piece, around: Surroundings) -> bool:
+    """Whether a word about time is one that is spoken of, or what has so many units of time."""
+    return (
+        _is_spelt(piece, around)
+        or _is_translated(piece, around)
+        or _has_meaning(piece, around)
+        or _is_said_how(piece, around)
+        or _has_units(piece, around)
+    )
+
+
+def _is_spelt(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is spelt or defined: "spell Wednesday", "define the word noon"."""
+    kinds, verb = around.lexicon.no_times, piece.start - 1
+    if verb > 1 and around.texts[verb] in kinds.words:
+        verb -= 2 if around.texts[verb - 1] in around.closed.articles else 1
+    return verb >= 0 and around.texts[verb] in kinds.spelling and around.opens(verb)
+
+
+def _is_translated(piece: Piece, around: Surroundings) -> bool:
+    """Whether another word is looked for: "the french word for evening", "a synonym of noon"."""
+    joint = piece.end - len(("for", "noon"))
+    if joint < 1 or piece.end - piece.start > len(("for", "noon")):
+        return False
+    known = around.texts[joint - 1] in around.lexicon.no_times.words_for
+    # "Find the word for tomorrow" may be when.
+    sure = around.texts[joint] == "of" or not around.is_day_from_now(joint + 1)
+    led = not around.closed.articles.isdisjoint(around.texts[max(0, joint - 3) : joint - 1])
+    return around.texts[joint] in {"for", "of"} and known and led and (sure or ASKED in around.texts)
+
+
+def _has_meaning(piece: Piece, around: Surroundings) -> bool:
+    """Whether its meaning is asked for: "what does noon mean", "explain what tomorrow means"."""
+    asked = ASKED in around.texts[max(0, piece.start - FAR) : piece.start]
+    return asked and around.follower(piece) in around.lexicon.no_times.meaning
+
+
+def _is_said_how(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is how something is said, or rhymes: "how do you say noon", "what rhymes with june"."""
+    # "Say" may be a hedge, and "with" bind it.
+    inner = around.texts[piece.start] in {"with", SAY}
+    *_, before, last = ("", "", *around.texts[: piece.start + inner])
+    how = last == SAY and before in {"you", "to", "i", "we", "they"}
+    asked = "how" in around.texts[max(0, piece.start - FAR) : piece.start]
+    return (how and asked) or before in around.lexicon.no_times.rhyming
+
+
+def _has_units(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is what has units of time: "the days of the week", "how many minutes are in a day"."""
+    texts, first = around.texts, piece.start
+    while first and texts[first] not in OF_UNITS and piece.end - first < LONGEST_HAVING:
+        first -= 1
+    if texts[first] not in OF_UNITS:
+        return False
+    if texts[first] == "of":
+        units = first > 1 and texts[first - 1].endswith("s") and around.is_unit(first - 1)
+        units = units or texts[first - 1] in around.lexicon.no_times.of_years
+        return units and first > 1 and texts[first - 2] == "the"
+    counted = texts[:2] == ["how", "many"] and first > len(("how", "many")) and around.is_unit(2)
+    return counted and texts[first - 1] in {"are", "there", texts[2]}

@@ -1,0 +1,60 @@
+"""What only looks like a time needs no remark, and times beside it are kept."""
+
+from datetime import datetime
+
+import pytest
+
+from fuzzytime.language import find_times
+
+NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - said on the wall clock
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "spell the word february",
+        "what does noon mean",
+        "what rhymes with june",
+        "listen to September by Earth Wind and Fire",
+        "rent Freaky Friday",
+        "put on Die Another Day",
+        "send it to 12 May Street",
+        "drive to 9 March Road",
+        "paint the wall midnight blue",
+        "list the months of the year",
+    ],
+)
+def test_what_is_no_time_needs_no_remark(text: str) -> None:
+    found = find_times(text, NOW)
+    assert (found.requirements, found.remarks) == ((), ())
+
+
+@pytest.mark.parametrize(
+    ("text", "time"),
+    [
+        ("spell check it by friday", "by friday"),
+        ("have a word with Tom tomorrow", "tomorrow"),
+        ("translate it tomorrow", "tomorrow"),
+        ("call Ann Friday", "Friday"),
+        ("call Wednesday Mum", "Wednesday"),
+        ("text Friday the address", "Friday"),
+        ("meet Wednesday Noon", "Wednesday Noon"),
+        ("listen tomorrow", "tomorrow"),
+        ("send it to 12 May Street on 12 May", "on 12 May"),
+        ("walk in the sun at noon", "at noon"),
+        ("sit in the sun this afternoon", "this afternoon"),
+        ("dry it in the morning sun tomorrow", "tomorrow"),
+        ("meet on sun at noon", "on sun at noon"),
+        ("she turns nine on friday", "on friday"),
+        ("dinner is 7 on friday", "7 on friday"),
+        ("watch season 2 on sunday", "on sunday"),
+        ("wait at platform 9 until 9", "until 9"),
+        ("book the meeting room 5 to 7 pm", "5 to 7 pm"),
+        ("answer question 9 by 9", "by 9"),
+        ("do exercise 12 by 12", "by 12"),
+        ("choose one by five", "by five"),
+        ("count the till by ten", "by ten"),
+    ],
+)
+def test_a_time_beside_one_is_kept(text: str, time: str) -> None:
+    assert [found.text for found in find_times(text, NOW).requirements] == [time]
