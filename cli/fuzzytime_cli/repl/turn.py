@@ -8,7 +8,7 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError, InstructionError
 from fuzzytime.interpreter import Plan, Problem
-from fuzzytime.language import About, Question
+from fuzzytime.language import About, Question, choice_meant, chooses_none
 from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.inputs.lines import said_in
@@ -145,6 +145,8 @@ class Turns:
         choice = whole_number(words)
         if pending is not None and choice is not None:
             return self._answer(pending, choice)
+        if pending is not None and (answer := self._answer_in_words(words, pending, now)) is not None:
+            return answer
         if words[0] in ":/":
             command, rest = command_of(words)
             return command.run(self._scene(now), rest)
@@ -240,6 +242,19 @@ class Turns:
         if self.asks and len(said) == 1 and reading is not None and reading.questions:
             self.pending = Pending(number, reading.questions[0])
         return Reply(tuple(lines), changed=True, focus=number)
+
+    def _answer_in_words(self, words: str, pending: Pending, now: datetime) -> Reply | None:
+        """Take words that mean one of the choices; put the question again where they choose none."""
+        lexicon = self.conversation.interpreter.language.lexicon
+        if chooses_none(words, now, lexicon):
+            self.pending = pending
+            return Reply(("One of the times has to be taken, or another said, such as: at half past seven.",))
+        choice = choice_meant(words, pending.question, now, lexicon)
+        if choice is None:
+            return None
+        head = f"taken as {choice + 1} ({pending.question.choices[choice]:%A %H:%M}); :undo takes it back"
+        answer = self._answer(pending, choice + 1)
+        return replace(answer, lines=(Text(head), *answer.lines))
 
     def _answer(self, pending: Pending, choice: int) -> Reply:
         """Say the chosen time explicitly in the instruction; what no choice has that number leaves it."""

@@ -1,6 +1,7 @@
 """What is said about what was asked for already: "no, make it six", "cancel the call", "when do I stir?"."""
 
 from fuzzytime.language.about_wishes.about import AT_ONCE, About, AboutKind
+from fuzzytime.language.about_wishes.answers import choice_meant, chooses_none
 from fuzzytime.language.about_wishes.continued import continued
 from fuzzytime.language.about_wishes.corrections import added_time, restated
 from fuzzytime.language.about_wishes.lengths import by_how_much
@@ -28,6 +29,8 @@ __all__ = [
     "added_time",
     "behind_what_is_told",
     "by_how_much",
+    "choice_meant",
+    "chooses_none",
     "clauses_of",
     "continued",
     "continuing",

@@ -3,6 +3,7 @@
 from datetime import datetime, timedelta
 
 from fuzzytime.language.about_wishes.said import CLOCKED, one_time
+from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
 from fuzzytime.requirement import Constraint, TimeRequirement
@@ -35,18 +36,18 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
     if other is None:
         return new
     times = {piece: time for piece in _pieces(old) if (time := one_time(piece, said, lexicon)) is not None}
-    days = [piece for piece, time in times.items() if _is_of_days(time)]
+    days = [piece for piece, time in times.items() if is_of_days(time)]
     for piece, told in times.items():
-        if _is_of_days(other) and any(day.split()[-1] in piece.split() for day in days):
+        if is_of_days(other) and any(day.split()[-1] in piece.split() for day in days):
             continue
         words = _as_said_now(piece, told, said, now, lexicon)
         kept = one_time(words, now, lexicon) or told
         texts = [f"{words} {new}", f"{new} {words}"]
         # Days stand in front: "saturday at six".
-        for text in reversed(texts) if _is_of_days(other) else texts:
+        for text in reversed(texts) if is_of_days(other) else texts:
             both = one_time(text, now, lexicon)
             if both is not None and any(fits(both, other, kept) for fits in (_lies_in, _goes_on, _in_part)):
-                clock = words if _is_of_days(other) else new
+                clock = words if is_of_days(other) else new
                 return _at_that_hour(text, clock, old, said, now, lexicon)
     return _at_that_hour(new, new, old, said, now, lexicon)
 
@@ -58,6 +59,9 @@ def _at_that_hour(text: str, clock: str, old: str, said: datetime, now: datetime
     """
     before, anew = one_time(old, said, lexicon), one_time(text, now, lexicon)
     if before is None or anew is None or not (_is_at_clock(before) and _is_at_clock(anew)):
+        return text
+    if not find_times(text, now, lexicon).questions:
+        # "06:00" is in the morning.
         return text
     hour = _hour_of(before, said)
     halves = [text.replace(clock, f"{clock} {half}", 1) for half in HALVES]
@@ -142,13 +146,13 @@ def _pieces(text: str) -> list[str]:
 def _as_said_now(piece: str, kept: TimeRequirement, said: datetime, now: datetime, lexicon: Lexicon) -> str:
     """Give the words for a day as they are now: "tomorrow", said yesterday, is a date."""
     anew = one_time(piece, now, lexicon)
-    if kept.earliest is None or anew is None or anew.earliest is None or not _is_of_days(kept):
+    if kept.earliest is None or anew is None or anew.earliest is None or not is_of_days(kept):
         return piece
     day = instant_after(said, kept.earliest)
     return piece if day.date() == instant_after(now, anew.earliest).date() else f"on {day:%Y-%m-%d}"
 
 
-def _is_of_days(time: TimeRequirement) -> bool:
+def is_of_days(time: TimeRequirement) -> bool:
     """Whether a time is a day, or several."""
     if time.constraint is not Constraint.BETWEEN or time.earliest is None or time.latest is None:
         return False
@@ -157,9 +161,9 @@ def _is_of_days(time: TimeRequirement) -> bool:
 
 def _lies_in(both: TimeRequirement, one: TimeRequirement, other: TimeRequirement) -> bool:
     """Whether two times together are the one that names no day, on the days of the other."""
-    days = [time for time in (one, other) if _is_of_days(time)]
+    days = [time for time in (one, other) if is_of_days(time)]
     bounds = [bound for bound in (both.earliest, both.latest) if bound is not None]
-    if len(days) != 1 or not bounds or _is_of_days(both):
+    if len(days) != 1 or not bounds or is_of_days(both):
         return False
     first, last = days[0].earliest, days[0].latest
     if last is not None and both.earliest is not None and both.earliest >= last:
@@ -177,7 +181,7 @@ def _goes_on(both: TimeRequirement, other: TimeRequirement, kept: TimeRequiremen
 def _in_part(both: TimeRequirement, one: TimeRequirement, other: TimeRequirement) -> bool:
     """Whether two times together are the clock time of the one, in the part of the day of the other."""
     times = [time for time in (one, other) if time.constraint is Constraint.AT]
-    parts = [time for time in (one, other) if time.constraint is Constraint.BETWEEN and not _is_of_days(time)]
+    parts = [time for time in (one, other) if time.constraint is Constraint.BETWEEN and not is_of_days(time)]
     if not (times and parts) or both.constraint is not Constraint.AT or both.t_spec is None:
         return False
     first, last = parts[0].earliest, parts[0].latest

@@ -229,7 +229,7 @@ _ROWS = {
         "proposing", "exclaiming", "free", "may do", "having time", "done already",
         "said of me", "not done", "asking about", "holding", "besides", "asking next", "asking when",
         "all of it", "by itself", "preferring", "lengths", "a day on", "a day back",
-        "a week on", "a week back",
+        "a week on", "a week back", "agreeing", "the earlier", "the later", "choosing none",
     ),
     "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "amounts"),
 }  # fmt: skip
