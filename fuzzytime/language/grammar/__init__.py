@@ -14,8 +14,8 @@ From a text to readings
 
 Whether a reading is a time where it stands (``judging``)
     For any kind of time: ``borders``, ``cuts``, ``titles``, ``proper_names``, ``spoken_of``, ``no_times``,
-    ``particles``, ``doses``, ``dining``, ``events``, ``standing``, ``surroundings``, ``looked_up``,
-    ``given_times``.
+    ``figures``, ``particles``, ``doses``, ``dining``, ``events``, ``standing``, ``surroundings``,
+    ``looked_up``, ``given_times``.
     Behind another time: ``further``.
     For each kind: ``walls`` with ``bare_hours``, ``run_on_hours``, ``dated_entries`` and ``naming``,
     ``ranges``, ``lengths``, ``measuring``.

@@ -6,6 +6,8 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Wall
 
 
 class GivenTimes:
@@ -47,6 +49,12 @@ class GivenTimes:
         clock = begin < place and self.texts[begin] in self.closed.noun_openers
         named = clock or self.texts[place] in self.lexicon.events or self.around.is_part(place)
         return named and bool(self.lexicon.rescheduling & set(self.texts[max(0, begin - NEAR) : begin + 1]))
+
+    def gets_month(self, piece: Piece, wall: Wall) -> bool:
+        """Whether it is the month in which something will be instead: "postpone the trip to august"."""
+        month = isinstance(wall.days, Fields) and wall.days.month is not None and wall.days.day is None
+        alone = wall.clock is None and wall.part is None
+        return month and alone and self._reschedules(self.texts[max(0, piece.start - NEAR) : piece.start])
 
     def changes_length(self, piece: Piece) -> bool:
         """Whether what goes on for so long gets another length: "change the timer from 10 to 15 minutes"."""

@@ -1,13 +1,18 @@
 """Words that look like time and are part of no time: pointed at, never guessed."""
 
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 
 from fuzzytime.language.grammar.called_things import is_event, is_played, says_of_thing, says_which
+from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.countdowns import counted_from_zero
+from fuzzytime.language.grammar.figures import Figures
 from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.measuring import Measures
 from fuzzytime.language.grammar.proper_names import names_in
 from fuzzytime.language.grammar.spans import Scanned
+from fuzzytime.language.grammar.spoken_of import is_spoken_of
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.things_of_times import is_of_thing
 from fuzzytime.language.grammar.words import Word
@@ -66,6 +71,7 @@ def not_understood(text: str, span: Span) -> str:
 def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:
     """Give the places of words that look like time, and are no part of a noun: "the Sunday dress"."""
     around = Surroundings(scanned.words, lexicon)
+    figures = _Figures(scanned, around)
     named = {place for start, end in names_in(around) for place in range(start, end)}
     yield from _weekends(scanned, explained, around)
     yield from _dates(scanned, explained, around)
@@ -82,7 +88,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                 doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
                 if len(words) == 1 and words[0].is_letters and doubtful and not counted:
                     continue
-                if not named.isdisjoint(range(piece.start, piece.end)):
+                if not named.isdisjoint(range(piece.start, piece.end)) or figures.has(piece):
                     continue
                 if is_of_thing(piece, around) or is_event(piece, around):
                     continue
@@ -97,6 +103,28 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
             word = scanned.words[piece.start]
             if other and around.may_end(piece) and not _meets(explained, word, word):
                 yield from range(start - 1, piece.end)
+
+
+class _Figures:
+    """Where figures stand that are none of times, and words that are spoken of: looked up when asked."""
+
+    def __init__(self, scanned: Scanned, around: Surroundings) -> None:
+        self._scanned, self._around = scanned, around
+
+    def has(self, piece: Piece) -> bool:
+        """Whether what looks like a time is a part of one."""
+        return not self._places.isdisjoint(range(piece.start, piece.end))
+
+    @cached_property
+    def _places(self) -> frozenset[int]:
+        around, lexicon = self._around, self._around.lexicon
+        figures = Figures(around.words, lexicon, Measures(around.words, lexicon), around)
+        return frozenset(
+            place
+            for piece in self._scanned.pieces("said")
+            if figures.hold(piece) or is_spoken_of(piece, around)
+            for place in range(piece.start, piece.end)
+        )
 
 
 def _meets(explained: Sequence[Span], first: Word, last: Word) -> bool:

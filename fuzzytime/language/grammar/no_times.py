@@ -1,17 +1,17 @@
-"""What looks like a time and is none: street numbers, ratios, set values, metres, arithmetic, idioms."""
+"""What looks like a time and is none: streets, the sun, ages, metres, arithmetic, persons, idioms."""
 
 from functools import cached_property
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.proper_names import has_surname, names_in
+from fuzzytime.language.grammar.figures import Figures
+from fuzzytime.language.grammar.proper_names import has_surname, is_whom, names_in
 from fuzzytime.language.grammar.spoken_of import is_spoken_of
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.things_of_times import is_of_street
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall
 from fuzzytime.requirement import Unit
 
-BEFORE = 3
-"""Words between a verb and the value of what it sets, at most."""
+OF = "of"
 
 FAR = 6
 """Words between a verb and how far something goes, at most, with those of its number."""
@@ -22,6 +22,11 @@ ENDS = frozenset({".", ",", "!", "?", ";"})
 class NoTime(Standing):
     """What stands around readings that only look like a time."""
 
+    @cached_property
+    def figures(self) -> Figures:
+        """What stands around figures."""
+        return Figures(self.words, self.lexicon, self.measures, self.around)
+
     def hold(self, piece: Piece) -> bool:
         """Whether a reading is none."""
         return (
@@ -29,9 +34,12 @@ class NoTime(Standing):
             or is_of_street(piece, self.around)
             or is_spoken_of(piece, self.around)
             or has_surname(piece, self.around)
+            or self._is_somebody(piece)
+            or self._is_bought(piece)
+            or self._is_told_of(piece)
             or self._is_in_sunshine(piece)
             or self._is_age(piece)
-            or self._is_value(piece)
+            or self.figures.hold(piece)
             or self._is_far(piece)
             or self._is_reckoned(piece)
             or self._is_of_period(piece)
@@ -50,6 +58,28 @@ class NoTime(Standing):
     def _idioms(self) -> list[tuple[int, int]]:
         """Give where idioms, and names that hold a time, stand in the text."""
         return names_in(self.around)
+
+    def _is_somebody(self, piece: Piece) -> bool:
+        """Whether it begins with who is given something, or spoken to: "give it to April on monday"."""
+        led = any(is_whom(place, self.around) for place in {piece.start, max(0, piece.start - 1)})
+        return led and not self.given.puts_off(piece)
+
+    def _is_told_of(self, piece: Piece) -> bool:
+        """Whether it is a feast that something is of: "a copy of Twelfth Night"."""
+        joint = piece.start - (self.texts[piece.start] != OF)
+        if joint < 1 or self.texts[joint] != OF or joint + 1 >= len(self.texts):
+            return False
+        feast = any(one.category == "feast" for one in self.around.pieces(joint + 1))
+        thing = self.texts[joint - 1]
+        named = thing.isalpha() and thing not in self.lexicon.function_words | self.lexicon.ordinals.keys()
+        return feast and named and not self.around.timely(joint - 1)
+
+    def _is_bought(self, piece: Piece) -> bool:
+        """Whether what is bought is for so long: "buy a weekly ticket"."""
+        before = self.around.before(piece) in self.lexicon.ordering
+        article = self.texts[piece.start] in self.closed.articles
+        again = isinstance(piece.value.time, Repeat)
+        return before and article and again and not self.around.may_end(piece)
 
     def _is_in_sunshine(self, piece: Piece) -> bool:
         """Whether the sun in it shines: "in the sun at noon", "dry it in the morning sun"."""
@@ -80,29 +110,6 @@ class NoTime(Standing):
         known = self.texts[verb - 1] not in {"it", *self.closed.object_pronouns}
         aged = self.texts[verb] in self.lexicon.no_times.aging
         return aged or (somebody and known and self.texts[verb] in self.closed.third_person_be)
-
-    def _is_value(self, piece: Piece) -> bool:
-        """Whether something is set to it: "set the ratio to 1:30", "price it at 8.45", "upgrade to 10.30"."""
-        said, kinds = piece.value, self.lexicon.no_times
-        wall = said.time
-        if not isinstance(wall, Wall) or wall.clock is None or wall.clock.grain is not Unit.MINUTE:
-            return False
-        digits = any(self.words[place].is_digits for place in range(piece.start, piece.end))
-        marked = any(":" in text or "." in text for text in self.texts[piece.start : piece.end])
-        if not (digits and marked) or wall.days is not None:
-            return False
-        if self.around.follower(piece) in self.lexicon.no_times.scales:
-            return True
-        first, before = self.texts[piece.start], self.around.before(piece)
-        place = piece.start - 1
-        if first not in {"to", "at"}:
-            first, before, place = before, self.texts[place - 1] if place else "", place - 1
-        verbs = {*self.texts[max(0, place - BEFORE) : place + 1]}
-        if first == "to":
-            return before in kinds.set_to or before in kinds.renewing
-        held = before in kinds.set_to and not kinds.holding.isdisjoint(verbs)
-        valued = any(self.texts[p] in kinds.valuing and self.around.opens(p) for p in range(place))
-        return first == "at" and (held or valued)
 
     def _is_far(self, piece: Piece) -> bool:
         """Whether it is so many metres: "swim 50m", "cut the board to 1.5 m"; but "boil for 5 m"."""

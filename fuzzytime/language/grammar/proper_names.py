@@ -10,6 +10,10 @@ NOTABLE = frozenset({"about", "with", "by", "of", "as"})
 """Prepositions before who is spoken of: "read about Wednesday Addams"."""
 
 
+NEXT_TO = ("next", "to")
+"""Words before somebody who is beside another."""
+
+
 @lru_cache(maxsize=4)
 def _forms(texts: frozenset[str]) -> dict[str, list[tuple[str, ...]]]:
     """Give forms of some words by their first."""
@@ -62,3 +66,31 @@ def has_surname(piece: Piece, around: Surroundings) -> bool:
     acted = place > 0 and around.opens(place - 1) and before.isalpha()
     acted = acted and before not in around.lexicon.function_words and not around.words[place - 1].capital
     return small and (acted or before in NOTABLE)
+
+
+def is_whom(place: int, around: Surroundings) -> bool:
+    """Whether a preposition at a place, and a name behind it, say who gets or hears something.
+
+    "Give the keys to April", "dine with Dawn", "look after June"; but "push it back to April".
+    """
+    texts, kinds = around.texts, around.lexicon.no_times
+    if place + 1 >= len(texts) or not _is_given_name(place + 1, around):
+        return False
+    joint, before = texts[place], texts[place - 1] if place else ""
+    if (
+        joint in kinds.together
+        or (before, joint) == NEXT_TO
+        or (joint in {"after", "for"} and before in kinds.looking)
+    ):
+        return True
+    moved = around.lexicon.moving | around.lexicon.rescheduling
+    given = not kinds.handing.isdisjoint(texts[:place]) and moved.isdisjoint(texts[:place])
+    given = given and before not in around.beside.put_off and not around.is_day(place - 1)
+    return joint == "to" and given
+
+
+def _is_given_name(place: int, around: Surroundings) -> bool:
+    """Whether a word is a month, a season or a part of the day that persons are called by: "April"."""
+    word = around.words[place]
+    named = around.texts[place] in around.lexicon.no_times.given_names
+    return named and word.capital and any(one.is_letters and not one.capital for one in around.words)

@@ -51,8 +51,8 @@ class Ranges(Standing):
             return False
         if ends and all(end.bare or end.weak for end in ends):
             between = said.preposition == "between" and self._binds(piece)
-            # "Book a room from the 10th to the 12th"
-            dated = all(isinstance(end.days, Fields) and end.days.is_day_of_month for end in ends)
+            # "Book a room from the 10th to the 12th", "let the flat from may to august"
+            dated = all(isinstance(end.days, Fields) for end in ends)
             return between and (dated or not self.measures.measured(piece)) and self.around.may_end(piece)
         return True
 

@@ -7,6 +7,10 @@ ASKED = "what"
 """The word that asks for a meaning."""
 
 SAY = "say"
+CONVERT = "convert"
+
+RECKONED = frozenset({("what", "is"), ("what's",), ("how", "much", "is"), ("how", "long", "is")})
+"""Beginnings of questions that a number answers."""
 
 FAR = 4
 """Words of a question before the word that is asked about, at most."""
@@ -26,6 +30,7 @@ def is_spoken_of(piece: Piece, around: Surroundings) -> bool:
         or _has_meaning(piece, around)
         or _is_said_how(piece, around)
         or _has_units(piece, around)
+        or _is_reckoned(piece, around)
     )
 
 
@@ -78,3 +83,19 @@ def _has_units(piece: Piece, around: Surroundings) -> bool:
         return units and first > 1 and texts[first - 2] == "the"
     counted = texts[:2] == ["how", "many"] and first > len(("how", "many")) and around.is_unit(2)
     return counted and texts[first - 1] in {"are", "there", texts[2]}
+
+
+def _is_reckoned(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is asked what it comes to: "what is 3 hours in minutes", "what is half of 10"."""
+    led = tuple(around.texts[: piece.start])
+    asked = led in RECKONED
+    units = around.follower(piece) == "in" and around.is_unit(piece.end + 1)
+    share = around.texts[piece.start : piece.end].count("of") == 1
+    return asked and (units or share or led[-2:] == ("long", "is"))
+
+
+def is_converted(place: int, around: Surroundings) -> bool:
+    """Whether a unit at a place is one of two: "convert 3 hours to minutes", "what is 1 hour in seconds"."""
+    before = around.texts[place - 1] if place else ""
+    asked = any(tuple(around.texts[: len(form)]) == form for form in RECKONED)
+    return CONVERT in around.texts[:place] or (asked and before == "in")

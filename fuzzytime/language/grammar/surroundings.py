@@ -166,6 +166,9 @@ class Surroundings(LookedUp):
         small = any(word.is_letters and not word.capital for word in self.words[1:])
         named = any(piece.category in {"part", "month"} for piece in self.pieces(place))
         named = named and self.texts[place] not in self.beside.ending_names
+        # "Tell Summer by noon"
+        known = before in self.lexicon.addressing and self.texts[place] in self.lexicon.no_times.given_names
+        named = named or known
         return begun and self.words[place].capital and named and (small or len(self.words) == place + 1)
 
     def is_spent(self, piece: Piece) -> bool:
@@ -198,7 +201,9 @@ class Surroundings(LookedUp):
             behind[0].is_digits or behind[0].text in self.lexicon.ordinals.keys() | {"the", "of", "'"}
         )
         dated = dated or (bool(behind) and behind[0].text in self.lexicon.numbers)
-        return not dated and any(one.category == "month" for one in self.pieces(place))
+        # "Meet dawn at noon"
+        given = self.texts[place] in self.lexicon.no_times.given_names and self.is_part(place)
+        return not dated and (given or any(one.category == "month" for one in self.pieces(place)))
 
     def names_place(self, piece: Piece) -> bool:
         """Whether a name goes on behind it: "to Thursday Island"."""

@@ -1,11 +1,15 @@
 """Words about time that belong to a thing: "the 24-hour shop", "next week's shifts", "10/min"."""
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.spoken_of import is_spoken_of
+from fuzzytime.language.grammar.proper_names import is_whom
+from fuzzytime.language.grammar.spoken_of import is_converted, is_spoken_of
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.language.meaning.relations import Relative, Which
 from fuzzytime.requirement import Unit
+
+MINUTES = 60
+"""So many minutes has no clock time: "1:72" is a scale."""
 
 DEICTICS = frozenset(Which)
 """Words before a unit that say which: "next week"."""
@@ -26,6 +30,8 @@ def is_of_thing(piece: Piece, around: Surroundings) -> bool:
         or _is_noun(piece, around)
         or is_of_street(piece, around)
         or is_spoken_of(piece, around)
+        or is_whom(piece.start - 1, around)
+        or _is_decade(piece, around)
         or _is_title(piece, around)
         or _is_share(piece, around)
         or _is_rate(piece, around)
@@ -47,10 +53,28 @@ def is_of_street(piece: Piece, around: Surroundings) -> bool:
     return behind <= around.lexicon.function_words | ENDS or around.timely(piece.end + 1)
 
 
+def _is_decade(piece: Piece, around: Surroundings) -> bool:
+    """Whether its seconds are years: "80s hits", "songs of the 90s", "the over 60s"."""
+    number = piece.start - 1
+    if around.texts[piece.start : piece.end] != ["s"] or number < 0 or not around.words[piece.start].glued:
+        return False
+    kinds = around.lexicon.no_times
+    *_, before, last = ("", "", *around.texts[:number])
+    tens = around.words[number].is_digits and around.texts[number].endswith("0")
+    aged = last in kinds.around_ages and before in around.closed.noun_openers
+    aged = aged or (tens and last in around.closed.possessives)
+    years = around.follower(piece) in kinds.of_decades or (last == "the" and before in BOUND | {"from"})
+    return aged or (tens and years)
+
+
 def _is_cited(piece: Piece, around: Surroundings) -> bool:
     """Whether a typed clock time is a verse, or which of some things is meant: "the 9:15"."""
     led = around.cites(piece.start) or around.before(piece) == "the"
-    return piece.category.startswith("hh") and led
+    mixed = not around.beside.mixing.isdisjoint(around.texts[: piece.start])
+    # As in "build the model at 1:72".
+    minutes = around.texts[piece.end - 1]
+    scaled = around.texts[piece.start] == "1" and minutes.isdigit() and int(minutes) >= MINUTES
+    return piece.category.startswith("hh") and (led or mixed or scaled)
 
 
 def _is_rate(piece: Piece, around: Surroundings) -> bool:
@@ -109,6 +133,8 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
         return True
     if piece.category == "unit" and "by" in around.texts[max(0, piece.start - 3) : piece.start]:
         # "Push the meeting back by half an hour": how much later, and no time.
+        return True
+    if piece.category == "unit" and is_converted(piece.start, around):
         return True
     verb = around.texts[piece.start - 2] if piece.start > 1 else ""
     if piece.category == "unit" and verb in around.beside.amounts_of_time:

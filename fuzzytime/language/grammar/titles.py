@@ -75,8 +75,13 @@ class Titles(Standing):
             or self._is_of_other_calendar(piece)
             or self.around.is_title(piece)
             or self.around.has_title(piece.start)
-            or (self.around.is_part(piece.start) and self.around.is_somebody(piece.start))
+            or (self._may_be_called(piece.start) and self.around.is_somebody(piece.start))
         )
+
+    def _may_be_called(self, place: int) -> bool:
+        """Whether persons may be called by a word: a part of the day, or a name that is a time, too."""
+        given = self.texts[place] in self.lexicon.no_times.given_names
+        return self.around.is_part(place) or (given and not self.around.is_day(place))
 
     def _is_played(self, piece: Piece) -> bool:
         """Whether it is of the title of what is played: "play yesterday"; but "what can we play tomorrow"."""

@@ -177,6 +177,9 @@ class Walls(Standing):
         if said.preposition == "of" and numbered:
             # "The corner of 5th and Main", "remind me of the 2 for 1 offer"
             return self.texts[piece.start + 1] == "the" and not self.words[piece.end - 1].is_digits
+        if said.preposition == "to" and self.given.gets_month(piece, wall):
+            # "Move the wedding to June"
+            return self.around.may_end(piece)
         if self.is_left_out(piece) and wall.part is None:
             # "Every monday except the 16th"
             return self.around.may_end(piece)
@@ -203,6 +206,9 @@ class Walls(Standing):
             return False
         if said.preposition in {None, "to", "of"}:
             # "Switch to night mode"
+            return True
+        if said.preposition == "for" and self.texts[piece.start] == "for" and piece.end - piece.start == 2:
+            # "Sign up for evening classes"
             return True
         # "The kettle for the night staff"
         owned = self.texts[piece.end - 2] in self.closed.noun_openers and piece.end - piece.start > 1

@@ -291,3 +291,16 @@ class NoTimes:
     of_years: Words
     aging: Words
     numbered: Words
+    versioning: Words
+    screens: Words
+    shapes: Words
+    betting: Words
+    sizing: Words
+    measured_in: Words
+    around_ages: Words
+    of_decades: Words
+    codes: Words
+    together: Words
+    looking: Words
+    handing: Words
+    given_names: Words
