@@ -15,6 +15,9 @@ FAR = 6
 PRESENT_YEARS = 2020
 """Years before are of things, and nobody's plan: "films from 2003"."""
 
+ALWAYS = ["24", "/", "7"]
+"""What is always there: "call 24/7 support", where it says of what."""
+
 DECADES = frozenset(map(str, range(20, 100, 10)))
 """Numbers before a glued "s" that are years: "80s music"."""
 
@@ -33,6 +36,7 @@ class Figures(Standing):
             or self._is_code(piece)
             or self._is_year_of_thing(piece)
             or self._is_rounded(piece)
+            or (self.texts[piece.start : piece.end] == ALWAYS and not self.around.may_end(piece))
         )
 
     def _is_value(self, piece: Piece) -> bool:

@@ -72,7 +72,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     """Give the places of words that look like time, and are no part of a noun: "the Sunday dress"."""
     around = Surroundings(scanned.words, lexicon)
     figures = _Figures(scanned, around)
-    named = {place for start, end in names_in(around) for place in range(start, end)}
+    named = {place for start, end in names_in(scanned.words, lexicon) for place in range(start, end)}
     yield from _weekends(scanned, explained, around)
     yield from _dates(scanned, explained, around)
     yield from counted_from_zero(scanned, explained, lexicon)

@@ -57,7 +57,7 @@ class NoTime(Standing):
     @cached_property
     def _idioms(self) -> list[tuple[int, int]]:
         """Give where idioms, and names that hold a time, stand in the text."""
-        return names_in(self.around)
+        return names_in(self.words, self.lexicon)
 
     def _is_somebody(self, piece: Piece) -> bool:
         """Whether it begins with who is given something, or spoken to: "give it to April on monday"."""

@@ -1,10 +1,12 @@
 """Names that hold a word about time: of persons, bands, films, brands, and of what is named after them."""
 
+from collections.abc import Sequence
 from functools import lru_cache
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import form_of, longest_match
+from fuzzytime.language.grammar.lexicon import Lexicon, form_of, longest_match
 from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.words import Word
 
 NOTABLE = frozenset({"about", "with", "by", "of", "as"})
 """Prepositions before who is spoken of: "read about Wednesday Addams"."""
@@ -23,28 +25,26 @@ def _forms(texts: frozenset[str]) -> dict[str, list[tuple[str, ...]]]:
     return found
 
 
-def names_in(around: Surroundings) -> list[tuple[int, int]]:
+def names_in(words: Sequence[Word], lexicon: Lexicon) -> list[tuple[int, int]]:
     """Give where what is known by such a name stands: idioms and titles, those with capitals if so typed.
 
     A name with capitals is one where other words have none: not in "Call Ann After Eight".
     """
-    kinds, found = around.lexicon.no_times, []
-    for start in range(len(around.words)):
+    kinds, found = lexicon.no_times, []
+    for start, word in enumerate(words):
         for texts in (kinds.idioms, kinds.capital_names):
-            forms = _forms(texts).get(around.texts[start])
-            form = longest_match(around.words, start, forms) if forms else None
-            if form is not None and (texts is kinds.idioms or _is_typed(around, start, len(form))):
+            forms = _forms(texts).get(word.text)
+            form = longest_match(words, start, forms) if forms else None
+            if form is not None and (texts is kinds.idioms or _is_typed(words, start, len(form), lexicon)):
                 found.append((start, start + len(form)))
     return found
 
 
-def _is_typed(around: Surroundings, start: int, length: int) -> bool:
+def _is_typed(words: Sequence[Word], start: int, length: int, lexicon: Lexicon) -> bool:
     """Whether a name is typed with its capitals, where other words are small."""
-    inside = around.words[start : start + length]
-    capitals = all(
-        word.capital or not word.is_letters or word.text in around.closed.of_titles for word in inside
-    )
-    others = (*around.words[:start], *around.words[start + length :])
+    inside, others = words[start : start + length], (*words[:start], *words[start + length :])
+    small = lexicon.closed.of_titles
+    capitals = all(word.capital or not word.is_letters or word.text in small for word in inside)
     return capitals and any(word.is_letters and not word.capital for word in others)
 
 

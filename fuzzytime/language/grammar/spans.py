@@ -87,9 +87,10 @@ def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
 
 
 def _spelt(word: Word, lexicon: Lexicon) -> Word:
-    """Give a word as it is meant: "quater" is a quarter."""
+    """Give a word as it is meant: "quater" is a quarter, but "the Weeknd" a name."""
     meant = lexicon.misspelt.get(word.text)
-    return word if meant is None else replace(word, text=meant)
+    named = word.capital and word.text in lexicon.no_times.capital_names
+    return word if meant is None or named else replace(word, text=meant)
 
 
 def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:

@@ -2,9 +2,13 @@
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.meaning.expressions import Said, Wall
 
 ASKED = "what"
 """The word that asks for a meaning."""
+
+TOPICAL = frozenset({"about", "of"})
+"""Prepositions before what is spoken of."""
 
 SAY = "say"
 CONVERT = "convert"
@@ -26,6 +30,8 @@ def is_spoken_of(piece: Piece, around: Surroundings) -> bool:
     """Whether a word about time is one that is spoken of, or what has so many units of time."""
     return (
         _is_spelt(piece, around)
+        or _is_topic(piece, around)
+        or _is_called(piece, around)
         or _is_translated(piece, around)
         or _has_meaning(piece, around)
         or _is_said_how(piece, around)
@@ -39,7 +45,36 @@ def _is_spelt(piece: Piece, around: Surroundings) -> bool:
     kinds, verb = around.lexicon.no_times, piece.start - 1
     if verb > 1 and around.texts[verb] in kinds.words:
         verb -= 2 if around.texts[verb - 1] in around.closed.articles else 1
-    return verb >= 0 and around.texts[verb] in kinds.spelling and around.opens(verb)
+    # "Write the word noon"; but "write tomorrow", "say the word tomorrow"
+    written = verb < piece.start - 1 and not around.is_day_from_now(piece.start)
+    verbs = kinds.spelling | (kinds.writing if written else frozenset())
+    return verb >= 0 and around.texts[verb] in verbs and around.opens(verb)
+
+
+def _is_topic(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is what is spoken of: "ask Ann about friday", "a story of midnight"."""
+    kinds, texts = around.lexicon.no_times, around.texts
+    joint = piece.start - (texts[piece.start] not in TOPICAL)
+    if joint < 1 or texts[joint] not in TOPICAL:
+        return False
+    if texts[joint - 1] in kinds.works:
+        return True
+    verb = joint - 1
+    if around.words[verb].capital or texts[verb] in around.closed.object_pronouns | around.lexicon.persons:
+        verb -= 1
+        verb -= texts[max(0, verb)] in around.closed.noun_openers
+    said = piece.value
+    clocked = isinstance(said, Said) and isinstance(said.time, Wall) and said.time.clock is not None
+    return verb >= 0 and texts[verb] in kinds.speaking and around.opens(verb) and not clocked
+
+
+def _is_called(piece: Piece, around: Surroundings) -> bool:
+    """Whether something is called so: "a boat named Friday", "a dog called Tuesday"; but "the vet called"."""
+    *_, article, thing, named = ("", "", "", *around.texts[: piece.start])
+    if named == "called":
+        return article in around.closed.articles and thing not in around.lexicon.persons
+    bound = around.texts[piece.start] in around.closed.prepositions_of_time
+    return named in around.lexicon.no_times.naming and not bound and thing.isalpha()
 
 
 def _is_translated(piece: Piece, around: Surroundings) -> bool:

@@ -285,6 +285,10 @@ class NoTimes:
     words: Words
     words_for: Words
     spelling: Words
+    writing: Words
+    speaking: Words
+    works: Words
+    naming: Words
     meaning: Words
     rhyming: Words
     listening: Words

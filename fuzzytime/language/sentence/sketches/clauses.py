@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.proper_names import names_in
 from fuzzytime.language.grammar.titles import written_out
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.beside import joined
@@ -60,7 +61,8 @@ def clauses_of(
     """
     found: list[Clause] = []
     covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
-    titled = written_out(words, lexicon)
+    named_so = {place for start, end in names_in(words, lexicon) for place in range(start, end)}
+    titled = written_out(words, lexicon) | named_so
     reader = _Clauses(tree, words, phrases, lexicon, covered, named)
     place = 0
     while place < len(words):
