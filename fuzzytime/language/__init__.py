@@ -1,6 +1,7 @@
 """From typed words to instructions with time requirements; the only home of spaCy."""
 
 from fuzzytime.language.about_wishes import (
+    AT_FIRST,
     AT_ONCE,
     About,
     AboutKind,
@@ -53,6 +54,7 @@ from fuzzytime.language.sentence.trees.named import is_several
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 
 __all__ = [
+    "AT_FIRST",
     "AT_ONCE",
     "HALF_OF_DAY_ADVICE",
     "NAMED",

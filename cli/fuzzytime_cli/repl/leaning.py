@@ -170,11 +170,7 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
         spoken_of = [entry for entry in repeated if entry.number == scene.focus]
         entry = (spoken_of or repeated)[-1]
         one_day = end - first <= DAY + timedelta(hours=1)
-        out = f"on {first:%Y-%m-%d}" if one_day else about.time
-        text = f"{entry.text.rstrip('.! ')} except {out}"
-        reply = changing.reworded(scene, entry.number, text)
-        head = Text(plain(f"taken as :edit {entry.number} {text}; :undo takes it back"))
-        return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
+        return _without(scene, about, entry, f"on {first:%Y-%m-%d}" if one_day else about.time)
     then = [entry for entry in entries if _starts_within(scene, entry, first, end)]
     if not about.certain and not (entries and about.names):
         return None
@@ -184,6 +180,35 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
         meant = frozenset({then[-1].identifier})
         return taken(scene, replace(about, kind=AboutKind.DROP, names=meant, time=""))
     raise FuzzytimeError("when then? Say: move it to tomorrow (or: cancel it)")
+
+
+def next_left_out(scene: Scene, about: About) -> Reply | None:
+    """Leave out the next one of a repetition: "skip the next one"; None where what is next is done once.
+
+    Raises
+    ------
+    FuzzytimeError
+        If there are others on its day, as only days can be left out.
+    """
+    (entry,) = entries_meant(scene, about)
+    if not any(_repeats(one) for _, one in waiting(scene, entry.number)):
+        return None
+    schedule = scene.plan.schedule
+    places = [place for place, _ in waiting(scene, entry.number) if not schedule.rejected[place]]
+    days = sorted(scene.plan.instant(schedule.start_times[place]).date() for place in places)
+    if days.count(days[0]) > 1:
+        raise FuzzytimeError(
+            f"one of several on a day cannot be left out: cancel all of {entry.text!r}, or say it anew"
+        )
+    return _without(scene, about, entry, f"on {days[0]:%Y-%m-%d}")
+
+
+def _without(scene: Scene, about: About, entry: Entry, out: str) -> Reply:
+    """Say a repetition anew, without some days."""
+    text = f"{entry.text.rstrip('.! ')} except {out}"
+    reply = changing.reworded(scene, entry.number, text)
+    head = Text(plain(f"taken as :edit {entry.number} {text}; :undo takes it back"))
+    return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
 
 
 def left_out_then(scene: Scene, about: About) -> Reply | None:

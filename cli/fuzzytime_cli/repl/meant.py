@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import AT_ONCE, About, AboutKind, content_words
+from fuzzytime.language import AT_FIRST, AT_ONCE, About, AboutKind, content_words
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.repl.naming import (
     all_called,
@@ -37,6 +37,9 @@ def command_meant(scene: Scene, about: About) -> str | None:
             return None
         case AboutKind.UNDO | AboutKind.REDO:
             return f":{about.kind.value}"
+        case AboutKind.DROP if about.corrects and scene.taken is not None:
+            # "Scratch that", of what was changed
+            return ":undo"
         case AboutKind.STOP:
             return _stopping(scene)
         case AboutKind.REVERSE:
@@ -47,6 +50,8 @@ def command_meant(scene: Scene, about: About) -> str | None:
             return _late(scene, about)
         case AboutKind.SWAP:
             return _swap(scene, about)
+        case AboutKind.STARTED:
+            return _started(scene, about)
         case AboutKind.UNSTARTED:
             return _unstarted(scene, about)
     return _changing(scene, about)
@@ -74,12 +79,8 @@ def _changing(scene: Scene, about: About) -> str | None:
             return f":drop {numbers}"
         case AboutKind.DELAY:
             return f":delay {numbers} {_length(scene, about)}"
-        case _ if (
-            (about.places or about.joint)
-            and about.time == AT_ONCE
-            and (other := _of_two(scene, meant[0])) is not None
-        ):
-            # "Do the second one first"
+        case _ if about.time == AT_FIRST and (other := _of_two(scene, meant[0])) is not None:
+            # Two that have their times each take the other's: "do the second one first"
             return f":swap {other} {numbers}"
         case _ if len(meant) == 1 and about.days:
             return f":edit {numbers} {days_on(scene, meant[0], about.days)}"
@@ -193,6 +194,21 @@ def _lengthened(scene: Scene, number: int, about: About) -> str:
         raise AskedBackError("by how much? Say: twenty minutes longer", about)
     lasts = max(one.skill.time_until_done for _, one in waiting(scene, number))
     return f":duration {number} {_seconds(lasts + about.by)}"
+
+
+def _started(scene: Scene, about: About) -> str | None:
+    """Give the command that has start now what somebody says to have started.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is taken to be running already.
+    """
+    one = running_one(scene, about.names)
+    if one is not None:
+        until = Clock(scene.now, with_seconds=True).at(one.done)
+        raise FuzzytimeError(f"{one.name} has started, and is running until {until}")
+    return _changing(scene, replace(about, kind=AboutKind.MOVE, time=AT_ONCE))
 
 
 def _unstarted(scene: Scene, about: About) -> str:

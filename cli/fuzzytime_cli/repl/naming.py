@@ -4,7 +4,7 @@ from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import About, content_words, nouns_of, verb_forms
-from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, whole_number
+from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, waiting, whole_number
 from fuzzytime_cli.session import Entry, Started
 
 BOTH = 2
@@ -73,6 +73,8 @@ def entries_meant(scene: Scene, about: About) -> list[Entry]:
         if len(left) != 1:
             raise FuzzytimeError(f"{len(left)} others are left: say which, such as: the call")
         return left
+    if about.upcoming:
+        return _next_of(scene)
     if about.places:
         if max(abs(place) for place in about.places) > len(left):
             raise FuzzytimeError(f"{len(left)} {'is' if len(left) == 1 else 'are'} left (:list shows which)")
@@ -84,6 +86,25 @@ def entries_meant(scene: Scene, about: About) -> list[Entry]:
     named = {one.wish.identifier for one in asked if about.names <= content_words(one.skill.name)}
     # "The guests" are those who come, and not what waits for them.
     return [one for one in left if one.identifier in named] if entry.identifier in named else [entry]
+
+
+def _next_of(scene: Scene) -> list[Entry]:
+    """Give the entry of what starts next.
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing does.
+    """
+    schedule = scene.plan.schedule
+    starts = [
+        (schedule.start_times[place], one.wish.identifier)
+        for place, one in waiting(scene)
+        if not schedule.rejected[place]
+    ]
+    if not starts:
+        raise FuzzytimeError("nothing starts next (:list shows what is asked for)")
+    return [one for one in scene.conversation.state.entries if one.identifier == min(starts)[1]]
 
 
 def words_of_entry(scene: Scene, entry: Entry) -> frozenset[str]:

@@ -47,7 +47,7 @@ def said_anew(scene: Scene, words: str) -> str | None:
     old, number = same[-1], number_of(same[-1].identifier)
     several = old.reading is not None and len(old.reading.instructions) > 1
     own = old.instruction.requirements if old.instruction is not None else ()
-    named = (operation.object or "").lower() in anew.lower()
+    named = (operation.object or "").lower() in anew.lower() and bool(content_words(operation.object))
     if several or not named or len(own) > len(times):
         # The rest of its words stays, and where it stands "them" is nothing: "no, put them out at seven".
         moved = About(kind=AboutKind.MOVE, time=times[0].text)
@@ -60,7 +60,9 @@ def _is_same(one: Operation | None, other: Operation) -> bool:
     if one is None or (one.lemma, one.negated) != (other.lemma, other.negated):
         return False
     places = content_words(other.place) in (frozenset(), content_words(one.place))
-    return places and content_words(one.object) == content_words(other.object)
+    things = content_words(other.object)
+    # "No, call her at seven"
+    return places and (things == content_words(one.object) or (bool(other.object) and not things))
 
 
 def with_time(scene: Scene, entry: Entry, about: About, own: Sequence[TimeRequirement] | None = None) -> str:

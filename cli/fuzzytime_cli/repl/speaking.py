@@ -23,7 +23,7 @@ from fuzzytime.language import (
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, gaps, looking
 from fuzzytime_cli.repl.commands import command_of, what_if
-from fuzzytime_cli.repl.leaning import leaning, left_out, left_out_then, the_other
+from fuzzytime_cli.repl.leaning import leaning, left_out, left_out_then, next_left_out, the_other
 from fuzzytime_cli.repl.meant import command_meant
 from fuzzytime_cli.repl.naming import entries_meant
 from fuzzytime_cli.repl.retiming import said_anew
@@ -148,6 +148,8 @@ def _taken(scene: Scene, about: About) -> Reply | None:
         return the_other(scene, about, _taken)
     if about.kind is AboutKind.EXCEPT:
         return left_out(scene, about, _taken)
+    if about.kind is AboutKind.DROP and about.upcoming and (out := next_left_out(scene, about)) is not None:
+        return out
     if (moved := left_out_then(scene, about)) is not None:
         return moved
     line = command_meant(scene, about)

@@ -1,6 +1,6 @@
 """What is said about what was asked for already: "no, make it six", "cancel the call", "when do I stir?"."""
 
-from fuzzytime.language.about_wishes.about import AT_ONCE, About, AboutKind
+from fuzzytime.language.about_wishes.about import AT_FIRST, AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.answers import choice_meant, chooses_none
 from fuzzytime.language.about_wishes.continued import continued
 from fuzzytime.language.about_wishes.corrections import added_time, restated
@@ -19,6 +19,7 @@ from fuzzytime.language.about_wishes.rewording import (
 from fuzzytime.language.about_wishes.things import about_things, continuing
 
 __all__ = [
+    "AT_FIRST",
     "AT_ONCE",
     "About",
     "AboutKind",

@@ -4,6 +4,9 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 AT_ONCE = "right now"
+"""The time of what is to be done at once, or has begun."""
+
+AT_FIRST = "as soon as possible"
 """The time of what is to be done before all else."""
 
 
@@ -19,6 +22,7 @@ class AboutKind(StrEnum):
     DONE = "done"
     MORE = "more"
     LATE = "late"
+    STARTED = "started"
     UNSTARTED = "unstarted"
     UNABLE = "unable"
     WRONG = "wrong"
@@ -86,6 +90,8 @@ class About:
         Whether what is to be later by nobody knows how much is to be earlier.
     other
         Whether the one is meant that is not the last: "the other one".
+    upcoming
+        Whether the one is meant that starts next.
     corrects
         Whether it corrects what was said before ("no, half past six"), whatever was answered since.
     certain
@@ -108,5 +114,6 @@ class About:
     days: int = 0
     earlier: bool = False
     other: bool = False
+    upcoming: bool = False
     corrects: bool = False
     certain: bool = False

@@ -50,9 +50,7 @@ def chooses_none(text: str, now: datetime, lexicon: Lexicon) -> bool:
 
 def _answer(said: Said) -> Said:
     """Leave out what opens an answer, and what is polite behind it: "I mean the later one, please"."""
-    said = said.behind(said.opens_with("meaning"))
-    courtesies = (form for form in said.lexicon.courtesies if said.forms[-len(form) :] == form != said.forms)
-    return said.until(len(said.words) - max(map(len, courtesies), default=0))
+    return said.behind(said.opens_with("meaning")).without_thanks()
 
 
 def _by_place(said: Said, question: Question) -> int | None:

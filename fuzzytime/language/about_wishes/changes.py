@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.about_wishes.about import AT_ONCE, About, AboutKind
+from fuzzytime.language.about_wishes.about import AT_FIRST, AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.exceptions import exception
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, days_on, later_by
@@ -14,6 +14,7 @@ from fuzzytime.language.sentence.trees.named import is_several
 from fuzzytime.requirement import Unit
 
 REFERRED = ("last", "everything")
+FIRST = "first"
 FOR = "for"
 EVERY = "every"
 
@@ -91,6 +92,8 @@ def _about(kind: AboutKind, thing: Said, *, certain: bool = False) -> About:
         return About(kind=kind, names=both, both=True, certain=True)
     if thing.is_in("other"):
         return About(kind=kind, other=True, certain=True)
+    if thing.is_in("the next"):
+        return About(kind=kind, upcoming=True, certain=True)
     counted = () if thing.is_in("last") else thing.places
     names = _named(thing)
     several = bool(names) and not thing.label and is_several(thing.text, thing.lexicon)
@@ -109,7 +112,11 @@ def _dropped(said: Said) -> About | None:
         return About(kind=AboutKind.DROP, names=_named(kept), everything=True, certain=True)
     rest = said.after("dropping")
     if rest is not None and (
-        rest.label or rest.places or several_in(rest) is not None or rest.is_in("other")
+        rest.label
+        or rest.places
+        or several_in(rest) is not None
+        or rest.is_in("other")
+        or rest.is_in("the next")
     ):
         return _about(AboutKind.DROP, rest)
     if rest is None or rest.has_time:
@@ -135,7 +142,8 @@ def _ordered(said: Said) -> About | None:
     for place in range(2, len(said.words)):
         thing, rest = said.until(place).behind(1), said.behind(place)
         if rest.is_in("first"):
-            return replace(_about(AboutKind.MOVE, thing), time=AT_ONCE)
+            time = AT_FIRST if rest.forms == (FIRST,) else AT_ONCE
+            return replace(_about(AboutKind.MOVE, thing), time=time)
         new = rest.without("instead")[0]
         if new.words and not new.without(*DIRECTIONS)[0].words and _is_last(thing):
             # "Do it earlier": by how much is not said
@@ -265,7 +273,7 @@ def _moved(said: Said) -> About | None:
     if thing.is_in("everything") or thing.is_in("both"):
         return About(kind=AboutKind.MOVE, everything=True, certain=True)
     about = _about(AboutKind.MOVE, thing)
-    if not (about.names or about.places) and not _is_last(thing):
+    if not (about.names or about.places or about.upcoming) and not _is_last(thing):
         return None
     if time := new.as_time():
         return replace(about, time=time)

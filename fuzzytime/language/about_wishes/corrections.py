@@ -46,12 +46,28 @@ def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     'at seven'
     """
     said = Said.of(text, now, lexicon)
-    behind = lexicon.courtesies | said.table("preferring")
+    behind = lexicon.courtesies | said.table("preferring") | said.table("instead")
     closing = (form for form in behind if said.forms[-len(form) :] == form != said.forms)
     said = said.until(len(said.words) - max(map(len, closing), default=0))
+    if (counted := _counted_at(said)) is not None:
+        return counted
     time = said.as_time() if said.has_time else ""
     number = said.as_number() if len(said.words) == 1 else ""
     return About(kind=AboutKind.MOVE, time=time[0].lower() + time[1:], number=number) if time else None
+
+
+def _counted_at(said: Said) -> About | None:
+    """Read a new time of one that is named by its place: "the second one tomorrow"."""
+    listed = (place for place in range(2, len(said.words)) if said.forms[place - 1] in _listed(said))
+    for place in listed:
+        places, time = said.until(place).places, said.behind(place).as_time()
+        if len(places) == 1 and time:
+            return About(kind=AboutKind.MOVE, places=places, time=time, certain=True)
+    return None
+
+
+def _listed(said: Said) -> frozenset[str]:
+    return frozenset(form[-1] for form in said.table("listed"))
 
 
 def _closing(said: Said) -> frozenset[tuple[str, ...]]:

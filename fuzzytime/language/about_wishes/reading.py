@@ -85,8 +85,4 @@ def _without_courtesies(said: Said) -> Said:
         if place + len(form) >= len(said.words):
             break
         place += len(form)
-    said = said.behind(place)
-    for form in sorted(lexicon.courtesies, key=len, reverse=True):
-        if len(form) < len(said.words) and said.forms[-len(form) :] == form:
-            return said.until(len(said.words) - len(form))
-    return said
+    return said.behind(place).without_thanks()

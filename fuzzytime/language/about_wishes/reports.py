@@ -22,6 +22,7 @@ def report(said: Said) -> About | None:
         or _more(said)
         or _added(said)
         or _unstarted(said)
+        or _started(said)
         or _finished(said)
         or _protest(said)
     )
@@ -100,6 +101,19 @@ def _unstarted(said: Said) -> About | None:
     thing = thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
     names = frozenset() if not thing.words or thing.is_in("last") else thing.names
     return About(kind=AboutKind.UNSTARTED, names=names, certain=True)
+
+
+def _started(said: Said) -> About | None:
+    """Read what has begun just now: "started", "I've started the soup", "I'm starting on the soup now"."""
+    thing = said.after("started")
+    if thing is None or not thing.is_one:
+        return None
+    thing = thing.without("yet")[0]
+    if thing.has_time:
+        return None
+    thing = thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
+    names = frozenset() if not thing.words or thing.is_in("last") else thing.names
+    return About(kind=AboutKind.STARTED, names=names, upcoming=not thing.words, certain=True)
 
 
 def _protest(said: Said) -> About | None:

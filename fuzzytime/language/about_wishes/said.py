@@ -99,6 +99,11 @@ class Said:
         """Whether it is, whole, an entry of a table; nothing at all is one where "" is."""
         return self.forms in self.table(name)
 
+    def without_thanks(self) -> "Said":
+        """Leave out what is polite behind something else: "the soup first, please"."""
+        behind = (form for form in self.lexicon.courtesies if self.forms[-len(form) :] == form != self.forms)
+        return self.until(len(self.words) - max(map(len, behind), default=0))
+
     def opens_with(self, name: str) -> int:
         """Give how many words an entry of a table has with which it begins; 0 for none."""
         return len(longest_match(self.words, 0, self.table(name)) or ()) if self.words else 0

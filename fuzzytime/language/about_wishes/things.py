@@ -3,7 +3,7 @@
 from dataclasses import replace
 from datetime import datetime
 
-from fuzzytime.language.about_wishes.about import AT_ONCE, About, AboutKind
+from fuzzytime.language.about_wishes.about import AT_FIRST, About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import later_by
 from fuzzytime.language.about_wishes.said import Said
@@ -54,7 +54,7 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
 
 def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     """Read what a line without a verb says of things that were, or might have been, asked for; else None."""
-    whole = without_exclamations(Said.of(text, now, lexicon))
+    whole = without_exclamations(Said.of(text, now, lexicon)).without_thanks()
     place = opening_correction(whole)
     said = without_exclamations(whole.behind(place)) if place else whole
     naming = whole.after("naming anew") or whole.after("meaning")
@@ -70,17 +70,17 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if said.forms[-1:] == (FIRST,) and len(said.words) > 1:
         # "The test first"
         names = said.until(len(said.words) - 1).names
-        return About(kind=AboutKind.MOVE, names=names, time=AT_ONCE, joint=FIRST) if names else None
+        return About(kind=AboutKind.MOVE, names=names, time=AT_FIRST) if names else None
     if said.forms[:1] == (FIRST,) and len(said.words) > 1 and not said.has_time:
-        return About(kind=AboutKind.MOVE, names=said.behind(1).names, time=AT_ONCE, joint=FIRST, certain=True)
+        return About(kind=AboutKind.MOVE, names=said.behind(1).names, time=AT_FIRST, certain=True)
     later = later_by(said)
     if later is not None and later[1].names:
         return replace(later[0], names=later[1].names, certain=True)
     thing, time = said.parted(bare=True)
     if not thing:
         return None
-    if time and is_of_all(Said(thing, now, lexicon)):
-        return About(kind=AboutKind.MOVE, everything=True, time=time, certain=True)
+    if time and (one := _one_of(Said(thing, now, lexicon))) is not None:
+        return replace(one, time=time, corrects=place > 0)
     if time and whole.forms[0] == NO and whole.forms[1:2] != (COMMA,):
         # "No swimming today", where none is known
         return None
@@ -90,6 +90,19 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if place and COMMA not in said.forms:
         return About(kind=AboutKind.INSTEAD, thing=thing, certain=True)
     return None
+
+
+def _one_of(said: Said) -> About | None:
+    """Give which one words mean that name no thing, or whether all: "that one", "the second one", "both"."""
+    if said.is_in("last"):
+        return About(kind=AboutKind.MOVE, certain=True)
+    if said.is_in("the next"):
+        return About(kind=AboutKind.MOVE, upcoming=True, certain=True)
+    if said.is_in("other"):
+        return About(kind=AboutKind.MOVE, other=True, certain=True)
+    if is_of_all(said):
+        return About(kind=AboutKind.MOVE, everything=True, certain=True)
+    return About(kind=AboutKind.MOVE, places=said.places, certain=True) if len(said.places) == 1 else None
 
 
 def is_of_all(said: Said) -> bool:

@@ -16,6 +16,9 @@ def turned(said: Said) -> About | None:
     if rest.is_in("restoring"):
         # "Put it back", where something was dropped
         return About(kind=AboutKind.UNDO, text=rest.text, certain=corrected > 0)
+    if _retracts(rest if rest.words else said) and not rest.is_in("forgetting"):
+        # "Scratch that": what was changed last, or else what was asked for
+        return About(kind=AboutKind.DROP, corrects=True, certain=True)
     for kind, name in ((AboutKind.STOP, "stopping"), (AboutKind.REVERSE, "reversing")):
         if rest.is_in(name):
             return About(kind=kind, certain=True)
@@ -28,6 +31,13 @@ def turned(said: Said) -> About | None:
     if kept is not None and joint > 0 and kept.until(joint).is_in("last"):
         rest = kept.behind(joint + 1)
     return About(kind=AboutKind.OTHER, certain=True) if rest.is_in("other") else None
+
+
+def _retracts(said: Said) -> bool:
+    """Whether a line takes something back, and says nothing else: "no, scratch that"."""
+    ends = (form for form in said.table("retracting") if said.forms[-len(form) :] == form)
+    opening = len(said.words) - max(map(len, ends), default=len(said.words) + 1)
+    return opening >= 0 and not said.until(opening).names
 
 
 def several_in(said: Said) -> frozenset[str] | None:

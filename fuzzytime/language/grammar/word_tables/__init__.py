@@ -230,6 +230,7 @@ _ROWS = {
         "said of me", "not done", "asking about", "holding", "besides", "asking next", "asking when",
         "all of it", "by itself", "preferring", "lengths", "a day on", "a day back",
         "a week on", "a week back", "agreeing", "the earlier", "the later", "choosing none",
+        "the next", "forgetting", "started",
     ),
     "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "amounts"),
 }  # fmt: skip
