@@ -20,7 +20,7 @@ def behind_each_other(interpretation: Interpretation, schedule: Schedule) -> Ite
             continue
         first, second = interpretation.skills[entry.first], interpretation.skills[entry.second]
         done = schedule.start_times[entry.first] + first.skill.time_until_done
-        keeps = first.skill.duration >= first.skill.time_until_done > 0 < second.skill.duration
+        keeps = first.keeps_hands >= first.skill.time_until_done > 0 < second.skill.duration
         named = any(map(_names_another, second.requirements))
         if keeps and named and schedule.start_times[entry.second] >= done - NEARLY:
             message = (

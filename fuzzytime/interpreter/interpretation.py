@@ -95,6 +95,16 @@ class Interpreted:
         return self.wish.text if isinstance(self.wish, SpokenWish) else None
 
     @property
+    def attended(self) -> bool:
+        """Whether it is something that who speaks goes to: a workshop, a meeting."""
+        return self.operation is not None and self.operation.attended
+
+    @property
+    def keeps_hands(self) -> float:
+        """Seconds for which it leaves nobody's hands free: work, and what who speaks attends to its end."""
+        return self.skill.time_until_done if self.attended else self.skill.duration
+
+    @property
     def repeats(self) -> bool:
         """Whether it is done again and again."""
         return any(part.recurrence is not None for part in self.requirements)

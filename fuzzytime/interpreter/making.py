@@ -227,7 +227,7 @@ class Maker:
         self, wish: SpokenWish, reading: Reading, instruction: Instruction, to: Interpreted, target: int
     ) -> Interpreted:
         """Make the skill of going where something is done or happens, in time for that."""
-        going = going_to(instruction, to.skill.name, target, attended=_is_attended(to))
+        going = going_to(instruction, to.skill.name, target, attended=to.attended)
         return self._interpreted(wish, reading, going, going.requirements)
 
     def timed(self, made: Interpreted, told: Instruction, given: datetime) -> Interpreted:
@@ -247,10 +247,6 @@ class Maker:
         again = self._interpreted(wish, reading, instruction, (*before, *more))
         skill = replace(again.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
         return replace(again, skill=skill, duration=made.duration)
-
-
-def _is_attended(one: Interpreted) -> bool:
-    return one.operation is not None and one.operation.attended
 
 
 def _parameters(operation: Operation | None) -> dict[str, str]:

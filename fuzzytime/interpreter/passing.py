@@ -72,7 +72,7 @@ def _around(
             continue
         other = next((skills[place] for place in links.skills_of(part.anchor.target)), None)
         inside = other is not None and other is not one and _is_inside(part, other)
-        if inside and other is not None and rulebook.in_passing(one.skill.duration, other.skill.duration):
+        if inside and other is not None and rulebook.in_passing(one.skill.duration, other.keeps_hands):
             return other
     return None
 
@@ -80,12 +80,12 @@ def _around(
 def _is_inside(part: TimeRequirement, other: Interpreted) -> bool:
     """Whether a time is inside of what keeps the hands to its end: "two minutes into the kneading"."""
     anchor, length = part.anchor, other.skill.time_until_done
-    if anchor is None or other.skill.duration < length:
+    if anchor is None or other.keeps_hands < length:
         return False
     if part.constraint is Constraint.AT:
         # "During the kneading"; but "meanwhile" names nothing.
         return anchor.verb is not None or anchor.object is not None
-    if part.constraint is not Constraint.AFTER or not anchor.exact:
+    if part.constraint not in {Constraint.AFTER, Constraint.BEFORE} or not anchor.exact:
         return False
     begun = anchor.share is not None or (anchor.edge is Edge.START and 0 < anchor.lag < length)
     return begun or (anchor.edge is Edge.END and -length < anchor.lag < 0)
