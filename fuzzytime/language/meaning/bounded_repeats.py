@@ -60,7 +60,12 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         return replace(repeat, starting=time, until=time)
     if said.constraint is Constraint.BEFORE:
         # "Three alarms ten minutes apart before seven": how many is said, and any of them may be then.
-        return None if repeat.apart else replace(repeat, until=time)
+        if repeat.apart:
+            return None
+        on_day = None if said.within is None else replace(repeat, starting=said.within, until=said.within)
+        if on_day is not None and _is_on_day(on_day) and isinstance(time, Wall):
+            return _with_side_of_day(on_day, replace(time, days=None), said.constraint)
+        return replace(repeat, until=time)
     if said.lasting is not None and isinstance(time, Wall) and repeat.every is not None:
         # "Every five minutes from noon for half an hour"
         longer = not repeat.walls and said.lasting.seconds > repeat.every.seconds
@@ -78,10 +83,26 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
 
 def _ended(repeat: Repeat, said: Said) -> Repeat | None:
     """Give what begins at a time with its end: "every two hours at ten until six"."""
+    if _is_on_day(repeat) and isinstance(said.time, Wall) and is_of_day(said.time):
+        return _with_side_of_day(repeat, said.time, said.constraint)
     begins = repeat.until is None and isinstance(repeat.starting, Wall)
     if not begins or said.constraint is not Constraint.BEFORE or not isinstance(said.time, Wall):
         return None
     return replace(repeat, until=said.time)
+
+
+def _is_on_day(repeat: Repeat) -> bool:
+    """Whether it is done by an interval on one day, of which no hours are said: "every hour tomorrow"."""
+    day = repeat.starting
+    whole = isinstance(day, Wall) and day.days is not None and day.clock is None and day.part is None
+    return whole and repeat.until == day and repeat.every is not None and not repeat.walls
+
+
+def _with_side_of_day(repeat: Repeat, time: Wall, side: Constraint | None) -> Repeat | None:
+    """Give what is done by an interval on one day up to a time of it, or from then on: "until noon"."""
+    day = repeat.starting
+    hours = _on_side(replace(day, weak=False), time, side) if isinstance(day, Wall) else None
+    return None if hours is None else replace(repeat, starting=hours, until=hours)
 
 
 def _is_clocked(time: Range) -> bool:

@@ -246,7 +246,8 @@ class Said:
 
     def borrowing(self, told: "Said") -> "Said":
         """Give what is told here and in other words, with the clock times that are said here."""
-        walls = self.time.walls if isinstance(self.time, Repeat) else (self.time,)
+        time = self.time
+        walls = (*time.walls, time.starting, time.until) if isinstance(time, Repeat) else (time,)
         own = (wall.clock for wall in walls if isinstance(wall, Wall))
         return replace(told, clocks=tuple(clock for clock in own if clock is not None))
 

@@ -1,10 +1,11 @@
-"""Repetitions by an interval on some days: "every five minutes on weekdays"."""
+"""Repetitions by an interval on some days: "every five minutes on weekdays", "every hour on thursday"."""
 
 from dataclasses import replace
 
+from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.bounded_repeats import bounded_repeat, is_of_day
 from fuzzytime.language.meaning.calendar import Cycle
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS, HourMark, Range, Repeat, Said, Time
+from fuzzytime.language.meaning.expressions import UNIT_SECONDS, HourMark, Range, Repeat, Said, Time, Wall
 from fuzzytime.requirement import Constraint, Unit
 
 
@@ -25,6 +26,28 @@ def on_days(one: Repeat, other: Repeat) -> Repeat | None:
         return None
     mark = one.starting if isinstance(one.starting, HourMark) else None
     return replace(one, starting=mark, until=None, within=days)
+
+
+def is_interval(repeat: Repeat) -> bool:
+    """Whether it is done every so often, more than once a day, on days that are not said."""
+    short = repeat.every is not None and repeat.every.seconds <= UNIT_SECONDS[Unit.DAY] / 2
+    counted = repeat.times is not None or repeat.apart or repeat.shared or repeat.closing is not None
+    bounds = (bound for bound in (repeat.starting, repeat.until) if bound is not None)
+    return short and not counted and not repeat.walls and repeat.within is None and all(map(is_of_day, bounds))
+
+
+def on_one_day(interval: Repeat, day: Wall) -> Repeat | None:
+    """Give what is done every so often on one day, within its hours: "on thursday every hour until noon"."""
+    if not is_interval(interval) or day.days is None or day.clock is not None:
+        return None
+    first, last = interval.starting, interval.until
+    whole = replace(interval, starting=day, until=day)
+    if is_of_day(first):
+        begins = joined(day, first)
+        return None if begins is None else replace(whole, starting=begins, until=last or Wall(day.days))
+    if is_of_day(last):
+        return bounded_repeat(whole, Said(last, Constraint.BEFORE)) if day.part is None else None
+    return whole
 
 
 def _with_hours(days: Repeat, interval: Repeat) -> Repeat | None:

@@ -98,7 +98,7 @@ class EvenRecurrence(PlainRecurrence):
 
     def coming(self, count: int) -> tuple[Window, ...]:
         """Give the next occurrences, at most so many."""
-        return self.windows(self.first + self.step * count)[:count]
+        return self.windows(max(self.first, 0.0) + self.step * count)[:count]
 
     def spaced(self, length: float) -> Self:
         """Give the same for what goes on that many seconds: none begins before the one before it is over."""

@@ -195,7 +195,9 @@ class _Grounder:
         )
         deciding = self._deciding
         chosen = deciding.of_repetition(self.said.own_walls, recurrence)
-        remarks = (*chosen, *deciding.of_bounds(time, recurrence))
+        # What was chosen for bounds is said where they stand, and not of a day that stands apart.
+        bounded = () if self.said.clocks == () else deciding.of_bounds(time, recurrence)
+        remarks = (*chosen, *bounded)
         return Grounded(requirement=requirement, recurrence=recurrence, remarks=remarks)
 
     def _of_instants(self, time: Time) -> Grounded:

@@ -10,6 +10,7 @@ from fuzzytime.language.meaning.expressions import (
     Said,
     Wall,
 )
+from fuzzytime.language.meaning.intervals_on_days import on_one_day
 from fuzzytime.language.meaning.repeats_beside import MOMENTS, narrowed_repeat
 from fuzzytime.requirement import Constraint
 
@@ -30,6 +31,9 @@ def told_apart(said: Said, frame: Said) -> Said | None:
         return Said(found, Constraint.EVERY, said.preposition, said.hedges, lasting=said.lasting)
     if not isinstance(other, Wall):
         return None
+    if isinstance(time, Repeat):
+        turns = on_one_day(time, other)
+        return None if turns is None else replace(said, time=turns)
     if isinstance(time, Offset) and isinstance(time.anchor, Wall):
         anchor = joined(other, time.anchor)
         return None if anchor is None else replace(said, time=replace(time, anchor=anchor))

@@ -18,7 +18,7 @@ from fuzzytime.language.meaning.expressions import (
     Said,
     Wall,
 )
-from fuzzytime.language.meaning.intervals_on_days import on_days
+from fuzzytime.language.meaning.intervals_on_days import is_interval, on_days
 from fuzzytime.language.meaning.repeats_beside import names_day_of, without_clocks
 from fuzzytime.language.meaning.throughout import each_day, is_clock_time, is_rest_of_days
 from fuzzytime.language.meaning.times_of_day import Half, Part
@@ -155,6 +155,8 @@ def _is_first_day(said: Said) -> bool:
 def _is_open(said: Said, day: Said) -> bool:
     """Whether it is a time of day, or a weekday in the week that is said; not a second day."""
     time = said.time
+    if isinstance(time, Repeat):
+        return is_interval(time) and isinstance(day.time, Wall)
     if isinstance(time, Offset):
         return isinstance(time.anchor, Wall) and time.anchor.clock is not None and time.anchor.days is None
     if isinstance(time, Range):
@@ -195,7 +197,7 @@ def _on_own_day(sketch: Sketch, place: int, text: str) -> Sketch:
             told_length = replace(phrase.said, constraint=Constraint.FOR, preposition="for", hedges=hedges)
             phrases[other] = replace(phrase, said=told_length)
             continue
-        if isinstance(phrase.said.time, Repeat) and other != place:
+        if isinstance(phrase.said.time, Repeat) and isinstance(day.time, Repeat) and other != place:
             often = _every_so_often(phrase, replace(sketch.phrases[place], said=day), text)
             if often is not None:
                 phrases[other], day = replace(phrase, said=often), often
