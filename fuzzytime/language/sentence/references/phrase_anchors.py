@@ -2,13 +2,16 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from datetime import timedelta
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind
 from fuzzytime.language.meaning.distances import EARLIER, HALFWAY, INTO, LAST, LATER, LEFT
 from fuzzytime.language.meaning.expressions import Edge as Bound
 from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat, Said, TimeWord, Wall
 from fuzzytime.language.meaning.first_times import closing_of, opening_of
 from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors, only_counted
@@ -141,21 +144,8 @@ def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Tim
         return None
     if not beside and constraint not in {Constraint.BEFORE, Constraint.AFTER}:
         return None
-    words = content_words(part.name)
-    own = [
-        anchors.first + place
-        for place, operation in enumerate(anchors.own)
-        if operation is not None and words <= content_words(operation.object)
-    ]
-    targets = [place for place in own if place != anchors.position]
-    target = targets[-1] if targets else anchors.mentions.about(words, anchors.first)
-    if target is None and anchors.awaits:
-        # "Remind Sam ten minutes before lunch", where the next line says when that is.
-        target = anchors.mentions.told_behind(words, anchors.first + len(anchors.own))
-        start = None if target is None else anchors.mentions.told.start(target)
-        if start is not None and anchors.now is not None and start.date() != anchors.now.date():
-            # "Lunch tomorrow is at three" is another lunch.
-            return None
+    when = requirement.t_spec if requirement.t_spec is not None else requirement.latest
+    target = _meal_told(anchors, part, (when or 0.0) - lag)
     if target is None:
         return None
     constraint = Constraint.AT if beside or constraint is None else constraint
@@ -165,6 +155,43 @@ def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Tim
         text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0 or just
     )
     return only_counted(requirement, anchor, constraint)
+
+
+def _meal_told(anchors: Anchors, part: Part, when: float) -> int | None:
+    """Give the position of what tells of a meal, by any of its names: before this one, or else behind it.
+
+    In so many seconds it is, as far as its name tells.
+    """
+    names = _names_of(part, anchors.lexicon)
+    own = [
+        anchors.first + place
+        for place, operation in enumerate(anchors.own)
+        if operation is not None and any(words <= content_words(operation.object) for words in names)
+    ]
+    told = [place for place in own if place != anchors.position]
+    told = told or [
+        place
+        for words in names
+        if (place := anchors.mentions.about(words, anchors.first)) is not None
+    ]
+    if told or not anchors.awaits:
+        return max(told, default=None)
+    # "Remind Sam ten minutes before lunch", where the next line says when that is.
+    behind = anchors.first + len(anchors.own)
+    places = (anchors.mentions.told_behind(words, behind) for words in names)
+    target = min((place for place in places if place is not None), default=None)
+    start = None if target is None else anchors.mentions.told.start(target)
+    # "Lunch tomorrow is at three" is another lunch.
+    meant = None if anchors.now is None else anchors.now + timedelta(seconds=when)
+    elsewhen = start is not None and meant is not None and start.date() != meant.date()
+    return None if elsewhen else target
+
+
+def _names_of(part: Part, lexicon: Lexicon) -> list[frozenset[str]]:
+    """Give the words of each name of a meal: dinner is supper, too."""
+    entries = (entry for entries in lexicon.entries.values() for entry in entries)
+    others = (content_words(" ".join(entry.words)) for entry in entries if entry.value == part)
+    return list(dict.fromkeys([content_words(part.name), *others]))
 
 
 def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:

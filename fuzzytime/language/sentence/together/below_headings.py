@@ -44,15 +44,29 @@ def under_heading(sketch: Sketch, heading: Heading) -> Sketch:
     if sketch.part.segment.connective not in JOINED and not sketch.phrases:
         # What comes "then" comes on the day of what it follows.
         return sketch
+    if _counts_from_another(sketch) and all(_is_whole_day(phrase) for phrase in heading.phrases):
+        # "An hour before the meeting" is on the meeting's day.
+        return replace(sketch, headed=heading.clauses)
     due = _due_on_day(sketch, heading)
     return replace(due or sketch.under(heading.phrases), headed=heading.clauses)
+
+
+def _counts_from_another(sketch: Sketch) -> bool:
+    """Whether it is so long before or after something else, and nothing else is said of when."""
+    measured = any(clause.distance is not None and not clause.excepted for clause in sketch.clauses)
+    return measured and all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
+
+
+def _is_whole_day(phrase: Phrase) -> bool:
+    day = phrase.said.time
+    return isinstance(day, Wall) and day.days is not None and day.clock is None and day.part is None
 
 
 def _due_on_day(sketch: Sketch, heading: Heading) -> Sketch | None:
     """Give what is due by an hour of the day of a line above: "Thursday:", then "bins out before seven"."""
     walls = [phrase.said.time for phrase in heading.phrases]
     day = walls[0] if len(walls) == 1 else None
-    if not isinstance(day, Wall) or day.days is None or day.clock is not None or day.part is not None:
+    if not isinstance(day, Wall) or not _is_whole_day(heading.phrases[0]):
         return None
     due = [phrase for phrase in sketch.phrases if phrase.said.constraint is Constraint.BEFORE]
     if len(due) != 1 or not isinstance(due[0].said.time, Wall) or due[0].said.time.clock is None:

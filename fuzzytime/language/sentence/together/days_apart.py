@@ -158,7 +158,8 @@ def _is_open(said: Said, day: Said) -> bool:
     if isinstance(time, Repeat):
         return is_interval(time) and isinstance(day.time, Wall)
     if isinstance(time, Offset):
-        return isinstance(time.anchor, Wall) and time.anchor.clock is not None and time.anchor.days is None
+        anchor = time.anchor if isinstance(time.anchor, Wall) else None
+        return anchor is not None and anchor.days is None and (anchor.clock or anchor.part) is not None
     if isinstance(time, Range):
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
         clocks = all(end.clock is not None and end.days is None for end in ends)
