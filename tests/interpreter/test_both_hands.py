@@ -47,3 +47,22 @@ def test_what_waits_for_both_waits_for_the_later() -> None:
         ]
     )
     assert starts(made)["s3"] == "10:50"
+
+
+@pytest.mark.parametrize(
+    ("line", "start"),
+    [
+        ("Take notes during the workshop", "10:00"),
+        ("Call Ann ten minutes before the end of the workshop", "11:50"),
+        ("Call Ann an hour into the workshop", "11:00"),
+    ],
+)
+def test_what_is_inside_of_an_event_that_one_attends_is_done_in_passing(line: str, start: str) -> None:
+    made = told(["Workshop from 10 am to noon", line])
+    assert starts(made)["s2"] == start
+    assert any("in passing: Workshop goes on" in note for note in notes(made))
+
+
+def test_what_takes_long_is_not_done_in_passing_of_an_event() -> None:
+    made = told(["Meeting from 10 to 11 am", "Write the minutes during the meeting"])
+    assert starts(made)["s2"] == "11:00"

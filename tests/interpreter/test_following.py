@@ -289,3 +289,29 @@ def test_minutes_to_the_hour_that_a_line_before_said_are_before_it() -> None:
 def test_an_hour_behind_what_happens_later_is_near_it() -> None:
     made = told(["Dinner is at seven, lay the table at half six"], now=datetime(2026, 3, 4, 6))  # noqa: DTZ001
     assert starts(made) == {"s1": "19:00", "s1.2": "18:30"}
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["supper on saturday at 7 pm", "light the fire an hour before supper"],
+        ["supper on saturday at 7 pm", "light the fire an hour before dinner"],
+        ["supper on saturday at 7 pm", "light the fire an hour before supper on saturday"],
+        ["Saturday", "light the fire an hour before supper", "supper at 7 pm"],
+        ["Saturday", "light the fire an hour before the meeting", "meeting at 7 pm"],
+    ],
+)
+def test_what_counts_from_another_is_on_its_day(lines: list[str]) -> None:
+    made = told(lines)
+    (fire,) = (
+        time
+        for one, time in zip(made.skills, made.schedule.start_times, strict=True)
+        if "fire" in one.skill.name
+    )
+    assert f"{made.instant(fire):%d %H:%M}" == "07 18:00"
+    assert min(made.schedule.satisfactions) == 1
+
+
+def test_a_meal_that_nothing_tells_of_is_on_the_day_above() -> None:
+    made = told(["Saturday", "light the fire an hour before supper"])
+    assert f"{made.instant(made.schedule.start_times[0]):%d %H:%M}" == "07 17:00"

@@ -96,3 +96,40 @@ def test_days_count_from_the_day_that_was_said(text: str, day: str) -> None:
 def test_that_day_needs_a_day() -> None:
     reading = Language.shipped().read("call Bob and send the music that day", now=NOW)
     assert any("which day" in remark.message for remark in reading.remarks)
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("check the pump on friday every 20 minutes until noon", "06 07"),
+        ("check the pump every 20 minutes on friday until noon", "06 07"),
+        ("on friday check the pump every 20 minutes until noon", "06 07"),
+        ("tomorrow check the pump every hour from ten", "05 10"),
+        ("check the pump tomorrow every hour from ten until two", "05 10"),
+        ("on friday night check the pump every hour from 11 pm until 6 am", "06 23"),
+        ("tomorrow afternoon check the pump every hour", "05 12"),
+        ("tomorrow call Ann and check the pump every hour until noon", "05 07"),
+    ],
+)
+def test_what_is_done_by_an_interval_is_on_the_day_that_is_said(text: str, wanted: str) -> None:
+    instruction = 1 if "call" in text else 0
+    assert occurrences(text, instruction)[0] == wanted
+
+
+def test_an_interval_on_a_day_ends_with_its_bound() -> None:
+    text = "tomorrow check the pump every hour from ten until two"
+    repeats = Language.shipped().read(text, now=NOW).instructions[0].repeats
+    assert repeats is not None
+    hours = [f"{instant_after(NOW, seconds):%H}" for seconds in repeats.occurrences(14 * 86400)]
+    assert hours == ["10", "11", "12", "13", "14"]
+
+
+def test_a_choice_for_a_bound_is_said_of_the_words_that_say_it() -> None:
+    reading = Language.shipped().read("tomorrow check the pump every hour from nine", now=NOW)
+    assert [remark.message.partition(" is ")[0] for remark in reading.remarks] == ["'every hour from nine'"]
+
+
+def test_an_interval_that_goes_on_today_has_turns_to_come() -> None:
+    repeats = Language.shipped().read("check the pump every hour today", now=NOW).instructions[0].repeats
+    assert repeats is not None
+    assert [start for start, _ in repeats.coming(2)] == [0.0, 3600.0]

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import TypeGuard
 
+from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
@@ -59,13 +60,7 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         # "Every two hours tonight"
         return replace(repeat, starting=time, until=time)
     if said.constraint is Constraint.BEFORE:
-        # "Three alarms ten minutes apart before seven": how many is said, and any of them may be then.
-        if repeat.apart:
-            return None
-        on_day = None if said.within is None else replace(repeat, starting=said.within, until=said.within)
-        if on_day is not None and _is_on_day(on_day) and isinstance(time, Wall):
-            return _with_side_of_day(on_day, replace(time, days=None), said.constraint)
-        return replace(repeat, until=time)
+        return _until(repeat, said, time)
     if said.lasting is not None and isinstance(time, Wall) and repeat.every is not None:
         # "Every five minutes from noon for half an hour"
         longer = not repeat.walls and said.lasting.seconds > repeat.every.seconds
@@ -77,14 +72,26 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         if any(wall.part is not None and not wall.part.name for wall in repeat.walls) and _is_clocked(time):
             # "Mon-thu 9-5, fri 9-3": the second are hours of another day.
             return None
-        return replace(repeat, starting=time.first, until=time.last)
+        return replace(repeat, starting=time.first, until=_of_night(time.last, time.first))
     return None
+
+
+def _until(repeat: Repeat, said: Said, end: Time) -> Repeat | None:
+    """Give a repetition with its end, on the day of that: "every hour on thursday until noon"."""
+    if repeat.apart:
+        # "Three alarms ten minutes apart before seven": how many is said, and any of them may be then.
+        return None
+    day = said.within
+    on_day = replace(repeat, starting=day, until=day)
+    if day is not None and isinstance(end, Wall) and _is_on_day(on_day):
+        return _in_hours_of_day(on_day, day, replace(said, time=replace(end, days=None)))
+    return replace(repeat, until=end)
 
 
 def _ended(repeat: Repeat, said: Said) -> Repeat | None:
     """Give what begins at a time with its end: "every two hours at ten until six"."""
-    if _is_on_day(repeat) and isinstance(said.time, Wall) and is_of_day(said.time):
-        return _with_side_of_day(repeat, said.time, said.constraint)
+    if _is_on_day(repeat) and isinstance(repeat.starting, Wall):
+        return _in_hours_of_day(repeat, repeat.starting, said)
     begins = repeat.until is None and isinstance(repeat.starting, Wall)
     if not begins or said.constraint is not Constraint.BEFORE or not isinstance(said.time, Wall):
         return None
@@ -92,17 +99,32 @@ def _ended(repeat: Repeat, said: Said) -> Repeat | None:
 
 
 def _is_on_day(repeat: Repeat) -> bool:
-    """Whether it is done by an interval on one day, of which no hours are said: "every hour tomorrow"."""
+    """Whether it is done by an interval on one day, or in a part of it: "every hour tomorrow"."""
     day = repeat.starting
-    whole = isinstance(day, Wall) and day.days is not None and day.clock is None and day.part is None
+    whole = isinstance(day, Wall) and day.days is not None and day.clock is None
     return whole and repeat.until == day and repeat.every is not None and not repeat.walls
 
 
-def _with_side_of_day(repeat: Repeat, time: Wall, side: Constraint | None) -> Repeat | None:
-    """Give what is done by an interval on one day up to a time of it, or from then on: "until noon"."""
-    day = repeat.starting
-    hours = _on_side(replace(day, weak=False), time, side) if isinstance(day, Wall) else None
+def _in_hours_of_day(repeat: Repeat, day: Wall, said: Said) -> Repeat | None:
+    """Give what is done by an interval on one day, in hours of it: "until noon", "from ten until two"."""
+    time = said.time
+    if isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last):
+        begins = joined(day, time.first)
+        return None if begins is None else replace(repeat, starting=begins, until=_of_night(time.last, day))
+    if not is_of_day(time):
+        return None
+    if day.part is not None and said.constraint is Constraint.BEFORE:
+        return replace(repeat, until=_of_night(time, day))
+    hours = _on_side(replace(day, weak=False), time, said.constraint)
     return None if hours is None else replace(repeat, starting=hours, until=hours)
+
+
+def _of_night(end: Time, day: Time) -> Time:
+    """Give an hour of the night that is said: "tonight, every two hours until two"."""
+    part = day.part if isinstance(day, Wall) else None
+    if part is None or part.half is not Half.NIGHT or not isinstance(end, Wall) or end.clock is None:
+        return end
+    return replace(end, clock=halved(end.clock, part.half))
 
 
 def _is_clocked(time: Range) -> bool:

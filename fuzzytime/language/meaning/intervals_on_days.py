@@ -5,7 +5,16 @@ from dataclasses import replace
 from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.bounded_repeats import bounded_repeat, is_of_day
 from fuzzytime.language.meaning.calendar import Cycle
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS, HourMark, Range, Repeat, Said, Time, Wall
+from fuzzytime.language.meaning.expressions import (
+    UNIT_SECONDS,
+    HourMark,
+    Offset,
+    Range,
+    Repeat,
+    Said,
+    Time,
+    Wall,
+)
 from fuzzytime.requirement import Constraint, Unit
 
 
@@ -33,7 +42,12 @@ def is_interval(repeat: Repeat) -> bool:
     short = repeat.every is not None and repeat.every.seconds <= UNIT_SECONDS[Unit.DAY] / 2
     counted = repeat.times is not None or repeat.apart or repeat.shared or repeat.closing is not None
     bounds = (bound for bound in (repeat.starting, repeat.until) if bound is not None)
-    return short and not counted and not repeat.walls and repeat.within is None and all(map(is_of_day, bounds))
+    return short and not counted and not repeat.walls and repeat.within is None and all(map(_is_open, bounds))
+
+
+def _is_open(bound: Time) -> bool:
+    """Whether it is a time of any day, or so long after one."""
+    return is_of_day(bound.anchor if isinstance(bound, Offset) else bound)
 
 
 def on_one_day(interval: Repeat, day: Wall) -> Repeat | None:
@@ -42,12 +56,14 @@ def on_one_day(interval: Repeat, day: Wall) -> Repeat | None:
         return None
     first, last = interval.starting, interval.until
     whole = replace(interval, starting=day, until=day)
+    if isinstance(first, Offset):
+        # "Every hour after ten" is an hour after that, and so on.
+        begun = on_one_day(replace(interval, starting=first.anchor), day)
+        return begun and replace(begun, starting=replace(first, anchor=begun.starting))
     if is_of_day(first):
         begins = joined(day, first)
-        return None if begins is None else replace(whole, starting=begins, until=last or Wall(day.days))
-    if is_of_day(last):
-        return bounded_repeat(whole, Said(last, Constraint.BEFORE)) if day.part is None else None
-    return whole
+        return None if begins is None else replace(whole, starting=begins, until=last or day)
+    return whole if last is None else bounded_repeat(whole, Said(last, Constraint.BEFORE))
 
 
 def _with_hours(days: Repeat, interval: Repeat) -> Repeat | None:

@@ -133,7 +133,8 @@ def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Tim
     if isinstance(time, Offset) and time.anchor is not None:
         lag = time.direction * time.duration.seconds
         time, constraint = time.anchor, Constraint.BEFORE if lag < 0 else Constraint.AFTER
-    part = time.part if isinstance(time, Wall) and time.days in {None, anchors.day} else None
+    part = time.part if isinstance(time, Wall) else None
+    dated = isinstance(time, Wall) and time.days not in {None, anchors.day}
     if part is not None and not part.meal and part.name.endswith(HOUR):
         # "Call her at lunchtime"
         part = replace(part, name=part.name.removesuffix(HOUR), meal=True)
@@ -145,7 +146,7 @@ def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Tim
     if not beside and constraint not in {Constraint.BEFORE, Constraint.AFTER}:
         return None
     when = requirement.t_spec if requirement.t_spec is not None else requirement.latest
-    target = _meal_told(anchors, part, (when or 0.0) - lag)
+    target = _meal_told(anchors, part, (when or 0.0) - lag, dated=dated)
     if target is None:
         return None
     constraint = Constraint.AT if beside or constraint is None else constraint
@@ -157,10 +158,10 @@ def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Tim
     return only_counted(requirement, anchor, constraint)
 
 
-def _meal_told(anchors: Anchors, part: Part, when: float) -> int | None:
+def _meal_told(anchors: Anchors, part: Part, when: float, *, dated: bool) -> int | None:
     """Give the position of what tells of a meal, by any of its names: before this one, or else behind it.
 
-    In so many seconds it is, as far as its name tells.
+    In so many seconds it is, as far as its name tells; ``dated`` says that its day is said.
     """
     names = _names_of(part, anchors.lexicon)
     own = [
@@ -168,23 +169,22 @@ def _meal_told(anchors: Anchors, part: Part, when: float) -> int | None:
         for place, operation in enumerate(anchors.own)
         if operation is not None and any(words <= content_words(operation.object) for words in names)
     ]
+    before = (anchors.mentions.about(words, anchors.first) for words in names)
     told = [place for place in own if place != anchors.position]
-    told = told or [
-        place
-        for words in names
-        if (place := anchors.mentions.about(words, anchors.first)) is not None
-    ]
-    if told or not anchors.awaits:
-        return max(told, default=None)
-    # "Remind Sam ten minutes before lunch", where the next line says when that is.
-    behind = anchors.first + len(anchors.own)
-    places = (anchors.mentions.told_behind(words, behind) for words in names)
-    target = min((place for place in places if place is not None), default=None)
-    start = None if target is None else anchors.mentions.told.start(target)
-    # "Lunch tomorrow is at three" is another lunch.
+    told = told or [place for place in before if place is not None]
+    target, sure = max(told, default=None), not dated
+    if target is None and anchors.awaits:
+        # "Remind Sam ten minutes before lunch", where the next line says when that is.
+        behind = anchors.first + len(anchors.own)
+        places = (anchors.mentions.told_behind(words, behind) for words in names)
+        target, sure = min((place for place in places if place is not None), default=None), False
+    if target is None or sure:
+        return target
+    start = anchors.mentions.told.start(target)
     meant = None if anchors.now is None else anchors.now + timedelta(seconds=when)
+    # "Lunch tomorrow is at three" is another lunch.
     elsewhen = start is not None and meant is not None and start.date() != meant.date()
-    return None if elsewhen else target
+    return None if elsewhen or (dated and start is None) else target
 
 
 def _names_of(part: Part, lexicon: Lexicon) -> list[frozenset[str]]:
