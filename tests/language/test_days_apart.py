@@ -133,3 +133,25 @@ def test_an_interval_that_goes_on_today_has_turns_to_come() -> None:
     repeats = Language.shipped().read("check the pump every hour today", now=NOW).instructions[0].repeats
     assert repeats is not None
     assert [start for start, _ in repeats.coming(2)] == [0.0, 3600.0]
+
+
+@pytest.mark.parametrize(
+    ("text", "first", "last"),
+    [
+        ("tonight check the pump every two hours until two", "04 20", "05 02"),
+        ("check the pump every two hours tonight until two", "04 20", "05 02"),
+        ("on friday night check the pump every hour until 11", "06 20", "06 23"),
+        ("tomorrow evening check the pump every hour until one", "05 18", "06 01"),
+        ("tomorrow morning check the pump every hour until two", "05 08", "05 14"),
+        ("tomorrow afternoon check the pump every hour from two until six", "05 14", "05 18"),
+    ],
+)
+def test_an_interval_in_a_part_of_a_day_is_over_at_the_hour_behind_it(
+    text: str, first: str, last: str
+) -> None:
+    reading = Language.shipped().read(text, now=NOW)
+    repeats = reading.instructions[0].repeats
+    assert repeats is not None
+    turns = [f"{instant_after(NOW, seconds):%d %H}" for seconds in repeats.occurrences(14 * 86400)]
+    assert (turns[0], turns[-1]) == (first, last)
+    assert not any(f"{last[3:]}:00:" in remark.message for remark in reading.remarks)

@@ -2,7 +2,7 @@
 
 import re
 from calendar import month_name
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, date, datetime, timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
@@ -66,11 +66,21 @@ class Deciding:
         hours = hours_of_turns(*bounds, self.moment) if bounds else None
         if hours is not None and not remarks:
             return self.of_instants(hours, hours.zone)[0]
-        for bound in bounds:
+        for place, bound in enumerate(bounds):
             said = bound.anchor if isinstance(bound, Offset) else bound
             if isinstance(said, Wall) and said.clock is not None and not remarks:
-                remarks += self.of_instants(self.moment.grounding(said.zone).instants(said), said.zone)[0]
+                found = self.moment.grounding(said.zone).instants(said)
+                found = self._behind_start(found, recurrence) if place and said.days is None else found
+                remarks += self.of_instants(found, said.zone)[0]
         return tuple(dict.fromkeys(remarks))
+
+    def _behind_start(self, found: Instants, recurrence: Recurrence) -> Instants:
+        """Give where a repetition is over, of the hours that it may be: the one that is behind its start."""
+        if not found.choices or not isinstance(recurrence, EvenRecurrence) or recurrence.endless:
+            return found
+        over = self.moment.grounding().now + timedelta(seconds=recurrence.last)
+        others = (choice for choice in found.choices if choice.time() != over.time())
+        return replace(found, start=over, end=over, choices=(over, *others))
 
     def of_instants(
         self, found: Instants, zone: str | None
