@@ -52,7 +52,7 @@ def test_a_line_goes_on_with_the_verb_said_last(lines: str, entries: list[str]) 
 
 def test_the_same_again_is_repeated_on_another_day_from_the_hour_said() -> None:
     talk = _said("stir the soup every hour from ten am to two pm | same again tomorrow")
-    again = "stir the soup every hour from ten am to two pm tomorrow"
+    again = "stir the soup tomorrow every hour from ten am to two pm"
     assert talk.entries == ["stir the soup every hour from ten am to two pm", again]
 
 
