@@ -73,6 +73,11 @@ class TreeError(Exception):
         self.column = column
 
 
+TOO_DEEP = "maximum nesting depth"
+"""What a parser's own refusal of deep nesting says."""
+
+DEPTH_REFUSED = f"nesting must not be deeper than {MAX_DEPTH}"
+
 Note = Callable[[Place, str], None]
 """Takes a mistake that does not stop reading."""
 
@@ -105,6 +110,9 @@ def parse_tree(text: str, note: Note) -> Node:
 def _syntax_error(text: str, error: yaml.MarkedYAMLError) -> TreeError:
     """Say where to look: at a tab, at a quote or bracket of an earlier line that is still open, or there."""
     mark, begun = error.problem_mark, error.context_mark
+    if mark is not None and TOO_DEEP in (error.problem or ""):
+        # Newer parsers refuse what is nested far deeper before they give its first brackets.
+        return TreeError(DEPTH_REFUSED, mark.line, mark.column)
     if mark is None:
         return TreeError(f"not valid YAML: {error.problem or error}", 0, 0)
     if text[mark.index : mark.index + 1] == "\t":
@@ -182,7 +190,7 @@ class _Builder:
             self._add(Scalar(event.value, place.line, place.column, place.index, quoted))
         elif isinstance(event, yaml.CollectionStartEvent):
             if len(self._stack) >= MAX_DEPTH:
-                message = f"nesting must not be deeper than {MAX_DEPTH}"
+                message = DEPTH_REFUSED
                 raise TreeError(message, place.line, place.column)
             self._stack.append(_Open(event))
 
