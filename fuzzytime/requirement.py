@@ -164,6 +164,11 @@ class Recurrence(Protocol):
         """Whether words say where each occurrence begins and where it is over: "every day from 9 to 10"."""
         ...
 
+    @property
+    def all_day(self) -> bool:
+        """Whether nothing but a day bounds it: "on thursday every hour"."""
+        ...
+
     def occurrences(self, until: float) -> tuple[float, ...]:
         """Give the occurrences' times from 0 to ``until``, in seconds from when the instruction was given."""
         ...

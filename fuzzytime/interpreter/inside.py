@@ -34,7 +34,7 @@ class GoingOn:
             begins = self.length - recurrence.closing
             turns = math.ceil(recurrence.closing / interval)
             lags = [begins + count * interval for count in range(turns) if begins + count * interval >= 0]
-        elif not recurrence.endless:
+        elif not recurrence.endless and not recurrence.all_day:
             # "Every ten minutes for the first hour"
             lags = [start for start, _ in recurrence.windows(self.length) if start < self.length]
         else:
@@ -56,7 +56,9 @@ def going_on(
         return _said_of(instruction, repeated, before, skills)
     if repeated is not None and repeated.anchor is not None and repeated.anchor.edge is Edge.START:
         return _said_of(instruction, repeated, before, skills)
-    if repeated is None or repeated.recurrence is None or not repeated.recurrence.endless:
+    if repeated is None or repeated.recurrence is None:
+        return None
+    if not (repeated.recurrence.endless or repeated.recurrence.all_day):
         return None
     interval = repeated.recurrence.interval
     if interval is None:
@@ -74,7 +76,13 @@ def going_on(
 
 
 def _begins_behind(recurrence: Recurrence, interval: float, one: Interpreted) -> bool:
-    """Whether a repetition has no begin of its own: the first is so long from now, or from a skill's time."""
+    """Whether a repetition has no begin of its own: the first is so long from now, or from a skill's time.
+
+    Neither has one that only the skill's own day bounds.
+    """
+    if recurrence.all_day:
+        day, best = recurrence.occurrences(math.inf), one.skill.satisfaction.best
+        return bool(day) and day[0] <= best.low <= best.high <= day[-1] + interval
     starts = [0.0, *(part.t_spec for part in one.requirements if part.t_spec is not None)]
     firsts = (interval + start for start in starts)
     return any(recurrence.windows(first)[:1] == ((first, first),) for first in firsts)
@@ -110,6 +118,9 @@ def _is_about(instruction: Instruction, one: Interpreted) -> bool:
     operation, other = instruction.operation, one.operation
     if operation is None or other is None:
         return False
+    if operation.object is None and operation.verb != operation.lemma:
+        # "Mash for an hour, stirring every ten minutes"
+        return True
     # "Check on it"
     named = not BACK.isdisjoint((operation.place or "").lower().split())
     return named or shares_thing(operation, other)

@@ -87,7 +87,9 @@ def from_to(instruction: Instruction) -> Instruction:
     for place, part in enumerate(requirements):
         if part.preposition != "between" or part.earliest is None or part.latest is None:
             continue
-        ends = part.text.lower().startswith("from ") or part.text[:1].isdigit()
+        # What a line above says is when all below it is, and how long none of that.
+        own = part.span[0] < part.span[1]
+        ends = own and (part.text.lower().startswith("from ") or part.text[:1].isdigit())
         if operation.stated or (ends and part.reference is Reference.START):
             begin, length = part.earliest, part.latest - part.earliest
             requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)

@@ -2,6 +2,7 @@
 
 import pytest
 
+from fuzzytime.times import MINUTE
 from interpreter.telling import SEVEN, notes, order, starts, told
 
 pytestmark = pytest.mark.model
@@ -141,3 +142,27 @@ def test_what_something_that_takes_long_needs_comes_before_it() -> None:
 def test_what_is_repeated_for_the_first_hour_is_so_from_the_start_of_what_goes_on(text: str) -> None:
     at = starts(told([text]))
     assert list(at.values()) == ["12:00", "12:20", "12:40", "13:00"]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["on friday roast the lamb for two hours, basting every half hour"],
+        ["Friday:", "roast the lamb for two hours", "baste it every half hour"],
+        ["Friday:", "mash for two hours, stirring every half hour"],
+    ],
+)
+def test_what_goes_on_on_a_day_bounds_what_is_done_during_it(lines: list[str]) -> None:
+    made = told(lines)
+    roast, *turns = made.schedule.start_times
+    assert [turn - roast for turn in turns] == [30 * MINUTE, 60 * MINUTE, 90 * MINUTE]
+
+
+def test_another_day_is_not_bounded_by_what_goes_on_today() -> None:
+    made = told(["roast the lamb for two hours", "on friday baste it every eight hours"])
+    assert len(made.skills) == 4
+
+
+def test_hours_on_a_line_above_are_no_length_of_what_is_below() -> None:
+    made = told(["From 2 to 4 pm:", "mow the lawn", "call Ann at 3 pm"])
+    assert starts(made)["s3"] == "15:00"

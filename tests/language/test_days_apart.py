@@ -155,3 +155,17 @@ def test_an_interval_in_a_part_of_a_day_is_over_at_the_hour_behind_it(
     turns = [f"{instant_after(NOW, seconds):%d %H}" for seconds in repeats.occurrences(14 * 86400)]
     assert (turns[0], turns[-1]) == (first, last)
     assert not any(f"{last[3:]}:00:" in remark.message for remark in reading.remarks)
+
+
+@pytest.mark.parametrize(
+    "text", ["check the pump every six hours on friday", "on friday check it every six hours"]
+)
+def test_an_interval_on_a_day_is_over_with_it(text: str) -> None:
+    repeats = Language.shipped().read(text, now=NOW).instructions[0].repeats
+    assert repeats is not None
+    assert [f"{instant_after(NOW, t):%d %H}" for t in repeats.occurrences(14 * 86400)] == [
+        "06 00",
+        "06 06",
+        "06 12",
+        "06 18",
+    ]

@@ -180,6 +180,16 @@ def same_day_after(here: Standpoint, clock: Clock) -> list[datetime]:
     return sorted(moment for moment in there if moment >= here.since)
 
 
+def within_window(here: Standpoint, clock: Clock) -> list[datetime]:
+    """Give the moments of a clock time in the hours that a line above names; none where none is in them."""
+    if here.window is None:
+        return []
+    first, last = here.window
+    days = {midnight(end.date()) for end in here.window}
+    there = (day + timedelta(seconds=seconds) for day in days for seconds in clock.candidates())
+    return sorted(moment for moment in there if first <= moment <= last)
+
+
 def before_due(here: Standpoint, clock: Clock) -> list[datetime]:
     """Give the last of a clock time's moments before what is prepared; none where that is far from it."""
     if here.due is None:

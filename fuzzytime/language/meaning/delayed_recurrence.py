@@ -38,6 +38,11 @@ class DelayedRecurrence:
         """Whether words say where each occurrence begins and where it is over."""
         return self.of.spans
 
+    @property
+    def all_day(self) -> bool:
+        """Whether nothing but a day bounds it."""
+        return self.of.all_day
+
     def occurrences(self, until: float) -> tuple[float, ...]:
         """Give the times from 0 to ``until``, in seconds from when the instruction was given."""
         return tuple(time + self.by for time in self.of.occurrences(until - self.by))

@@ -6,7 +6,13 @@ from datetime import date, datetime, timedelta
 from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today, moved
-from fuzzytime.language.meaning.chosen_clocks import before_due, decided, is_unusual, same_day_after
+from fuzzytime.language.meaning.chosen_clocks import (
+    before_due,
+    decided,
+    is_unusual,
+    same_day_after,
+    within_window,
+)
 from fuzzytime.language.meaning.dated_weekdays import nearest
 from fuzzytime.language.meaning.expressions import (
     Coming,
@@ -29,7 +35,7 @@ from fuzzytime.language.meaning.instants import (
     over_at_midnight,
     shifted,
 )
-from fuzzytime.language.meaning.part_instants import part_alone, part_on
+from fuzzytime.language.meaning.part_instants import part_alone, part_on, part_within
 from fuzzytime.language.meaning.range_instants import range_instants
 from fuzzytime.language.meaning.relations import Following, Relative, days_onward
 from fuzzytime.language.meaning.standpoint import Standpoint
@@ -142,7 +148,8 @@ class Grounding(Standpoint):
                 return self._clock_alone(wall, wall.clock)
             if wall.part is None:
                 raise UngroundedError("a time must name a day or a time of day")
-            return part_alone(wall.part, self.now, self.since, follows=self.follows)
+            inside = None if self.window is None else part_within(wall.part, *self.window)
+            return inside or part_alone(wall.part, self.now, self.since, follows=self.follows)
         if wall.clock is not None:
             return self._clock_on(wall, wall.days, wall.clock)
         days = self._chosen_day(wall.days, wall.part)
@@ -169,7 +176,8 @@ class Grounding(Standpoint):
         moments = sorted(self._next(seconds) for seconds in clock.candidates())
         if self.past:
             return Instants(last := max(map(self._last, moments)), last, clock.grain, (), wall.zone)
-        return decided(self, before_due(self, clock) or same_day_after(self, clock) or moments, clock, wall)
+        placed = within_window(self, clock) or before_due(self, clock) or same_day_after(self, clock)
+        return decided(self, placed or moments, clock, wall)
 
     def _next(self, seconds: int) -> datetime:
         moment = midnight(self.now.date()) + timedelta(seconds=seconds)

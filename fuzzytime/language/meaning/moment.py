@@ -24,7 +24,7 @@ class Moment:
     that this is what follows: "open it at eight and close it at six". ``overnight`` says that it is
     the evening, or the morning that follows, of what is so overnight: "close it at eight, open it at seven".
     ``past`` says that it is over: "her last turn was at six"; ``night`` is from when to when, in seconds, a
-    line said that a shift goes on over midnight.
+    line said that a shift goes on over midnight, ``window`` from when to when a line above says that all is.
     ``usual`` says that the hours of the policy are those at which people do what is asked for, ``early`` that
     this is so of those on days to come.
     """
@@ -44,6 +44,7 @@ class Moment:
     overnight: Half | None = None
     past: bool = False
     night: tuple[float, float] | None = None
+    window: tuple[float, float] | None = None
 
     def grounding(self, zone: str | None = None) -> Grounding:
         """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
@@ -74,9 +75,8 @@ class Moment:
             onto=self.onto,
             overnight=self.overnight,
             past=self.past,
-            night=None
-            if self.night is None
-            else (here + timedelta(seconds=self.night[0]), here + timedelta(seconds=self.night[1])),
+            night=_from_to(here, self.night),
+            window=_from_to(here, self.window),
         )
 
     def seconds(self, wall: datetime, zone: str | None = None) -> float:
@@ -120,6 +120,15 @@ class Moment:
             return self.seconds(wall) + direction * rest
         except (OverflowError, ValueError) as error:
             raise UngroundedError("a time must lie in the years 1 to 9999") from error
+
+
+def _from_to(here: datetime, seconds: tuple[float, float] | None) -> tuple[datetime, datetime] | None:
+    """Give the ends of a stretch of time on the wall clock."""
+    return (
+        None
+        if seconds is None
+        else (here + timedelta(seconds=seconds[0]), here + timedelta(seconds=seconds[1]))
+    )
 
 
 def zone_of(name: str) -> tzinfo:

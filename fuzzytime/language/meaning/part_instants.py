@@ -17,6 +17,12 @@ def part_on(day: date, part: Part, waking: time | None = None) -> Instants:
     return Instants(start, end, Unit.HOUR)
 
 
+def part_within(part: Part, first: datetime, last: datetime) -> Instants | None:
+    """Give the part of the day that some hours have a share of: the night of a night shift."""
+    found = (part_on(day, part) for day in (first.date(), last.date()))
+    return next((one for one in found if one.start < last and first < one.end), None)
+
+
 def part_alone(part: Part, now: datetime, since: datetime | None, *, follows: bool) -> Instants:
     """Give the part of the day that is not over yet: "tonight, then in the morning".
 

@@ -49,6 +49,11 @@ class PlainRecurrence:
         """Whether words say where each occurrence begins and where it is over."""
         return False
 
+    @property
+    def all_day(self) -> bool:
+        """Whether nothing but a day bounds it."""
+        return False
+
     def spaced(self, length: float) -> Self:  # noqa: ARG002 - how often is said
         """Give the same."""
         return self
@@ -58,7 +63,8 @@ class PlainRecurrence:
 class EvenRecurrence(PlainRecurrence):
     """Every so many seconds, from a first time on; each lasts a length.
 
-    ``counted`` says that how often is said, and how long is waited in between: "three sets, a minute apart".
+    ``counted`` says that how often is said, and how long is waited in between: "three sets, a minute apart";
+    ``all_day`` that nothing but a day bounds it: "on thursday every hour".
 
     >>> EvenRecurrence(step=1200, first=1200).occurrences(3600)
     (1200, 2400, 3600)
@@ -69,6 +75,7 @@ class EvenRecurrence(PlainRecurrence):
     last: float = math.inf
     length: float = 0.0
     counted: bool = False
+    all_day: bool = False
 
     @property
     def endless(self) -> bool:

@@ -88,6 +88,9 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> Series:
     if sub_day and last is not None and 0.0 < last < start:
         # "Every hour from dawn till dusk", said in the morning: it goes on already.
         start = 0.0
+    if _is_of_one_day(repeat) and last is not None:
+        # None begins when the day is over.
+        return EvenRecurrence(step=step, first=start, last=last - JUST_BEFORE, length=length, all_day=True)
     return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last, length=length)
 
 
@@ -165,6 +168,13 @@ def _begins_on_day(first: Time | None) -> TypeGuard[Wall]:
     return isinstance(first, Wall) and first.days is not None and first.clock is None and first.part is None
 
 
+def _is_of_one_day(repeat: Repeat) -> bool:
+    """Whether it is done by an interval all through one day: "every hour on thursday"."""
+    first, interval = repeat.starting, repeat.every is not None and not repeat.walls
+    one = _begins_on_day(first) and first.days is not None and first.days.grain is Unit.DAY
+    return interval and one and repeat.until == first
+
+
 def _is_even(repeat: Repeat) -> bool:
     """Whether days are counted from today: "every two days", without a time of day."""
     return repeat.every is not None and all(wall.clock is None and wall.part is None for wall in repeat.walls)
@@ -173,7 +183,7 @@ def _is_even(repeat: Repeat) -> bool:
 def _bounds(repeat: Repeat, moment: Moment) -> tuple[float | None, float | None]:
     """Give where a repetition begins and is over: of two times of day, one may say the day of both."""
     first, last = bounds_said(repeat)
-    both = _as_range(first, last)
+    both = None if _is_of_one_day(repeat) else _as_range(first, last)
     if both is not None:
         found = moment.grounding().instants(both)
         return moment.seconds(found.start), moment.seconds(found.end)

@@ -53,6 +53,8 @@ class Standpoint(ABC):
         Whether it is over: the time is the last before now.
     night : tuple of datetime, optional
         From when to when what was said before goes on over midnight, which begins soon or goes on now.
+    window : tuple of datetime, optional
+        From when to when all is that a line above holds for, at most a day.
     """
 
     now: datetime
@@ -73,6 +75,7 @@ class Standpoint(ABC):
     overnight: Half | None = None
     past: bool = False
     night: tuple[datetime, datetime] | None = None
+    window: tuple[datetime, datetime] | None = None
 
     @property
     def today(self) -> Today:

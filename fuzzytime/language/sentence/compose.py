@@ -55,6 +55,7 @@ from fuzzytime.language.sentence.together.mornings import follows_night
 from fuzzytime.language.sentence.together.naming import naming_none
 from fuzzytime.language.sentence.together.pairs import follows_on, leads_to, side_of_night
 from fuzzytime.language.sentence.together.sketches import sketches_of
+from fuzzytime.language.sentence.together.titles import window_of
 from fuzzytime.language.sentence.together.told_beside import due_before
 from fuzzytime.language.sentence.together.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
@@ -100,6 +101,7 @@ class _Composer:
             carried=since.clock is not None,
             day=since.day,
             night=since.night,
+            window=_window_of(draft, lexicon),
         )
         self.mentions = mentions
         self.first = first
@@ -270,6 +272,13 @@ class _Composer:
             self.moment = replace(self.moment, since=said.clock, carried=False)
         if said.day is not None:
             self.moment = replace(self.moment, day=said.day)
+
+
+def _window_of(draft: Draft, lexicon: Lexicon) -> tuple[float, float] | None:
+    """Give from when to when a line above says that all below it is; None where none says so."""
+    phrases = () if draft.heading is None else draft.heading.phrases
+    windows = (window_of(phrase, draft, lexicon.policy) for phrase in phrases)
+    return next((window for window in windows if window is not None), None)
 
 
 def _leaves(aside: Aside, length: Grounded) -> bool:

@@ -59,7 +59,8 @@ HEADED = "heading"
 class Heading:
     """A time on a line of its own: its name, the line, and the times and clauses in it.
 
-    ``addressee`` is who is called there instead: "Robot 2:".
+    ``addressee`` is who is called there instead: "Robot 2:". Its line ``happens`` where it tells of what goes
+    on then, too: "Night shift Friday 21:00-07:00".
     """
 
     name: str
@@ -68,6 +69,7 @@ class Heading:
     phrases: tuple[Phrase, ...] = ()
     clauses: tuple[Clause, ...] = ()
     addressee: str | None = None
+    happens: bool = False
 
     @property
     def day(self) -> Phrase | None:

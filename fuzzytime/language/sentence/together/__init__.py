@@ -5,9 +5,9 @@ Words and times
     ``several_times``, ``both_sides``, ``first_offered``, ``again_between``, ``turns``, ``first_times``,
     ``at_once``, ``for_all``, ``also_at_events``, ``choices_of_repetitions``; what is ``told_beside``.
 Days and lengths
-    ``headings``, ``below_headings``, ``days_apart`` (``listed_days``, ``things_alone``), ``mornings``,
-    ``day_by_day``, ``days_left_out``, ``left_out_behind``, ``each_week``, ``opening_hours``, ``days_on``,
-    ``lengths``, ``waited``, ``consequences``, ``reasons_told``.
+    ``titles``, ``headings``, ``below_headings``, ``days_apart`` (``listed_days``, ``things_alone``),
+    ``mornings``, ``day_by_day``, ``days_left_out``, ``left_out_behind``, ``each_week``, ``opening_hours``,
+    ``days_on``, ``lengths``, ``waited``, ``consequences``, ``reasons_told``.
 What is none
     ``orders_again``, ``doubts`` (``what_was``), ``denials``, ``naming``, ``how_often``.
 """

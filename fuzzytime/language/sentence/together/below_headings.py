@@ -3,11 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.meaning.expressions import Duration, Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Time, TimeWord, Wall
+from fuzzytime.language.meaning.intervals_on_days import is_interval
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
 from fuzzytime.language.sentence.segments.segment import JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.titles import is_window
 from fuzzytime.requirement import Constraint
 
 
@@ -32,6 +34,7 @@ def _with_days(sketch: Sketch, days: Sequence[Phrase]) -> Sketch:
 
 def under_heading(sketch: Sketch, heading: Heading) -> Sketch:
     """Give an instruction the times of a line above, where its own do not say when something is done."""
+    sketch = _during_hours(sketch, heading)
     operation = sketch.operation
     if operation is not None and operation.addressee is None and not operation.stated:
         operation = replace(operation, addressee=heading.addressee)
@@ -44,11 +47,31 @@ def under_heading(sketch: Sketch, heading: Heading) -> Sketch:
     if sketch.part.segment.connective not in JOINED and not sketch.phrases:
         # What comes "then" comes on the day of what it follows.
         return sketch
-    if _counts_from_another(sketch) and all(_is_whole_day(phrase) for phrase in heading.phrases):
+    wholes = (_is_whole_day(phrase) or is_window(phrase) for phrase in heading.phrases)
+    if _counts_from_another(sketch) and all(wholes):
         # "An hour before the meeting" is on the meeting's day.
         return replace(sketch, headed=heading.clauses)
     due = _due_on_day(sketch, heading)
     return replace(due or sketch.under(heading.phrases), headed=heading.clauses)
+
+
+def _during_hours(sketch: Sketch, heading: Heading) -> Sketch:
+    """Give what is done every so often the hours of a line above for its bounds, where it names none."""
+    hours = next((phrase.said.time for phrase in heading.phrases if is_window(phrase)), None)
+    if not isinstance(hours, Range):
+        return sketch
+    phrases = [
+        replace(phrase, said=replace(phrase.said, time=_bounded(phrase.said.time, hours)))
+        for phrase in sketch.phrases
+    ]
+    return replace(sketch, phrases=tuple(phrases))
+
+
+def _bounded(time: Time | Duration | Repeat, hours: Range) -> Time | Duration | Repeat:
+    """Give a repetition by an interval with those bounds that it names itself, and else with some hours."""
+    if not isinstance(time, Repeat) or not is_interval(time):
+        return time
+    return replace(time, starting=time.starting or hours.first, until=time.until or hours.last)
 
 
 def _counts_from_another(sketch: Sketch) -> bool:

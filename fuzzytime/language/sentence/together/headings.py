@@ -7,17 +7,22 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import Phrase, Range, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall
 from fuzzytime.language.meaning.told_apart import told_apart
-from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
+from fuzzytime.language.sentence.segments.drafts import Draft, Heading
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
+from fuzzytime.language.sentence.together.titles import (
+    held,
+    hours_of,
+    is_of_calendar,
+    name_of,
+    names_day,
+    title_of,
+)
 
 MARK = ":"
 """What ends a heading."""
-
-FEWEST = 3
-"""Lines below a title, at least."""
 
 LONGEST = 6
 """Words of a title, at most."""
@@ -33,7 +38,7 @@ def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
     """
     headings = [_heading_of(draft, lexicon) for draft in drafts]
     if headings and headings[0] is None:
-        headings[0] = _title_of(drafts, lexicon)
+        headings[0] = title_of(drafts, lexicon)
     found: list[Draft] = []
     heading: Heading | None = None
     day: Heading | None = None
@@ -44,6 +49,9 @@ def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
         if named is not None:
             heading = _on_day(named, day)
             day = named if named.is_day else day
+        if named is not None and named.happens:
+            found.append(replace(draft, remarks=(*draft.remarks, _remark_on(named, (0, len(draft.text))))))
+            continue
         found.append(replace(draft, heading=heading, leads=named is not None and _holds(headings, place)))
     return found
 
@@ -63,7 +71,9 @@ def _heading_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
         return Heading(called, draft.text, draft.scanned, addressee=called)
     if marked and _is_title(draft, lexicon):
         days = [phrase for phrase in draft.phrases if not _names_thing(phrase, draft)]
-        return Heading(_name_of(draft), draft.text, draft.scanned, _held(draft, days))
+        return Heading(name_of(draft), draft.text, draft.scanned, held(draft, days))
+    if marked and (hours := hours_of(draft, lexicon)) is not None:
+        return hours
     if len(draft.parts) != 1 or not (marked or len(draft.phrases) == 1):
         return None
     if marked:
@@ -78,9 +88,9 @@ def _heading_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
     titled = marked and sketch.operation is None and any(p.said.is_day for p in phrases)
     if _says_more(draft, heard) and not titled:
         return None
-    if (not marked and not _is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
+    if (not marked and not is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
         return None
-    return Heading(_name_of(draft), draft.text, draft.scanned, _held(draft, phrases), clauses)
+    return Heading(name_of(draft), draft.text, draft.scanned, held(draft, phrases), clauses)
 
 
 def _is_title(draft: Draft, lexicon: Lexicon) -> bool:
@@ -95,7 +105,7 @@ def _is_title(draft: Draft, lexicon: Lexicon) -> bool:
     ]
     if not beside or beside[0].text in lexicon.function_words or len(named) > LONGEST:
         return False
-    if not all(phrase.said.is_day and _is_of_calendar(phrase) for phrase in draft.phrases):
+    if not all(phrase.said.is_day and is_of_calendar(phrase) for phrase in draft.phrases):
         return False
     asked = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
     return not any(_begins_order(part, asked) for part in draft.parts)
@@ -104,7 +114,7 @@ def _is_title(draft: Draft, lexicon: Lexicon) -> bool:
 def _names_thing(phrase: Phrase, draft: Draft) -> bool:
     """Whether a part of the day calls what stands behind it: "Morning round:"."""
     words = draft.scanned.words
-    return not _names_day(phrase) and phrase.end < len(words) and words[phrase.end].is_letters
+    return not names_day(phrase) and phrase.end < len(words) and words[phrase.end].is_letters
 
 
 def _begins_order(part: Part, asked: AbstractSet[str]) -> bool:
@@ -116,54 +126,6 @@ def _begins_order(part: Part, asked: AbstractSet[str]) -> bool:
     owned = any(tree.children(thing, "det", "poss") for thing in tree.children(first, "dobj"))
     root = tree.nodes[tree.root]
     return tree.nodes[first].lower in asked or root.lower in asked or owned
-
-
-def _name_of(draft: Draft) -> str:
-    """Give the words of a heading, without its marks."""
-    return draft.text.strip(" :.-*#_")
-
-
-def _held(draft: Draft, phrases: Sequence[Phrase]) -> tuple[Phrase, ...]:
-    """Give times as they hold for other lines, in which they have no place."""
-    return tuple(
-        replace(phrase, first=0, end=0, span=(0, 0), rule=HEADED, above=draft.text[slice(*phrase.span)])
-        for phrase in phrases
-    )
-
-
-def _title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
-    """Give the day that the first of some lines names behind what they are about: "Early shift Thursday".
-
-    The lines below have clock times, and no days of their own; what somebody attends is no title.
-    """
-    first, below = drafts[0], [draft for draft in drafts[1:] if draft.now == drafts[0].now]
-    clocked = sum(any(_is_clocked(phrase) for phrase in draft.phrases) for draft in below)
-    dated = any(_names_day(phrase) for draft in below for phrase in draft.phrases)
-    if len(below) < FEWEST or dated or 2 * clocked < len(below) or len(first.phrases) != 1:
-        return None
-    (day,) = first.phrases
-    named = [word.text for word in first.scanned.words[: day.first] if word.is_letters]
-    ends = not any(word.is_letters for word in first.scanned.words[day.end :])
-    if not (day.said.is_day and _is_of_calendar(day) and named and ends) or day.said.preposition is not None:
-        return None
-    events = lexicon.taken | lexicon.happening | lexicon.function_words
-    done = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
-    if named[-1] in events - lexicon.frames or named[0] in done:
-        return None
-    return Heading(first.text[slice(*day.span)], first.text, first.scanned, _held(first, (day,)))
-
-
-def _is_clocked(phrase: Phrase) -> bool:
-    """Whether it has a time of day, and no day."""
-    time = phrase.said.time
-    ends = (time.first, time.last) if isinstance(time, Range) else (time,)
-    return all(isinstance(end, Wall) and end.clock is not None and end.days is None for end in ends)
-
-
-def _names_day(phrase: Phrase) -> bool:
-    """Whether it says on which day."""
-    time = phrase.said.time
-    return isinstance(time, Wall) and time.days is not None
 
 
 def _called(draft: Draft, lexicon: Lexicon) -> str | None:
@@ -178,16 +140,6 @@ def _says_more(draft: Draft, heard: Sequence[Span]) -> bool:
     """Whether words stand outside of some stretches."""
     words = (word for word in draft.scanned.words if word.text[0].isalnum())
     return any(not any(first <= word.start < end for first, end in heard) for word in words)
-
-
-def _is_of_calendar(phrase: Phrase) -> bool:
-    """Whether a time alone is a day or a part of one."""
-    time = phrase.said.time
-    if not isinstance(time, Wall) or time.clock is not None or phrase.said.constraint is not None:
-        return False
-    if time.days is not None:
-        return not time.weak
-    return time.part is not None
 
 
 def _is_meal(phrase: Phrase) -> bool:
@@ -216,16 +168,20 @@ def _on_day(heading: Heading, above: Heading | None) -> Heading:
 
 def read_heading(draft: Draft) -> Reading:
     """Give the reading of a time that holds for the lines below it."""
-    heading = draft.heading
-    said = draft.text if heading is None else heading.name
-    what = "day" if heading is not None and heading.is_day and not heading.clauses else "time"
-    message = f"{said!r} is taken as the {what} of the lines below it"
-    if heading is not None and not heading.phrases and not heading.clauses:
-        message = f"{said!r} is taken as what the lines below it are about"
-    if heading is not None and heading.addressee is not None:
-        message = f"{said!r} is taken as who is asked in the lines below it"
-    remark = Remark(RemarkKind.POLICY, (0, len(draft.text)), message)
+    heading = draft.heading or Heading(draft.text, draft.text, draft.scanned)
+    remark = _remark_on(heading, (0, len(draft.text)))
     return Reading(text=draft.text, now=draft.now, instructions=(), remarks=(remark,))
+
+
+def _remark_on(heading: Heading, span: Span) -> Remark:
+    """Say for what the lines below take a heading."""
+    what = "day" if heading.is_day and not heading.clauses else "time"
+    message = f"{heading.name!r} is taken as the {what} of the lines below it"
+    if not heading.phrases and not heading.clauses:
+        message = f"{heading.name!r} is taken as what the lines below it are about"
+    if heading.addressee is not None:
+        message = f"{heading.name!r} is taken as who is asked in the lines below it"
+    return Remark(RemarkKind.POLICY, span, message)
 
 
 def day_above(heading: Heading | None) -> Calendar | None:

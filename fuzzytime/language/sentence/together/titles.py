@@ -1,0 +1,152 @@
+"""The first of some lines, where it says on which day, or in which hours, the lines below it are."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import timedelta
+from itertools import pairwise
+
+from fuzzytime.language.finding import ground_all
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
+from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
+from fuzzytime.language.policy import Policy
+from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
+
+FEWEST = 3
+"""Lines below a title, at least."""
+
+APART = ",:-–—("
+"""What may stand between the name of a title and its day: "Brew day, Saturday"."""
+
+
+def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
+    """Give the day, or the hours, that the first of some lines names with what they are about.
+
+    So does "Early shift Thursday", or "Night shift Friday 21:00-07:00". The lines below have clock times,
+    and no days of their own; what somebody attends is no title.
+    """
+    first, below = drafts[0], [draft for draft in drafts[1:] if draft.now == drafts[0].now]
+    dated = any(names_day(phrase) for draft in below for phrase in draft.phrases)
+    if len(below) < FEWEST or len(first.phrases) != 1:
+        return None
+    (time,) = first.phrases
+    clocks = [found for draft in below if (found := _clocks_in(draft))]
+    if is_window(time):
+        within = sum(_is_within(found, time, first, lexicon.policy) for found in clocks)
+        named = _is_named(first, time, lexicon) and 2 * within >= len(below)
+    else:
+        apart = first.text[: time.span[0]].rstrip()[-1:]
+        enough = 2 * len(clocks) >= len(below)
+        enough = enough or (len(clocks) >= FEWEST and apart != "" and apart in APART)
+        numbered = len(clocks) >= FEWEST and _numbers_day(first, time, lexicon)
+        named = (enough and _is_named(first, time, lexicon)) or numbered
+        named = named and not dated and time.said.is_day and is_of_calendar(time)
+    if not named or time.said.preposition not in {None, "between"}:
+        return None
+    return _heading(first, time, lexicon)
+
+
+def hours_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
+    """Give the hours that a line with a colon names behind what goes on then: "Market 9-16:"."""
+    (time, *others) = draft.phrases or (None,)
+    if time is None or others or not is_window(time) or not _is_named(draft, time, lexicon):
+        return None
+    return _heading(draft, time, lexicon)
+
+
+def _heading(draft: Draft, time: Phrase, lexicon: Lexicon) -> Heading:
+    """Give a heading with a time; what goes on in those hours, as a shift does, is told by its line too."""
+    named = [word.text for word in draft.scanned.words[: time.first] if word.is_letters]
+    happens = is_window(time) and not lexicon.frames.isdisjoint(named[-1:])
+    name = draft.text[slice(*time.span)]
+    return Heading(name, draft.text, draft.scanned, held(draft, (time,)), happens=happens)
+
+
+def _is_named(first: Draft, time: Phrase, lexicon: Lexicon) -> bool:
+    """Whether a time stands behind the name of what goes on then, which asks for nothing."""
+    words = first.scanned.words
+    named = [word.text for word in words[: time.first] if word.is_letters]
+    if not named or any(word.is_letters for word in words[time.end :]):
+        return False
+    events = lexicon.taken | lexicon.happening | lexicon.function_words
+    done = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
+    return named[-1] not in events - lexicon.frames and named[0] not in done
+
+
+def _numbers_day(first: Draft, time: Phrase, lexicon: Lexicon) -> bool:
+    """Whether it numbers the days, or weeks, of something: "Tomorrow: shoot day 4"."""
+    words = first.scanned.words
+    beside = [word for place, word in enumerate(words) if not time.first <= place < time.end]
+    return any(second.is_digits and _is_unit(one.text, lexicon) for one, second in pairwise(beside))
+
+
+def _is_unit(word: str, lexicon: Lexicon) -> bool:
+    return any(entry.category == "unit" for entry in lexicon.entries.get(word, ()))
+
+
+def _clocks_in(draft: Draft) -> list[Clock]:
+    """Give the clock times of a line that name no day."""
+    times = [phrase.said.time for phrase in draft.phrases]
+    ends = [
+        end for time in times for end in ((time.first, time.last) if isinstance(time, Range) else (time,))
+    ]
+    return [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None and end.days is None]
+
+
+def is_window(phrase: Phrase) -> bool:
+    """Whether it is from one clock time to another."""
+    time = phrase.said.time
+    ends = (time.first, time.last) if isinstance(time, Range) else ()
+    return bool(ends) and all(isinstance(end, Wall) and end.clock is not None for end in ends)
+
+
+def _is_within(clocks: Sequence[Clock], window: Phrase, draft: Draft, policy: Policy) -> bool:
+    """Whether some clock times may all be meant in a window."""
+    bounds = window_of(window, draft, policy)
+    if bounds is None or draft.now is None:
+        return False
+    begins = draft.now + timedelta(seconds=bounds[0])
+    begin = begins.hour * 3600 + begins.minute * 60
+    length = bounds[1] - bounds[0]
+    return all(any((s - begin) % DAY_SECONDS <= length for s in clock.candidates()) for clock in clocks)
+
+
+def window_of(phrase: Phrase, draft: Draft, policy: Policy) -> tuple[float, float] | None:
+    """Give from when to when a phrase is, in seconds; None where it is no window within a day."""
+    if not is_window(phrase):
+        return None
+    for time in ground_all((phrase,), draft.text, Moment(draft.now, policy)).requirements:
+        first, last = time.earliest, time.latest
+        if first is not None and last is not None and 0 < last - first <= DAY_SECONDS:
+            return first, last
+    return None
+
+
+def name_of(draft: Draft) -> str:
+    """Give the words of a heading, without its marks."""
+    return draft.text.strip(" :.-*#_")
+
+
+def held(draft: Draft, phrases: Sequence[Phrase]) -> tuple[Phrase, ...]:
+    """Give times as they hold for other lines, in which they have no place."""
+    return tuple(
+        replace(phrase, first=0, end=0, span=(0, 0), rule=HEADED, above=draft.text[slice(*phrase.span)])
+        for phrase in phrases
+    )
+
+
+def names_day(phrase: Phrase) -> bool:
+    """Whether it says on which day."""
+    time = phrase.said.time
+    return isinstance(time, Wall) and time.days is not None
+
+
+def is_of_calendar(phrase: Phrase) -> bool:
+    """Whether a time alone is a day or a part of one."""
+    time = phrase.said.time
+    if not isinstance(time, Wall) or time.clock is not None or phrase.said.constraint is not None:
+        return False
+    if time.days is not None:
+        return not time.weak
+    return time.part is not None
