@@ -36,8 +36,9 @@ class HowLong:
             # What happens by itself needs nobody's hands: "the guests arrive at six".
             if length is not None:
                 return OperationDuration(hands_on=0.0, elapsed=length, source="said", assumed=False)
-            if operation.lemma in self.lexicon.doing.ending:
-                # "The shift ends at two": that is a moment.
+            moment = operation.verb in self.lexicon.closed.named_moments
+            if moment or operation.lemma in self.lexicon.doing.ending:
+                # "Call time 6:00", "the shift ends at two": that is a moment.
                 return OperationDuration(hands_on=0.0, elapsed=0.0, source="said", assumed=False)
             known = self._happening(operation) or (table if table.known else None)
             if known is None:

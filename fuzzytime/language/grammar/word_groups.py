@@ -132,6 +132,7 @@ class ClosedClasses:
     conjuncts: Words
     adverbs_of_order: Words
     ends_of_rows: Words
+    named_moments: Words
     no_order_before: Words
     abbreviations: Words
 

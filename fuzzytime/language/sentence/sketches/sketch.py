@@ -35,6 +35,7 @@ from fuzzytime.language.sentence.verbs.due_by_then import due_by_then
 from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
 from fuzzytime.language.sentence.verbs.moments import reference_of
 from fuzzytime.language.sentence.verbs.named_deeds import deed_at
+from fuzzytime.language.sentence.verbs.named_moments import named_moment
 from fuzzytime.language.sentence.verbs.operations import Reader
 from fuzzytime.language.sentence.verbs.put_there import put_there
 from fuzzytime.language.sentence.verbs.remembered import as_remembered
@@ -214,6 +215,9 @@ def _happening(
         return _moved(so, part)
     if part.segment.verbless or not timed:
         return None
+    named = None if clauses else named_moment(part.tree, phrases, lexicon, part.offset)
+    if named is not None:
+        return _moved(named, part)
     if not happens(part.tree, phrases, lexicon):
         deed = deed_at(part.tree, places, phrases, lexicon)
         return None if deed is None else _moved(deed, part)

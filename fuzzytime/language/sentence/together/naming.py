@@ -20,7 +20,15 @@ def naming_none(remarks: Iterable[Remark], sketches: Sequence[Sketch]) -> list[R
         remark
         for remark in remarks
         if not any(_describes(remark.span, one.part) or _is_somebody(remark.span, one) for one in asked)
+        and not any(_calls_moment(remark.span, sketch) for sketch in sketches)
     ]
+
+
+def _calls_moment(span: Span, sketch: Sketch) -> bool:
+    """Whether words are what a moment is called by: "arrival time 10:15"."""
+    operation = sketch.operation
+    named = sketch.part.tree.lexicon.closed.named_moments
+    return operation is not None and operation.verb in named and span[1] == operation.span[1]
 
 
 def _is_somebody(span: Span, sketch: Sketch) -> bool:
