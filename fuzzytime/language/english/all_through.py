@@ -57,6 +57,7 @@ def clock_all_next_week(said: Said, days: Calendar) -> Repeat | None:
     return all_next_week_at(days, said)
 
 
+@grammar.rule("said", "all of? <date>", "for|through all of? <date>", "throughout <date>", weight=0.4)
 @grammar.rule("said", "all of? <days>", "for|through all of? <days>", "throughout <days>", weight=0.4)
 def all_of_days(days: Calendar) -> Said | None:
     """All of next week; with a clock time elsewhere it is on each day."""

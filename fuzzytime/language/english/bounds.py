@@ -44,7 +44,7 @@ def until_it_is_over(days: Calendar) -> Said:
     return replace(before_it_is_over(days), preposition="until")
 
 
-@grammar.rule("said", "<preposition_before> the? <goal>", "<preposition_before> at <goal>", weight=0.2)
+@grammar.rule("said", "<preposition_before> the? <goal>", "<preposition_before> at|@ <goal>", weight=0.2)
 def deadline(preposition: Preposition, goal: Goal) -> Said | None:
     """By noon, no later than six, before tomorrow."""
     if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
@@ -80,7 +80,7 @@ def _is_prepared_for(goal: Goal) -> bool:
     return isinstance(of, Weekend) and not of.working
 
 
-@grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at <goal>", weight=0.2)
+@grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at|@ <goal>", weight=0.2)
 def release(preposition: Preposition, goal: Goal) -> Said | None:
     """After 5 pm, from monday, not before noon."""
     if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
@@ -204,6 +204,7 @@ def from_then_on(goal: Goal) -> Said:
     "<said> ,? or|and before|earlier|sooner",
     "<said> ,? or|and before that",
     "<said> ,? if not before|earlier|sooner",
+    "<said> ,? no later",
     weight=0.5,
 )
 def latest(said: Said) -> Said | None:
@@ -223,6 +224,7 @@ def latest(said: Said) -> Said | None:
     "<said> ,? or any|some time after|later",
     "<said> ,? or anytime|sometime after|later",
     "<said> ,? and|but not before|earlier|sooner",
+    "<said> ,? no earlier|sooner",
     weight=0.5,
 )
 def earliest(said: Said) -> Said | None:

@@ -18,12 +18,6 @@ QUARTERS = frozenset({15, 30, 45})
 
 NOON_HOUR = NOON // 3600
 
-EARLIEST_WITH_H = 8
-"""From here on, "15h" is a clock time, where "3h" is a length."""
-
-EARLIEST_WITH_MINUTES = 6
-"""The same of "6h30", behind what binds a clock time and a length alike."""
-
 EARLIEST_MILITARY = 100
 """From here on, a number is an hour with its minutes: "100 hours" is one o'clock."""
 
@@ -128,33 +122,6 @@ def with_seconds(clock: Clock, seconds: Integer) -> Clock | None:
     return replace(clock, second=seconds.value, grain=Unit.SECOND, pair=False)
 
 
-@grammar.rule("clock", "<15h30>")
-def typed_with_h(numbers: Typed) -> Clock | None:
-    """15h30, 3h18."""
-    hour, minute = numbers[0], numbers[1]
-    return Clock(hour % 24, minute, 0, Unit.MINUTE, full_day=True) if hour <= 24 and minute < 60 else None
-
-
-@grammar.rule("clock", "<integer> h <integer>", weight=-0.1)
-def spaced_with_h(hour: Integer, minute: Integer) -> Clock | None:
-    """10 H 10."""
-    if hour.value > 24 or minute.value >= 60 or not (hour.digits and minute.digits):
-        return None
-    return Clock(hour.value % 24, minute.value, 0, Unit.MINUTE)
-
-
-@grammar.rule("clock", "<integer> h", weight=-0.2)
-def hour_with_h(hour: Integer) -> Clock | None:
-    """15h, 1830h; but 3h alone is a length."""
-    if len(hour.digits) == FULL_DIGITS:
-        return military(hour)
-    return (
-        Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True)
-        if hour.digits and EARLIEST_WITH_H <= hour.value <= 24
-        else None
-    )
-
-
 @grammar.rule("four digits with hours", "<integer> hours|hrs")
 def four_digits_with_hours(hour: Integer) -> Clock | None:
     """(not before) 1330 hours: a length of time is hardly as long."""
@@ -173,22 +140,7 @@ def hundreds_with_hours(hour: Integer) -> Clock | None:
     return oclock(hour) if hour.value >= EARLIEST_HUNDREDS else None
 
 
-@grammar.rule("late clock with h", "<15h30>")
-@grammar.rule("late clock with h", "<integer> h")
-def late_with_h(said: Typed | Integer) -> Clock | None:
-    """(not before) 14h30, 6h30: a length of time is hardly as long, nor as exact; but "not before 2h"."""
-    found = typed_with_h(said) if isinstance(said, Typed) else hour_with_h(said)
-    earliest = EARLIEST_WITH_MINUTES if isinstance(said, Typed) else EARLIEST_WITH_H
-    return found if found is not None and found.hour >= earliest else None
-
-
 # Behind "at", and only there, these are clock times.
-
-
-@grammar.rule("clock behind at", "<integer> h")
-def short_hour(hour: Integer) -> Clock | None:
-    """(at) 7h."""
-    return Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True) if hour.digits and hour.value <= 24 else None
 
 
 @grammar.rule("clock behind at", "<integer> hours")

@@ -2,7 +2,8 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.clocks import EARLIEST_WITH_MINUTES, minutes_of
+from fuzzytime.language.english.clocks import minutes_of
+from fuzzytime.language.english.hours_with_h import EARLIEST_WITH_MINUTES
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer

@@ -40,3 +40,9 @@ def or_elapsed(length: Duration) -> Said:
 def once_elapsed(length: Duration) -> Said:
     """(stir) once ten minutes have passed: in ten minutes."""
     return Said(replace(length, hedges=()), Constraint.AT, "in", length.hedges)
+
+
+@grammar.rule("said", "before <elapsed>", weight=0.6)
+def before_elapsed(length: Duration) -> Said:
+    """Before an hour is up: within it."""
+    return Said(replace(length, hedges=()), Constraint.BEFORE, "before", length.hedges)

@@ -12,6 +12,8 @@ grammar = Grammar()
 
 HALF_HOUR = 30
 
+FIVE_AND_TWENTY = 25
+
 NOON_HOUR = 12
 """Numbers up to it are hours, too."""
 
@@ -36,6 +38,12 @@ def counted(minutes: Integer) -> float | None:
 def rounded(minutes: Integer) -> float | None:
     """Twenty (past): a number alone must be round."""
     return minutes.value if 0 < minutes.value < 60 and minutes.value % 5 == 0 else None
+
+
+@grammar.rule("bare minutes of clock", "five and twenty")
+def five_and_twenty() -> float:
+    """Five and twenty (past), as it was once said, and here and there still is."""
+    return FIVE_AND_TWENTY
 
 
 @grammar.rule("minutes of clock", "a? <fraction>")

@@ -19,6 +19,12 @@ def decimal(number: Typed) -> Quantity:
     return Quantity(float(number.parts[0]))
 
 
+@grammar.rule("quantity", "<n,n>", weight=0.2)
+def decimal_comma(number: Typed) -> Quantity:
+    """2,5, as most of Europe types it."""
+    return Quantity(float(".".join(number.parts)))
+
+
 @grammar.rule("decimals", "point <integer>", "point <integer> <integer>")
 def spoken_decimals(first: Integer, second: Integer | None = None) -> str | None:
     """Point five, point twenty-five, point two five."""

@@ -127,6 +127,12 @@ def numbered_week(number: Integer, outer: Calendar | None) -> Calendar | None:
     return Nth(number.value, Cycle(Unit.WEEK), outer or Deictic(Which.THIS, Cycle(Unit.YEAR)))
 
 
+@grammar.rule("date", "<year> -? w <integer>", weight=1.2)
+def typed_week(outer: int, number: Integer) -> Calendar | None:
+    """2027-W14."""
+    return numbered_week(number, Fields(year=outer))
+
+
 @grammar.rule(
     "date", "the? week|wk of|starting|beginning|commencing on? <whole>", "w / c <whole>", weight=0.3
 )

@@ -32,6 +32,18 @@ def zone_behind(zone: str, hours: Integer) -> str | None:
     return _east(zone, -hours.value)
 
 
+@grammar.rule("zone", "<zone> + <hh:mm>", weight=0.5)
+def zone_ahead_typed(zone: str, ahead: Typed) -> str | None:
+    """UTC+05:30."""
+    return _typed("+", ahead) if zone == GREENWICH else None
+
+
+@grammar.rule("zone", "<zone> - <hh:mm>", weight=0.5)
+def zone_behind_typed(zone: str, behind: Typed) -> str | None:
+    """UTC-03:30."""
+    return _typed("-", behind) if zone == GREENWICH else None
+
+
 @grammar.rule("wall", "<wall> <zone>", "<wall> ( <zone> )", weight=0.1)
 def with_zone(time: Wall, zone: str) -> Wall | None:
     """3pm PST, 8 GMT, 9 am (BST)."""

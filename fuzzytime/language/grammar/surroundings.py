@@ -82,7 +82,9 @@ class Surroundings(LookedUp):
         called = follower in self.lexicon.addressing and (person or named)
         alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
         led = behind[:1].isalpha() and (alone or behind not in self.lexicon.function_words)
-        orders = called or behind in self.closed.behind_verbs or (number and counted and led)
+        # "At ten log in"
+        particle = number and counted and follower in self.lexicon.particles.get(behind, ())
+        orders = called or particle or behind in self.closed.behind_verbs or (number and counted and led)
         return self.opens(piece.start) and orders and not plural
 
     def opens(self, place: int) -> bool:

@@ -79,6 +79,21 @@ def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     )
 
 
+def is_done_alone(tree: Tree, first: int, lexicon: Lexicon) -> bool:
+    """Whether nothing but an order without an object stands before the root: "8:00 open up, feed the dogs".
+
+    That is a verb with its particle, or one that needs no object, and a comma.
+    """
+    said = [node.lower for node in tree.nodes[first : tree.root]]
+    if not said or said[-1] != ",":
+        return False
+    verb, *beside = said[: said.index(",")]
+    if len(beside) == 1:
+        return verb in lexicon.particles.get(beside[0], ())
+    # "8:00 open, feed the dogs": trees take such verbs for what things are like.
+    return not beside and (verb in lexicon.alone or tree.nodes[first].tag == "JJ")
+
+
 def begins_order(tree: Tree, lexicon: Lexicon) -> bool:
     """Whether a first word taken for a noun is an order: "order sushi for seven", "text karen at two"."""
     if _names_nothing(tree):

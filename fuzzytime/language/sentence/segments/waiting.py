@@ -13,7 +13,12 @@ from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.segments.leading_markers import Marker, marker_at
-from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_numbered, leads_to_order
+from fuzzytime.language.sentence.segments.orders_beside_times import (
+    begins_order,
+    is_done_alone,
+    is_numbered,
+    leads_to_order,
+)
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
@@ -207,6 +212,8 @@ class Waiting:
         node = tree.nodes[first]
         if not node.may_act or node.lower != node.lemma:
             return False
+        if is_done_alone(tree, first, lexicon):
+            return True
         if self.behind_time:
             # "On Tuesday hand in the forms and at eleven pick up the keys": a noun, and an order behind it.
             joined = any(tree.nodes[place].lower == "and" for place in range(first, tree.root))
