@@ -169,3 +169,26 @@ def test_an_interval_on_a_day_is_over_with_it(text: str) -> None:
         "06 12",
         "06 18",
     ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "on friday finish the report by EOD",
+        "finish the report on friday by the end of the day",
+        "friday: finish the report by end of day",
+    ],
+)
+def test_the_end_of_the_day_is_that_of_the_day_that_is_said(text: str) -> None:
+    reading = Language.shipped().read(text, now=NOW)
+    ((_, due),) = (one.requirements for one in reading.instructions)
+    assert due.latest is not None
+    assert f"{instant_after(NOW, due.latest):%d %H}" == "07 00"
+    assert not any("another time" in remark.message for remark in reading.remarks)
+
+
+def test_the_first_of_two_times_of_a_day_is_before_the_second() -> None:
+    text = "tomorrow milk the cows at 5 and again at 4:30 in the afternoon"
+    parts = [part for one in Language.shipped().read(text, now=NOW).instructions for part in one.requirements]
+    hours = [f"{instant_after(NOW, part.t_spec):%d %H:%M}" for part in parts if part.t_spec is not None]
+    assert hours == ["05 05:00", "05 16:30"]

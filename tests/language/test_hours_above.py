@@ -93,3 +93,13 @@ def test_the_night_of_a_shift_is_its_own() -> None:
 def test_a_day_apart_from_its_name_is_a_title_of_many_lines(title: str) -> None:
     lines = ("fill the kettle at 7:30", "rest at noon", "mop the floor", "call Bob", "tea at 4", "wash up")
     assert [_at(part.earliest)[:2] for (part,) in _below(title, *lines)] == ["06"] * len(lines)
+
+
+def test_the_end_of_the_day_is_that_of_the_hours_above() -> None:
+    ((_, due),) = _below("Friday 9-17:", "finish the report by EOD")
+    assert _at(due.latest) == "07 00:00"
+
+
+def test_hours_that_name_a_day_are_not_of_the_day_above() -> None:
+    *_, (mow,) = _below("Thursday:", "call Ann", "Friday 9-12:", "mow the lawn")
+    assert _at(mow.earliest) == "06 09:00"

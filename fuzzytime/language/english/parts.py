@@ -10,6 +10,7 @@ from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.nested import Share, WeekOf
 from fuzzytime.language.meaning.relations import Away, Deictic, Relative, Which
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, WHOLE_DAY, Half, Part
+from fuzzytime.language.meaning.told_apart import ending_on
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -245,9 +246,7 @@ def end_of_its_own(series: Calendar) -> Ending | None:
 @grammar.rule("end", "<end> ,? <wall>", "<end> on|of the? <wall>", weight=0.6)
 def ending_of_day(end: Ending, wall: Wall) -> Ending | None:
     """The end of the day tomorrow, eod friday, eod 3/13."""
-    today = end.days in {Deictic(Which.THIS, Cycle(Unit.DAY)), Relative(0)}
-    day = wall.days if wall.part is None and wall.clock is None else None
-    return replace(end, days=day) if today and day is not None and day.grain is Unit.DAY else None
+    return ending_on(end, wall.days) if wall.part is None and wall.clock is None else None
 
 
 @grammar.rule("end", "<wall> ,? <end>", weight=0.6)

@@ -28,8 +28,10 @@ class Ranges(Standing):
         if self.around.is_owned(piece):
             # "Move my three o'clock to five"
             return False
-        if self.measures.is_called(piece.start) and self.texts[piece.start - 2] in self.lexicon.places:
-            # "Wait at platform 9 until 9"
+        joint = self.texts[piece.start + 1]
+        placed = self.texts[piece.start - 2] in self.lexicon.places or joint in self.beside.binding_ranges
+        if self.measures.is_called(piece.start) and placed:
+            # "Wait at platform 9 until 9", "charge robot 1 until 11"
             return False
         if self.texts[piece.start] == "one" and self.around.before(piece).isalpha():
             # "Reserve the blue one until friday"

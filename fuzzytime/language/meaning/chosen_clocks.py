@@ -38,6 +38,9 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         # "Unlock it at 7:45 and lock it at 18:10": the 7:45 that is before.
         leading = (moment for moment in plausible if _leads(here, moment, here.leads))
         chosen = next(leading, chosen)
+    if here.leads is not None and not here.leads.is_open and moments[0].date() == moments[-1].date():
+        # "Milk them tomorrow at five and again at half past four pm": the first, however early that is.
+        chosen = next((moment for moment in moments if _leads(here, moment, here.leads)), chosen)
     told = _at_same_hour(here, moments) or _of_night(here, moments)
     if told is not None:
         choices = tuple(moments) if told in moments else ()

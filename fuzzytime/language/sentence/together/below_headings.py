@@ -3,8 +3,18 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Time, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Ending,
+    Phrase,
+    Range,
+    Repeat,
+    Time,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.meaning.intervals_on_days import is_interval
+from fuzzytime.language.meaning.told_apart import ending_on
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
 from fuzzytime.language.sentence.segments.segment import JOINED
@@ -56,7 +66,10 @@ def under_heading(sketch: Sketch, heading: Heading) -> Sketch:
 
 
 def _during_hours(sketch: Sketch, heading: Heading) -> Sketch:
-    """Give what is done every so often the hours of a line above for its bounds, where it names none."""
+    """Give what is done every so often the hours of a line above for its bounds, where it names none.
+
+    What is due by the end of the day is due by that of theirs.
+    """
     hours = next((phrase.said.time for phrase in heading.phrases if is_window(phrase)), None)
     if not isinstance(hours, Range):
         return sketch
@@ -69,6 +82,8 @@ def _during_hours(sketch: Sketch, heading: Heading) -> Sketch:
 
 def _bounded(time: Time | Duration | Repeat, hours: Range) -> Time | Duration | Repeat:
     """Give a repetition by an interval with those bounds that it names itself, and else with some hours."""
+    if isinstance(time, Ending) and isinstance(hours.first, Wall):
+        return ending_on(time, hours.first.days) or time
     if not isinstance(time, Repeat) or not is_interval(time):
         return time
     return replace(time, starting=time.starting or hours.first, until=time.until or hours.last)

@@ -11,6 +11,7 @@ from fuzzytime.language.grammar.lexicon import Entry, Lexicon
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
+    Ending,
     Offset,
     Phrase,
     Range,
@@ -22,7 +23,7 @@ from fuzzytime.language.meaning.intervals_on_days import is_interval, on_days
 from fuzzytime.language.meaning.repeats_beside import names_day_of, without_clocks
 from fuzzytime.language.meaning.throughout import each_day, is_clock_time, is_rest_of_days
 from fuzzytime.language.meaning.times_of_day import Half, Part
-from fuzzytime.language.meaning.told_apart import told_apart
+from fuzzytime.language.meaning.told_apart import ending_on, told_apart
 from fuzzytime.language.sentence.segments.drafts import Heading
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
@@ -164,6 +165,8 @@ def _is_open(said: Said, day: Said) -> bool:
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
         clocks = all(end.clock is not None and end.days is None for end in ends)
         return len(ends) > 1 and (clocks or all(_is_in_week(end, day) for end in ends))
+    if isinstance(time, Ending):
+        return isinstance(day.time, Wall) and ending_on(time, day.time.days) is not None
     if not isinstance(time, Wall):
         return False
     if time.days is None or (isinstance(day.time, Repeat) and names_day_of(day.time, time)):

@@ -48,7 +48,7 @@ def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
         named = headings[place]
         if named is not None:
             heading = _on_day(named, day)
-            day = named if named.is_day else day
+            day = named if named.is_day or any(map(names_day, named.phrases)) else day
         if named is not None and named.happens:
             found.append(replace(draft, remarks=(*draft.remarks, _remark_on(named, (0, len(draft.text))))))
             continue
@@ -152,7 +152,8 @@ def _is_meal(phrase: Phrase) -> bool:
 
 def _on_day(heading: Heading, above: Heading | None) -> Heading:
     """Give a heading that names no day on that of a line above."""
-    if above is None or above.day is None or heading.is_day:
+    own = heading.is_day or any(map(names_day, heading.phrases))
+    if above is None or above.day is None or own:
         return heading
     if heading.addressee is not None:
         return replace(heading, phrases=above.phrases, clauses=above.clauses)

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.language.sentence.references.mentions import undoes
 from fuzzytime.language.sentence.segments.segment import ENDS
@@ -17,7 +18,12 @@ MOMENTS = frozenset({None, Constraint.AT, Constraint.BEFORE})
 
 def leads_to(sketches: Sequence[Sketch], place: int, text: str) -> Clock | None:
     """Give the clock time of what follows an instruction in its sentence, with the same thing."""
-    if place + 1 >= len(sketches) or _clock_of(sketches[place]) is None:
+    if place + 1 >= len(sketches):
+        return None
+    if sketches[place + 1].part is sketches[place].part:
+        # "Tomorrow feed them at six and again at five in the afternoon"
+        return _settled_clock(sketches[place + 1]) if _names_day(sketches[place]) else None
+    if _clock_of(sketches[place]) is None:
         return None
     if [p.span for p in sketches[place].phrases] == [p.span for p in sketches[place + 1].phrases]:
         # "Close the garage and lock it by seven": one time of both
@@ -98,6 +104,22 @@ def _goes_on(first: Operation, second: Operation, lexicon: Lexicon) -> bool:
         # "We open at noon and close at ten", "open the shop at noon and close at ten"
         return first.stated == second.stated
     return second.object in lexicon.closed.all_anaphors or second.again or second.object == first.object
+
+
+def _names_day(sketch: Sketch) -> bool:
+    """Whether the day of a clock time is said."""
+    times = (phrase.said.time for phrase in sketch.phrases)
+    return any(isinstance(time, Wall) and time.clock is not None and time.days is not None for time in times)
+
+
+def _settled_clock(sketch: Sketch) -> Clock | None:
+    """Give the clock time of an instruction, where its half of the day is said."""
+    for said in (phrase.said for phrase in sketch.phrases):
+        if isinstance(said.time, Wall) and said.time.clock is not None and said.constraint in MOMENTS:
+            part = said.time.part
+            clock = said.time.clock if part is None else halved(said.time.clock, part.half)
+            return None if clock.is_open else clock
+    return None
 
 
 def _clock_of(sketch: Sketch) -> Clock | None:

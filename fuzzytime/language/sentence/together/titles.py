@@ -139,6 +139,7 @@ def held(draft: Draft, phrases: Sequence[Phrase]) -> tuple[Phrase, ...]:
 def names_day(phrase: Phrase) -> bool:
     """Whether it says on which day."""
     time = phrase.said.time
+    time = time.first if isinstance(time, Range) else time
     return isinstance(time, Wall) and time.days is not None
 
 
