@@ -131,8 +131,9 @@ class Walls(Standing):
         if self.around.is_unit(piece.end) and isinstance(wall.days, Fields) and not wall.days.weekly:
             # "The 18th century table"
             return True
-        if self.around.is_unit(piece.end) and wall.days in PRESENT:
-            # "On the quarter hour"
+        counts = wall.clock is not None and self.measures.is_number(piece.end - 1)
+        if self.around.is_unit(piece.end) and (counts or wall.days in PRESENT):
+            # "On the quarter hour", "tonight, | 20 min"
             return True
         if said.preposition == "of" and (self._is_ordinal(piece.end - 1) or isinstance(wall.days, Season)):
             # "Within a minute of the first", "within an hour of the fall"

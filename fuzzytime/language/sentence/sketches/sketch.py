@@ -34,7 +34,7 @@ from fuzzytime.language.sentence.verbs.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.due_by_then import due_by_then
 from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
 from fuzzytime.language.sentence.verbs.moments import reference_of
-from fuzzytime.language.sentence.verbs.named_deeds import deed_at
+from fuzzytime.language.sentence.verbs.named_deeds import chores_at, deed_at
 from fuzzytime.language.sentence.verbs.named_moments import named_moment
 from fuzzytime.language.sentence.verbs.operations import Reader
 from fuzzytime.language.sentence.verbs.put_there import put_there
@@ -219,7 +219,7 @@ def _happening(
     if named is not None:
         return _moved(named, part)
     if not happens(part.tree, phrases, lexicon):
-        deed = deed_at(part.tree, places, phrases, lexicon)
+        deed = deed_at(part.tree, places, phrases, lexicon) or chores_at(part.tree, places, phrases)
         return None if deed is None else _moved(deed, part)
     if any(root in _at(part, phrase) for phrase in phrases if isinstance(phrase.said.time, TimeWord)):
         # "No rush, but …" is no rush hour.

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Wall
 from fuzzytime.language.sentence.trees.tree import Tree
 
 LONGEST = 2
@@ -18,6 +18,7 @@ LONGEST = 2
 NOUNS = frozenset({"NN", "NNP", "JJ"})
 BARE = frozenset({"VB", "VBP", "VBD", "NN"})
 COMPOUND = "compound"
+PLURAL = "NNS"
 
 
 def with_named_deed(tree: Tree, timed: Collection[int], lexicon: Lexicon) -> Tree:
@@ -60,6 +61,26 @@ def deed_at(
     return Operation(
         verb=tree.text[first.start : last.end].lower(), lemma=last.lower, span=(first.start, last.end)
     )
+
+
+def chores_at(tree: Tree, timed: Collection[int], phrases: Sequence[Phrase]) -> Operation | None:
+    """Give what is done with several things that alone are named beside when: "dishes after dinner"."""
+    named = [place for place, node in enumerate(tree.nodes) if place not in timed and node.text[0].isalnum()]
+    if not named or not any(map(_tells_when, phrases)):
+        return None
+    if named[-1] != tree.root or tree.nodes[tree.root].tag != PLURAL:
+        return None
+    if any(tree.nodes[place].tag not in NOUNS or tree.nodes[place].may_act for place in named[:-1]):
+        return None
+    first, last = tree.nodes[named[0]], tree.nodes[named[-1]]
+    return Operation(
+        verb=tree.text[first.start : last.end].lower(), lemma=last.lower, span=(first.start, last.end)
+    )
+
+
+def _tells_when(phrase: Phrase) -> bool:
+    """Whether a time is no length."""
+    return not isinstance(phrase.said.time, Duration) or phrase.said.constraint is not None
 
 
 def _is_clocked(phrase: Phrase) -> bool:
