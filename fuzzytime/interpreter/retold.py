@@ -14,7 +14,7 @@ from fuzzytime.skills import Precedence
 RIGHT_THEN = "exactly"
 """How near what somebody goes to follows the way there."""
 
-UNTIL = "until"
+FROM, UNTIL = "from", "until"
 LASTING = frozenset({"be", "have"})
 """What is said of somebody or something that is so for a while: "I'm out until four"."""
 
@@ -94,7 +94,16 @@ def from_to(instruction: Instruction) -> Instruction:
             begin, length = part.earliest, part.latest - part.earliest
             requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
             return replace(instruction, requirements=tuple(requirements), duration=length)
+    if operation.stated:
+        instruction = replace(instruction, requirements=tuple(map(_beginning, instruction.requirements)))
     return _until(instruction) if operation.stated and operation.lemma in LASTING else instruction
+
+
+def _beginning(part: TimeRequirement) -> TimeRequirement:
+    """Let what happens from a time on begin then: "rain from seven"."""
+    if part.preposition != FROM or part.constraint is not Constraint.AFTER or part.t_spec is None:
+        return part
+    return replace(part, constraint=Constraint.AT, latest=part.t_spec)
 
 
 def _until(instruction: Instruction) -> Instruction:

@@ -315,3 +315,10 @@ def test_what_counts_from_another_is_on_its_day(lines: list[str]) -> None:
 def test_a_meal_that_nothing_tells_of_is_on_the_day_above() -> None:
     made = told(["Saturday", "light the fire an hour before supper"])
     assert f"{made.instant(made.schedule.start_times[0]):%d %H:%M}" == "07 17:00"
+
+
+@pytest.mark.parametrize("line", ["rain from 9 am", "heavy rain from 9 am", "there is snow from 9 am"])
+def test_what_happens_from_a_time_on_begins_then(line: str) -> None:
+    made = told([line, "feed the hens right before that"])
+    assert starts(made)["s1"] == "09:00"
+    assert made.skills[0].stated

@@ -184,8 +184,11 @@ def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> 
         return all(entry.begins_with_stretch for entry in others)
     # "Croissants out at 6, baguettes at 7"
     named = [p for p in first.named if not p or first.words[p].text not in lexicon.beside.states]
-    if len(named) != 1 or not first.clocked:
+    if len(named) != 1 or not (first.clocked or first.bounded):
         return False
+    if first.bounded:
+        # "Bake by noon, party at three": what is due, and what happens.
+        return all((entry.clocked or entry.bounded) and entry.has_time and entry.opens for entry in others)
     return all(entry.clocked and entry.named and entry.opens for entry in others)
 
 

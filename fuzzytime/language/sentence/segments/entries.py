@@ -1,5 +1,6 @@
 """What may be an entry of a list: its words, when it is, and what it names."""
 
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from itertools import takewhile
 
@@ -59,7 +60,20 @@ class Entry:
         """Whether it has a time of day, or a day."""
         if self.words and names_day(self.words[-1], self.lexicon):
             return True
-        walls = (p.said.time for p in self.times if p.said.constraint in {None, Constraint.AT})
+        return self._has_wall({None, Constraint.AT})
+
+    @property
+    def bounded(self) -> bool:
+        """Whether it is before or after a time of day, or a day."""
+        return self._has_wall({Constraint.BEFORE, Constraint.AFTER})
+
+    @property
+    def has_time(self) -> bool:
+        """Whether what it names ends in what has a time by itself: "bread party"."""
+        return bool(self.named) and has_time(self.words[self.named[-1]].text, self.lexicon)
+
+    def _has_wall(self, constraints: AbstractSet[Constraint | None]) -> bool:
+        walls = (p.said.time for p in self.times if p.said.constraint in constraints)
         return any(isinstance(wall, Wall) and (wall.clock or wall.days) is not None for wall in walls)
 
     @property
