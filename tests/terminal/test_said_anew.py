@@ -1,0 +1,175 @@
+"""What is said again, in other words or with another time."""
+
+from datetime import datetime, timedelta
+
+import pytest
+
+from fuzzytime.language import AboutKind, about_wishes
+from fuzzytime.language.finding import shipped_lexicon
+from terminal.talking import Talk
+
+NOW = datetime(2026, 3, 4, 15)  # noqa: DTZ001 - the tests' moment is of no zone
+
+
+@pytest.mark.model
+def test_what_is_tied_to_what_happens_stays_with_it() -> None:
+    talk = Talk()
+    talk.say("call mum at 5 pm")
+    talk.say("the guests come at 7 pm")
+    talk.say("have the soup ready when they come")
+    starts = [talk.start("s1"), talk.start("s3")]
+    assert "rejected" not in talk.say("push everything back by ten minutes")
+    assert [talk.start("s1"), talk.start("s3")] == [starts[0] + timedelta(minutes=10), starts[1]]
+    assert "follows another one's time" in talk.say("delay the soup by an hour")
+
+
+@pytest.mark.model
+def test_what_is_said_anew_when_it_is_over_is_planned_again() -> None:
+    talk = Talk()
+    talk.say("water the plants now")
+    talk.wait(minutes=1)
+    talk.wait(minutes=30)
+    talk.say("do the plants after lunch")
+    assert talk.start("s2").hour == 13
+
+
+def test_what_has_not_begun_is_planned_anew() -> None:
+    talk = Talk()
+    talk.say("stir the soup for 20 minutes")
+    talk.wait(minutes=5)
+    answer = talk.say("I haven't started yet")
+    assert "no longer running: stir the soup" in answer
+    assert talk.start("s2") == talk.now
+    assert talk.say("I haven't started the call") == "nothing is running"
+
+
+def test_a_part_of_the_day_is_a_new_time() -> None:
+    about = about_wishes("can you move the parcel to the afternoon?", NOW, shipped_lexicon())
+    assert about is not None
+    assert (about.kind, about.time) == (AboutKind.MOVE, "in the afternoon")
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("first", "anew", "entry"),
+    [
+        ("feed the dog at six pm", "no, feed the dog at half past six", "feed the dog at half past six"),
+        ("feed the dog at six pm", "actually feed the dog at seven pm", "feed the dog at seven pm"),
+        ("feed the dog at six pm", "Feed the dog at seven pm instead.", "Feed the dog at seven pm"),
+        ("put the bins out at six pm", "no, put them out at seven pm", "put the bins out at seven pm"),
+        ("call mum every day at six pm", "sorry, call mum every day at noon", "call mum every day at noon"),
+        # What it says no more of stays.
+        (
+            "take the bins out and feed the cat at six pm",
+            "wait, feed the cat at seven pm",
+            "take the bins out and feed the cat at seven pm",
+        ),
+        (
+            "boil the eggs for six minutes at noon",
+            "no, boil the eggs at one pm",
+            "boil the eggs for six minutes at one pm",
+        ),
+        (
+            "if it rains, close the window at six pm",
+            "no, close the window at seven pm",
+            "if it rains, close the window at seven pm",
+        ),
+    ],
+)
+def test_what_is_said_again_behind_a_correction_is_said_anew(first: str, anew: str, entry: str) -> None:
+    talk = Talk()
+    talk.say(first)
+    talk.say("wash the car tomorrow")
+    assert ":edit 1" in talk.say(anew)
+    assert talk.entries == [entry, "wash the car tomorrow"]
+
+
+@pytest.mark.model
+def test_a_condition_stays_where_the_time_beside_it_moves() -> None:
+    talk = Talk()
+    talk.say("if it rains, close the window at six pm")
+    talk.say("no, make it seven pm")
+    assert talk.entries == ["if it rains, close the window at seven pm"]
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("first", "anew", "entry"),
+    [
+        ("call mum tomorrow at six pm", "no, make it seven pm", "call mum tomorrow at seven pm"),
+        ("call mum at six pm on friday", "move it to saturday", "call mum saturday at six pm"),
+        ("call mum at noon on march 6", "no, on march 9", "call mum on march 9 at noon"),
+        ("call mum tomorrow morning", "make it the afternoon", "call mum tomorrow in the afternoon"),
+        ("call mum tomorrow by six pm", "no, by seven pm", "call mum tomorrow by seven pm"),
+        ("call mum every day at six pm", "no, at seven pm", "call mum every day at seven pm"),
+        ("call mum this afternoon", "no, tomorrow", "call mum tomorrow afternoon"),
+        # A new time that says all of it leaves nothing of the old one.
+        ("call mum tomorrow at six pm", "no, in ten minutes", "call mum in ten minutes"),
+        ("call mum tomorrow at six pm", "no, tonight", "call mum tonight"),
+        ("call mum tomorrow", "no, today", "call mum today"),
+    ],
+)
+def test_a_new_time_keeps_what_it_leaves_open(first: str, anew: str, entry: str) -> None:
+    talk = Talk()
+    talk.say(first)
+    talk.say(anew)
+    assert talk.entries == [entry]
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("first", "anew", "entry"),
+    [
+        ("walk the dog at seven pm", "make that half past", "walk the dog at half past 7 pm"),
+        ("walk the dog at seven pm", "make it quarter to", "walk the dog at quarter to 7 pm"),
+        ("walk the dog at seven pm", "sorry, ten to", "walk the dog at ten to 7 pm"),
+        ("walk the dog at half past seven pm", "no, quarter to", "walk the dog at quarter to 8 pm"),
+        ("walk the dog at quarter past six pm", "no, half past", "walk the dog at half past 6 pm"),
+        ("walk the dog before seven pm", "no, by half past", "walk the dog by half past 7 pm"),
+        ("walk the dog at midnight", "no, ten to", "walk the dog at ten to 12 am"),
+        ("walk the dog tomorrow at seven am", "no, half past", "walk the dog tomorrow at half past 7 am"),
+        ("walk the dog every day at six pm", "no, half past", "walk the dog every day at half past 6 pm"),
+        # No hour was said that could be kept, or a new one is.
+        ("walk the dog in ten minutes", "no, half past", "walk the dog at half past"),
+        ("walk the dog at seven pm", "no, half past eight pm", "walk the dog at half past eight pm"),
+        ("walk the dog at seven pm", "no, at eight pm", "walk the dog at eight pm"),
+    ],
+)
+def test_minutes_past_no_hour_keep_the_one_that_was_said(first: str, anew: str, entry: str) -> None:
+    talk = Talk()
+    talk.say(first)
+    talk.say(anew)
+    assert talk.entries == [entry]
+
+
+@pytest.mark.model
+def test_a_day_that_stays_is_the_same_day_when_it_is_said_later() -> None:
+    talk = Talk()
+    talk.say("call mum tomorrow at six pm")
+    talk.wait(days=1)
+    talk.say("no, make it seven pm")
+    assert talk.entries == ["call mum on 2026-03-05 at seven pm"]
+    assert talk.start("s1").isoformat() == "2026-03-05T19:00:00+01:00"
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("first", "time", "entry"),
+    [
+        ("call mum", "at seven pm", "call mum at seven pm"),
+        ("call mum", "Before lunch.", "call mum before lunch"),
+        ("call mum", "for ten minutes", "call mum for ten minutes"),
+        ("call mum at six pm", "tomorrow", "call mum tomorrow at six pm"),
+    ],
+)
+def test_a_time_alone_is_that_of_what_was_asked_for_last(first: str, time: str, entry: str) -> None:
+    talk = Talk()
+    talk.say("feed the cat at noon")
+    talk.say(first)
+    assert ":edit 2" in talk.say(time)
+    assert talk.entries == ["feed the cat at noon", entry]
+
+
+@pytest.mark.model
+def test_a_time_alone_is_pointed_at_where_nothing_was_asked_for() -> None:
+    assert "nothing to do" in Talk().say("at seven")
