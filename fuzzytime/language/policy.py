@@ -60,6 +60,8 @@ class Policy:
         How a date of two numbers is read.
     bare_pair_from
         The first hour from which two number words alone ("eight forty") are a clock time.
+    planned_from
+        The first year of plans; those before it are of things: "films from 2003".
     kept_off
         Minutes on either side of a clock time at which something is not to be done.
     ask
@@ -82,6 +84,7 @@ class Policy:
     weekend_days: int = 2
     date_order: DateOrder = DateOrder.MONTH_DAY
     bare_pair_from: int = 8
+    planned_from: int = 2020
     kept_off: int = 30
     ask: bool = True
 

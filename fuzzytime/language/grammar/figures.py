@@ -12,9 +12,6 @@ BEFORE = 3
 FAR = 6
 """Words between a verb and the code, or the year, that it is about, at most."""
 
-PRESENT_YEARS = 2020
-"""Years before are of things, and nobody's plan: "films from 2003"."""
-
 ALWAYS = ["24", "/", "7"]
 """What is always there: "call 24/7 support", where it says of what."""
 
@@ -134,7 +131,8 @@ class Figures(Standing):
         joint = piece.start - (self.texts[piece.start] not in self.beside.belonging)
         thing = self.texts[joint - 1] if joint > 0 else ""
         named = thing.isalpha() and thing not in self.lexicon.function_words
-        return days.year < PRESENT_YEARS and self.texts[joint] in self.beside.belonging and named
+        past = days.year < self.lexicon.policy.planned_from
+        return past and self.texts[joint] in self.beside.belonging and named
 
     def _is_rounded(self, piece: Piece) -> bool:
         """Whether a number is to be rounded: "round 4.45 to 4.5"."""

@@ -50,6 +50,7 @@ def read_policy(tables: Tables) -> Policy:
         "weekend",
         "date_order",
         "bare_pair_from",
+        "planned_from",
         "kept_off",
         "ask",
     )
@@ -86,6 +87,7 @@ def read_policy(tables: Tables) -> Policy:
         date_order=DateOrder(
             reader.choice(fields["date_order"], "policy.date_order", tuple(DateOrder)) or DateOrder.MONTH_DAY
         ),
+        planned_from=reader.whole(fields["planned_from"], "policy.planned_from", 1, 9999),
         bare_pair_from=reader.whole(fields["bare_pair_from"], "policy.bare_pair_from", 0, 24),
         kept_off=reader.whole(fields["kept_off"], "policy.kept_off", 0, 720),
         ask=reader.boolean(fields["ask"], "policy.ask"),
