@@ -48,3 +48,14 @@ def test_no_seeded_text_breaks_the_reading() -> None:
 )
 def test_repeated_words_stay_within_bounds(words: str) -> None:
     check_grammar((words * 100)[:600], NOWS[0])
+
+
+@pytest.mark.model
+def test_a_clause_without_words_is_none() -> None:
+    text = (
+        "within the next 3 to 5 hours, less than two weeks after, "
+        "meet me between 10:30 and a quarter to twelve tom, when the "
+    )
+    (wish,) = Language.shipped().read(text, now=NOWS[0]).instructions
+    assert wish.operation is not None
+    assert wish.operation.name == "meet me"

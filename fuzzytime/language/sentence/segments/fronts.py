@@ -207,7 +207,7 @@ def binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     """Whether words say all that a clause says: that something is so, or done, or an event."""
     root = tree.root
-    if binds(tree, len(tree.nodes) - 1, lexicon):
+    if not tree.nodes or binds(tree, len(tree.nodes) - 1, lexicon):
         return False
     tree = as_statement(tree, frozenset(range(len(tree.nodes))), lexicon.travelling)
     node = tree.nodes[root]
