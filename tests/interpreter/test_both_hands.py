@@ -66,3 +66,8 @@ def test_what_is_inside_of_an_event_that_one_attends_is_done_in_passing(line: st
 def test_what_takes_long_is_not_done_in_passing_of_an_event() -> None:
     made = told(["Meeting from 10 to 11 am", "Write the minutes during the meeting"])
     assert starts(made)["s2"] == "11:00"
+
+
+def test_a_shift_alone_keeps_nobody_from_what_is_done_in_it() -> None:
+    made = told(["Shift 14:00-22:00", "break at 6 pm"])
+    assert starts(made)["s2"] == "18:00"

@@ -25,6 +25,8 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     three"), or one that is no verb beside a clock time in a list.
     """
     root = tree.root
+    if _is_frame(tree, phrases, lexicon):
+        return True
     if not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
         return False
     if root == 0 and len(tree.nodes) > 1 and _leads_particle(tree, lexicon):
@@ -59,6 +61,13 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     single = tree.nodes[root].tag in NOUN_TAGS and _is_noun(tree, root)
     listed = listed or (repeated and (single or _is_of_nouns(tree, root, lexicon)))
     return listed or (tree.nodes[root].tag in SINGULAR and any(map(_is_range, phrases)))
+
+
+def _is_frame(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
+    """Whether one word alone names what goes on from when to when: "shift 14-22"; but "harvest 9-12"."""
+    names = lexicon.frames - lexicon.chores - lexicon.alone
+    alone = tree.root == 0 and not tree.children(0, *DOING, "prep", "det")
+    return alone and tree.nodes[0].lower in names and len(phrases) == 1 and _is_range(phrases[0])
 
 
 def _is_somebodys(tree: Tree, root: int) -> bool:
