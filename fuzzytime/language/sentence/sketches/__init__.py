@@ -3,7 +3,7 @@
 Its times
     ``said_of_time``, and not ``elsewhere`` (``what_is_told``) nor ``of_things``; ``retimed``;
     ``how_far``, ``clock_times``, ``usual_hours``, ``days_of_events``, ``at_events``, what is
-    ``prepared``.
+    ``prepared``; what is done ``in_turns`` with what is repeated.
 Its clauses
     Where ``clauses`` stand, from their ``clause_markers`` to their ``clause_ends``; what they require
     (``clause_requirements``), ``deadlines_of_clauses``.
