@@ -202,6 +202,7 @@ class _Composer:
         requirements, remarks = required_of(sketch, times, anchors, connected, self.draft)
         self.remarks += remarks
         self.explained += [] if connected is None else [connected.span]
+        self.explained += [part.span for part in requirements if part.anchor is not None and part.anchor.each]
         said = text[slice(*segment.span)].strip()
         lengths = [one for one in times.found if one.duration is not None]
         self.remarks += [*second_lengths(lengths), *second_repetitions(times.found)]
