@@ -31,8 +31,9 @@ def left_inside(clause: Clause, anchors: Anchors) -> int | None:
     anaphor = subject in closed.anaphors
     thing = (own.object if own is not None else None) if anaphor else clause.object or subject
     last = anchors.first + len(anchors.own) if not anchors.awaits else len(anchors.mentions.operations)
-    before = [p for p in range(anchors.position - 1, -1, -1) if _leaves_something(p, anchors)]
-    behind = (p for p in range(anchors.position + 1, last) if _leaves_something(p, anchors))
+    over = edge_inside(clause, anchors) is Edge.END
+    before = [p for p in range(anchors.position - 1, -1, -1) if _leaves_something(p, anchors, over=over)]
+    behind = (p for p in range(anchors.position + 1, last) if _leaves_something(p, anchors, over=over))
     words = content_words(thing)
     named = (p for p in chain(before, behind) if not words.isdisjoint(content_words(_thing(p, anchors))))
     several = subject not in closed.singular_anaphors
@@ -40,9 +41,14 @@ def left_inside(clause: Clause, anchors: Anchors) -> int | None:
     return next(chain(named, alike if anaphor else ()), None)
 
 
-def _leaves_something(place: int, anchors: Anchors) -> bool:
+def _leaves_something(place: int, anchors: Anchors, *, over: bool) -> bool:
+    """Whether an instruction leaves something somewhere, and where it is to be ``over``, for a known while."""
     operation = anchors.operation_at(place)
-    return operation is not None and operation.is_asked and operation.lemma in anchors.lexicon.doing.putting
+    if operation is None or not operation.is_asked or operation.lemma not in anchors.lexicon.doing.putting:
+        return False
+    # What is baked is so for as long as that takes; what is only put somewhere stays there.
+    baked = operation.place is None and operation.particle is None
+    return not over or baked or anchors.told.length(place) is not None
 
 
 def _thing(place: int, anchors: Anchors) -> str:
