@@ -8,8 +8,11 @@ from fuzzytime.language import content_words
 from fuzzytime.requirement import Constraint
 from fuzzytime.skills import Precedence
 
-LEAVES_OPEN = frozenset({Constraint.VAGUE, Constraint.BEFORE})
+LEAVES_OPEN = frozenset({Constraint.VAGUE, Constraint.BEFORE, Constraint.WHEN})
 """What a step may say of its time, and still be meant before what is said next of its thing."""
+
+LEADS = OWN_TIME | {Constraint.BEFORE}
+"""What says of a step when it is, whatever was said before it."""
 
 
 def of_things(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
@@ -17,15 +20,17 @@ def of_things(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
 
     A time of its own says more than the order: "serve the soup at seven", "heat the soup".
     """
-    latest: dict[frozenset[str], Step] = {}
+    worked_on: list[tuple[frozenset[str], Step]] = []
     for position, one in enumerate(skills):
         thing = _thing_of(one)
         if not thing:
             continue
-        step, before = Step(position, one), latest.get(thing)
+        step = Step(position, one)
+        # "Pick the first tray", "inspect the tray"
+        before = next((earlier for named, earlier in reversed(worked_on) if thing <= named), None)
         if before is not None and _leaves_open(before) and _is_open(step):
             yield before.precedence(step)
-        latest[thing] = step
+        worked_on.append((thing, step))
 
 
 def _thing_of(one: Interpreted) -> frozenset[str]:
@@ -35,10 +40,15 @@ def _thing_of(one: Interpreted) -> frozenset[str]:
 
 
 def _leaves_open(step: Step) -> bool:
-    said = step.interpreted.requirements
-    return all(part.constraint in LEAVES_OPEN and not is_anchored(part) for part in said)
+    """Whether nothing names a time of a step: behind another it is still meant before what is said next."""
+    return all(
+        part.constraint in LEAVES_OPEN
+        if part.anchor is None
+        else part.constraint is Constraint.AFTER and not part.anchor.exact
+        for part in step.interpreted.requirements
+    )
 
 
 def _is_open(step: Step) -> bool:
     said = step.interpreted.requirements
-    return not any(part.constraint in OWN_TIME | LEAVES_OPEN or is_anchored(part) for part in said)
+    return not any(part.constraint in LEADS or is_anchored(part) for part in said)

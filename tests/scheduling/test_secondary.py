@@ -98,3 +98,18 @@ def test_nothing_is_lost_and_the_sum_of_distances_never_grows(seed: int) -> None
     if not any(late):
         assert distance(near) <= distance(plain) + slack
     assert near.certificate.status is plain.certificate.status
+
+
+@pytest.mark.parametrize("durations", [(300.0, 60.0, 120.0), (60.0, 3600.0, 1.0), (10.0,) * 20])
+def test_what_nobody_named_a_time_for_is_done_in_the_order_said(durations: tuple[float, ...]) -> None:
+    always = Trapezoid(0, 0, 1e5, 2e5)
+    skills = tuple(FuzzySkill(f"chore {place}", always, length) for place, length in enumerate(durations))
+    starts = solve(FuzzyTask(skills)).start_times
+    assert starts == pytest.approx(np.cumsum((0.0, *durations[:-1])).tolist())
+
+
+def test_the_order_said_gives_way_to_a_start_that_was_named() -> None:
+    always = Trapezoid(0, 0, 1e4, 2e4)
+    chores = tuple(FuzzySkill(name, always, 300.0) for name in ("sweep", "dust", "mop"))
+    flip = FuzzySkill("flip", always, 60.0, preferred=300.0)
+    assert solve(FuzzyTask((*chores, flip))).start_times == pytest.approx((0, 360, 660, 300))

@@ -31,7 +31,7 @@ AT_AN_END = 1e-6
 FLAT = 1.0
 """Seconds: where a skill may move by less than this, it does not move at all."""
 
-SEARCHED = 12
+SEARCHED = 50
 """Up to so many skills another order is sought even where no start was named."""
 
 UNWANTED = 1e3

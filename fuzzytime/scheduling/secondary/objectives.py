@@ -35,6 +35,12 @@ PATIENCE = 10.0
 LATER_CHOICE = 0.9
 """The share of its distance from what was named first that an alternative, though as good, counts as."""
 
+SHORTEST = 1.0
+"""Seconds that count for what keeps nobody's hands."""
+
+FIRST_SAID = 0.5
+"""How much more a second counts of what was said first of all than of what was said last."""
+
 PIECES = 8
 """Lines that stand for a curve's integral between two of its corners."""
 
@@ -121,11 +127,25 @@ class EarliestStart(_EachForItself):
 class Nearness(_EachForItself):
     """The least sum of distances to the starts that were named, and of start times where none was.
 
-    A second of the latter counts `PATIENCE` times less. Of equal sums the one that is shared out more evenly
-    is wished a little more.
+    A second of the latter counts `PATIENCE` times less at most, and by how long hands are kept: then what
+    nobody named a time for is done in the order said, and not by its length (Smith's rule, 1956).
+    Of equal sums the one that is shared out more evenly is wished a little more.
     """
 
     name: ClassVar[str] = "nearness"
+
+    def wishes(self, arrangement: Arrangement) -> Sequence[SatisfactionFunction]:
+        """Give the wish for each skill's start, close to 1 everywhere before the reach."""
+        skills, reach = arrangement.skills, arrangement.reach
+        counts = [
+            max(skill.duration, SHORTEST) * (1.0 + FIRST_SAID * (1.0 - place / len(skills)))
+            for place, skill in enumerate(skills)
+        ]
+        most = max(counts, default=1.0)
+        return [
+            self.wish(skill, reach if skill.preferred is not None else reach * most / count)
+            for skill, count in zip(skills, counts, strict=True)
+        ]
 
     def wish(self, skill: FuzzySkill, reach: float) -> SatisfactionFunction:
         """Wish for the preferred start, linearly less away from it; a little more for an alternative."""
