@@ -12,10 +12,11 @@ from typer.main import get_command
 
 from console import ROOT, Example, blocks_of, compared, examples_of, fits, written_for
 from fuzzytime_cli.app import app
-from meanings import Row, rows_of
+from meanings import SHOWN, Row, rows_of
 
 DOCUMENTS = sorted([ROOT / "README.md", *ROOT.glob("docs/**/*.md"), *ROOT.glob("tests/transcripts/*.md")])
 EXAMPLES = [example for path in DOCUMENTS if path.exists() for example in examples_of(path)]
+ROWS = [row for path in DOCUMENTS for row in rows_of(path)]
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=str)
@@ -24,13 +25,14 @@ def test_a_command_writes_what_its_document_shows(example: Example, tmp_path: Pa
     assert fits(example.expected, written), f"{example}\n{compared(written)}"
 
 
-@pytest.mark.parametrize("row", [row for path in DOCUMENTS for row in rows_of(path)], ids=str)
+@pytest.mark.parametrize("row", ROWS, ids=str)
 def test_what_is_said_means_what_its_table_shows(row: Row) -> None:
     assert row.shown == row.written
 
 
-def test_the_documents_show_commands() -> None:
+def test_the_documents_show_commands_and_meanings() -> None:
     assert {example.path.name for example in EXAMPLES} >= {"README.md"}
+    assert {row.heading for row in ROWS} == set(SHOWN)
 
 
 @pytest.mark.parametrize(
