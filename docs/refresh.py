@@ -1,6 +1,7 @@
-"""Write what the program writes today into the console blocks of the documents: ``python docs/refresh.py``.
+"""Write what the program says today into the documents: ``python docs/refresh.py``.
 
-Blocks with a line ``…`` are left as they are. Look at the difference before you commit it.
+That is what commands write in console blocks, and what words mean in tables (``tests/meanings.py``). Blocks
+with a line ``…`` are left as they are. Look at the difference before you commit it.
 """
 
 import sys
@@ -10,11 +11,12 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).parent.parent / name) for name in ("tests", "cli", ".")]
 
 from console import ROOT, examples_of, fits, written_for
+from meanings import with_meanings
 
 
 def refreshed(path: Path) -> str:
-    """Give a document with every console block as the program writes it today."""
-    text = path.read_text(encoding="utf-8")
+    """Give a document with every console block, and every table, as the program writes it today."""
+    text = with_meanings(path)
     for example in list(examples_of(path)):
         with tempfile.TemporaryDirectory() as folder:
             written = written_for(example, Path(folder))

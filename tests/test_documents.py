@@ -12,9 +12,11 @@ from typer.main import get_command
 
 from console import ROOT, Example, blocks_of, compared, examples_of, fits, written_for
 from fuzzytime_cli.app import app
+from meanings import SHOWN, Row, rows_of
 
 DOCUMENTS = sorted([ROOT / "README.md", *ROOT.glob("docs/**/*.md"), *ROOT.glob("tests/transcripts/*.md")])
 EXAMPLES = [example for path in DOCUMENTS if path.exists() for example in examples_of(path)]
+ROWS = [row for path in DOCUMENTS for row in rows_of(path)]
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=str)
@@ -23,8 +25,14 @@ def test_a_command_writes_what_its_document_shows(example: Example, tmp_path: Pa
     assert fits(example.expected, written), f"{example}\n{compared(written)}"
 
 
-def test_the_documents_show_commands() -> None:
+@pytest.mark.parametrize("row", ROWS, ids=str)
+def test_what_is_said_means_what_its_table_shows(row: Row) -> None:
+    assert row.shown == row.written
+
+
+def test_the_documents_show_commands_and_meanings() -> None:
     assert {example.path.name for example in EXAMPLES} >= {"README.md"}
+    assert {row.heading for row in ROWS} == set(SHOWN)
 
 
 @pytest.mark.parametrize(
@@ -76,14 +84,14 @@ def test_the_reference_shows_every_command_and_its_options() -> None:
 
 
 def test_the_files_of_a_language_are_where_the_book_says() -> None:
-    text = (ROOT / "docs" / "language.md").read_text("utf-8").partition("## To add a language")[2]
-    rows = re.findall(r"^\| `([^`]+)` \|", text.partition("## ")[0], re.MULTILINE)
+    text = (ROOT / "docs" / "language-extending.md").read_text("utf-8").partition("## Add a language")[2]
+    rows = re.findall(r"^\| `([^`]+/[^`]*)` \|", text.partition("## ")[0], re.MULTILINE)
     assert len(rows) > 5
     assert all((ROOT / path).exists() for path in rows)
 
 
 def test_the_groups_of_words_that_the_book_tells_of_are_in_the_tables() -> None:
-    text = (ROOT / "docs" / "language.md").read_text("utf-8")
+    text = (ROOT / "docs" / "language-extending.md").read_text("utf-8")
     words = (ROOT / "rules" / "lexicon.yaml").read_text("utf-8")
     (row,) = re.findall(r"`(noun openers: \[[^`]+\])`", text)
     assert all(

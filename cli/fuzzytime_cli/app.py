@@ -34,9 +34,11 @@ app = typer.Typer(
 )
 command = partial(app.command, cls=Command)
 command("plan", short_help="Print the best schedule, and how well each wish is satisfied.")(plan.plan)
-command("explain", short_help="Show what was understood, which rules apply, why then.")(explain.explain)
+command("explain", short_help="Show what was understood, which rules apply, and why then.")(explain.explain)
 command("repl", short_help="Hold a conversation: the schedule follows as you type.")(repl.repl)
-command("run", cls=live.CommandWithProgram, short_help="Carry a plan out, planning anew.")(live.run)
+command("run", cls=live.CommandWithProgram, short_help="Carry a plan out, and replan as things happen.")(
+    live.run
+)
 command("batch", short_help="Plan many task files: one JSON line each, in order.")(batch.batch)
 command("parse", short_help="Show the operations and times of each text.")(parse.parse)
 app.add_typer(rules.app, name="rules", short_help="Check rule tables; show what applies.")

@@ -86,7 +86,7 @@ OutputFile = Annotated[
         "-o",
         metavar="FILE",
         callback=unless_dash,
-        help="Write to a file, whole or not at all; - is standard output.",
+        help="Write to a file, completely or not at all; - is standard output.",
     ),
 ]
 
@@ -99,7 +99,7 @@ class Moment:
         str | None,
         typer.Option(
             metavar="INSTANT",
-            help="The moment to plan from, such as 2026-03-04T09:00; the clock's if not given.",
+            help="The moment to plan from, such as 2026-03-04T09:00; now if not given.",
         ),
     ] = None
     zone: Annotated[
@@ -132,13 +132,13 @@ class Understanding:
     rules: Annotated[
         list[Path] | None,
         typer.Option(
-            "--rules", metavar="FILE", help="A rule table that goes before the shipped ones; repeatable."
+            "--rules", metavar="FILE", help="A rule table that overrides the shipped ones; repeatable."
         ),
     ] = None
     customs: Customs = None
     ctx: Annotated[
         list[str] | None,
-        typer.Option("--ctx", metavar="NAME=VALUE", help="What is so now, such as pan_temp=180; repeatable."),
+        typer.Option("--ctx", metavar="NAME=VALUE", help="A reading now, such as pan_temp=180; repeatable."),
     ] = None
     context: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Readings over time: one JSON object a line, or CSV.")
@@ -165,15 +165,17 @@ class Solving:
             metavar="SATISFACTION",
             min=0.0,
             max=0.5,
-            help="What is satisfied less is rejected (default 0.001); at 0 a clash is infeasible.",
+            help="Reject what is satisfied less than this (default 0.001); at 0 a clash is infeasible.",
         ),
     ] = None
     time_limit: Annotated[
         float | None,
-        typer.Option(metavar="SECONDS", min=0.01, help="When to take the best found so far (default 5)."),
+        typer.Option(
+            metavar="SECONDS", min=0.01, help="Take the best found so far after this time (default 5)."
+        ),
     ] = None
     seed: Annotated[
-        int | None, typer.Option(metavar="N", min=0, help="Repeats methods that draw at random (default 0).")
+        int | None, typer.Option(metavar="N", min=0, help="Makes random methods repeatable (default 0).")
     ] = None
     horizon: Annotated[
         str | None,

@@ -1,49 +1,26 @@
 """Another language is two word tables and a grammar: a small German, of which English knows nothing."""
 
-import json
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import pytest
 import yaml
 
 from fuzzytime.language import Times, find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.word_tables import read_lexicon
-from fuzzytime.resources import rules_directory
 from language.corpus_rows import Row, idle_rules, instant, meant, rows_in
 from language.german.rules import grammar
+from language.small_language import small_lexicon
 
 FOLDER = Path(__file__).parent / "german"
 ROWS = rows_in(FOLDER / "times.yaml")
 CORPUS = yaml.safe_load((FOLDER / "times.yaml").read_text("utf-8"))
 
 
-def _blank(node: Any) -> Any:  # noqa: ANN401 - as YAML has it
-    """Give a table without its words: its sections, the rows that rules ask for, and empty lists."""
-    if isinstance(node, list):
-        return []
-    if not isinstance(node, dict):
-        return node
-    return {key: _blank(value) for key, value in node.items()}
-
-
-NAMED = ("prepositions", "hedges", "words", "amounts", "clauses", "comparisons", "particles")
-"""Sections whose rows are words themselves."""
-
-
 @pytest.fixture(scope="module")
 def german(tmp_path_factory: pytest.TempPathFactory) -> Lexicon:
     """The tables of a language whose lists of words are empty, but for those that German times need."""
-    whole = _blank(yaml.safe_load((rules_directory() / "lexicon.yaml").read_text("utf-8")))
-    for section in NAMED:
-        whole[section] = {"source": "none"}
-    for section, rows in yaml.safe_load((FOLDER / "words.yaml").read_text("utf-8")).items():
-        whole[section] = whole[section] | rows if isinstance(rows, dict) else rows
-    path = tmp_path_factory.mktemp("german") / "lexicon.yaml"
-    path.write_text(json.dumps(whole | {"language": "de"}, ensure_ascii=False), "utf-8")
-    return read_lexicon(path, FOLDER / "calendar.yaml")
+    return small_lexicon(FOLDER, tmp_path_factory.mktemp("german") / "lexicon.yaml")
 
 
 def _times(text: str, row_now: object, lexicon: Lexicon) -> Times:

@@ -33,7 +33,7 @@ def explain(
     understanding: Understanding,
     solving: Solving,
 ) -> None:
-    """Explain an instruction: tree, time requirement, rows and rules, satisfaction, and why it starts so."""
+    """Explain an instruction: tree, time requirement, rows and rules, satisfaction, and why then."""
     if os.path.isfile(text):  # noqa: PTH113 - a path raises on a long sentence
         raise UsageError(
             f"explain takes an instruction, got the file {text!r}: "

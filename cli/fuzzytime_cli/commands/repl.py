@@ -9,14 +9,16 @@ from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
 
 @flattened
 def repl(
-    session: Annotated[str, typer.Argument(help="The session's name; it is kept and goes on.")] = "default",
+    session: Annotated[
+        str, typer.Argument(help="The session's name; sessions are saved and continued.")
+    ] = "default",
     forget: Annotated[bool, typer.Option("--forget", help="Keep nothing.")] = False,  # noqa: FBT002 - a flag
     *,
     moment: Moment,
     understanding: Understanding,
     solving: Solving,
 ) -> None:
-    """Hold a conversation: instructions as you type, the schedule after each, a word when a start comes."""
+    """Hold a conversation: instructions as you type, the schedule after each, news of each start."""
     from fuzzytime_cli.render import plain
     from fuzzytime_cli.repl import converse
 

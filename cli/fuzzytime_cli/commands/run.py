@@ -32,21 +32,21 @@ def run(
     instruction: Instructions = None,
     follow: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Read lines from a file, and what is added to it, not from stdin."),
+        typer.Option(metavar="FILE", help="Read lines from a file that may grow, instead of standard input."),
     ] = None,
     speed: Annotated[
-        float, typer.Option(min=0.01, max=10_000, help="Seconds of the run in one of the clock's.")
+        float, typer.Option(min=0.01, max=10_000, help="How many seconds of the run pass in one real second.")
     ] = 1.0,
     limit: Annotated[
         str | None,
         typer.Option(
             metavar="DURATION",
-            help="Kill a command after so long; if not given, three times its planned time, at least 1 min.",
+            help="Kill a command after this time; by default, three times its planned time, at least 1 min.",
         ),
     ] = None,
     output_format: Annotated[
         RunFormat | None,
-        typer.Option("--format", help="Text on a terminal, JSON lines elsewhere, if not given."),
+        typer.Option("--format", help="If not given, text on a terminal and JSON lines elsewhere."),
     ] = None,
     program: Annotated[
         list[str] | None,
@@ -58,7 +58,7 @@ def run(
     ] = None,
     *,
     simulate: Annotated[
-        bool, typer.Option("--simulate", help="Run at once, without waiting; each time the same.")
+        bool, typer.Option("--simulate", help="Run at once, without waiting, and the same each time.")
     ] = False,
     wait_for_done: Annotated[
         bool, typer.Option("--wait-for-done", help='A skill goes on until a line {"done": ID} comes.')

@@ -19,7 +19,7 @@ def list_(
     *,
     json: Annotated[bool, typer.Option("--json", help="One JSON object a line.")] = False,
 ) -> None:
-    """List a study's participants, and who does not count and why."""
+    """List a study's participants, with who does not count and why."""
     import json as encoding
     import os
 
@@ -89,12 +89,12 @@ def import_(
 def ratings(
     *,
     rules: Annotated[
-        bool, typer.Option("--rules", help="The table that they amount to, as a rule file.")
+        bool, typer.Option("--rules", help="The table that follows from them, as a rule file.")
     ] = False,
     json: Annotated[bool, typer.Option("--json", help="One rating a line.")] = False,
     output: OutputFile = None,
 ) -> None:
-    """Show or export your own ratings of starts (`:rate` in a conversation), and what they amount to."""
+    """Show or export your own ratings of starts (`:rate` in a conversation), and what follows from them."""
     import json as encoding
 
     from fuzzytime_cli.files import write_out

@@ -14,10 +14,8 @@ if TYPE_CHECKING:
 Database = Annotated[
     Path, typer.Argument(metavar="ANSWERS", help="The study's file, such as answers.sqlite.")
 ]
-NewDatabase = Annotated[
-    Path, typer.Option("--db", help="The study's file; it is begun where it is not there.")
-]
-DESIGN = "The study's design (YAML); if not given, that of a study that is there, or the paper's."
+NewDatabase = Annotated[Path, typer.Option("--db", help="The study's file; created if it does not exist.")]
+DESIGN = "The study's design (YAML); if not given, that of the existing study, or the paper's."
 DesignFile = Annotated[
     Path | None,
     typer.Option(

@@ -14,6 +14,7 @@ from fuzzytime.language.meaning.expressions import (
     Ending,
     Goal,
     HourMark,
+    Midway,
     Offset,
     Range,
     Said,
@@ -82,6 +83,13 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
 def between(first: Goal, last: Goal) -> Said | None:
     """Between 5 and 6 pm, from monday to friday."""
     return range_of(first, last, "between")
+
+
+@grammar.rule("goal", "halfway|midway between the? <goal> and the? <goal>", weight=1.2)
+def midway(first: Goal, last: Goal) -> Goal | None:
+    """Halfway between noon and two."""
+    whole = between(first, last)
+    return Goal(Midway(whole.time), whole.hedges) if whole and isinstance(whole.time, Range) else None
 
 
 @grammar.rule("said", "from|since the? <goal> to date", weight=1.3)

@@ -174,7 +174,14 @@ class HourMark:
     open: bool = False
 
 
-Time = Wall | Ending | Offset | Coming | Range | TimeWord | Rest | SameTime | HourMark
+@dataclass(frozen=True, slots=True)
+class Midway:
+    """The middle of a stretch: "halfway between noon and two"."""
+
+    of: Range
+
+
+Time = Wall | Ending | Offset | Coming | Range | Midway | TimeWord | Rest | SameTime | HourMark
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     Edge,
     Ending,
     HourMark,
+    Midway,
     Offset,
     Range,
     Rest,
@@ -76,6 +77,11 @@ class Grounding(Standpoint):
             return self._coming(said)
         if isinstance(said, Range):
             return range_instants(self, said)
+        if isinstance(said, Midway):
+            whole = range_instants(self, said.of)
+            half = (whole.end - whole.start) / 2
+            choices = tuple(choice + half for choice in whole.choices)
+            return replace(whole, start=whole.start + half, end=whole.start + half, choices=choices)
         if isinstance(said, Rest):
             whole = self.wall(said.of)
             return Instants(max(self.now, whole.start), whole.end, Unit.SECOND)
