@@ -8,6 +8,7 @@ objectives count one after the other, each among the schedules that the ones bef
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 
@@ -34,7 +35,10 @@ FLAT = 1.0
 SEARCHED = 50
 """Up to so many skills another order is sought even where no start was named."""
 
-UNWANTED = 1e3
+COUNTS = 1e3
+"""How much a gentle wish counts: enough for a search to see the difference of a second in a long horizon."""
+
+UNWANTED = 1e3 * COUNTS
 """The cost of leaving a skill out, far above that of any start."""
 
 TURNS = 4
@@ -133,7 +137,7 @@ def _with(span: Interval, start: float) -> Interval:
 
 def _wishing(job: Job, wish: SatisfactionFunction) -> Job:
     """Give a job with another satisfaction function, that must not be left out."""
-    return replace(job, function=wish, weight=1.0, worst=UNWANTED, rejection=UNWANTED, over=math.inf)
+    return replace(job, function=wish, weight=COUNTS, worst=UNWANTED, rejection=UNWANTED, over=math.inf)
 
 
 def _best(problem: Problem, starts: Floats, agents: Ints, watch: Stopwatch | None) -> Draft:
@@ -144,7 +148,27 @@ def _best(problem: Problem, starts: Floats, agents: Ints, watch: Stopwatch | Non
     best = min(best, again, key=lambda draft: draft.cost)
     if watch is None or watch.is_over() or best.cost <= problem.least_cost + EQUAL:
         return best
-    return with_clusters_moved(problem, LocalSearch().search(problem, watch, best), watch)
+    best = with_clusters_moved(problem, LocalSearch().search(problem, watch, best), watch)
+    return _exchanged(problem, best, watch) if len(problem.jobs) <= SEARCHED else best
+
+
+def _exchanged(problem: Problem, best: Draft, watch: Stopwatch) -> Draft:
+    """Let two change places wherever that is wished for, as a search that moves one at a time cannot."""
+    reach = max(job.latest - job.earliest for job in problem.jobs)
+    pairs = list(combinations(range(len(problem.jobs)), 2))
+    better = True
+    while better and not watch.is_over():
+        better = False
+        for first, second in pairs:
+            late = best.starts[first] > best.starts[second] and best.agents[first] == best.agents[second]
+            if not late or watch.is_over():
+                continue
+            hints = best.starts.copy()
+            hints[[first, second]] = best.starts[[second, first]]
+            found = settled(problem, hints, best.agents, reach + 1.0)
+            if found.cost < best.cost - EQUAL:
+                best, better = found, True
+    return best
 
 
 def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, agents: Ints) -> Floats:
