@@ -44,3 +44,14 @@ def test_what_is_opened_at_a_time_is_shut_behind_that_and_shortly_before_it_is_d
 def test_a_deadline_below_a_day_is_kept_as_late_as_one_on_its_own(line: str, expected: str) -> None:
     assert starts(told([line])) == {"s1": expected}
     assert starts(told(["Sunday", line])) == {"s2": expected}
+
+
+def test_what_was_loaded_is_unloaded_where_the_way_leads() -> None:
+    found = starts(told(["Load the van, 45 min", "Leave at 11:30", "Unload"]))
+    assert found == {"s1": "07:00", "s2": "11:30", "s3": "11:31"}
+
+
+def test_who_gets_ready_before_a_call_calls_nobody() -> None:
+    made = told(["Call Ana at 10, prep 15 min before"])
+    assert [skill.name for skill in made.schedule.skills] == ["call Ana", "prep"]
+    assert starts(made) == {"s1": "10:00", "s1.2": "09:45"}

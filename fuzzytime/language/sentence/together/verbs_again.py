@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
-from fuzzytime.language.meaning.distances import LATER
+from fuzzytime.language.meaning.distances import EARLIER, LATER
 from fuzzytime.language.meaning.expressions import Offset, Repeat, Said
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.verbs.due_by_then import BE, MUST, MUST_BE
@@ -63,6 +63,9 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
         placed = _placed_again(before, rest, lexicon)
         if placed is not None or (before.object is None and before.place is not None):
             return placed
+    if part.segment.verbless and _is_deed(rest, sketch, lexicon):
+        # "Call Ana at ten, prep 15 minutes before"
+        return Operation(verb=rest.lower(), lemma=rest.lower(), span=(said[0][0], said[-1][1]))
     if not rest or not named or before.object is None:
         return None
     # "Hand me the wrench, then the pliers"
@@ -72,6 +75,16 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
         if word.lower() in closed.indirect_objects and " " in before.object
     ]
     return replace(before, object=" ".join((*given, rest)), place=None)
+
+
+def _is_deed(rest: str, sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether one word beside a time is what is done, and no thing that the same is done with.
+
+    So long before something one gets ready for it, and does not do the same with another thing.
+    """
+    early = any(phrase.said.preposition == EARLIER for phrase in sketch.phrases)
+    alone = rest.isalpha() and rest.islower()
+    return bool(sketch.phrases) and alone and (early or rest in lexicon.chores)
 
 
 def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
