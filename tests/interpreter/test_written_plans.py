@@ -55,3 +55,16 @@ def test_who_gets_ready_before_a_call_calls_nobody() -> None:
     made = told(["Call Ana at 10, prep 15 min before"])
     assert [skill.name for skill in made.schedule.skills] == ["call Ana", "prep"]
     assert starts(made) == {"s1": "10:00", "s1.2": "09:45"}
+
+
+@pytest.mark.parametrize(
+    ("line", "minutes"),
+    [
+        ("Set 12 tables, 5 minutes each", 60),
+        ("Make up rooms 201-206, 25 min each", 150),
+        ("Wrap both orders, 6 min each", 12),
+        ("Grill two steaks for 3 minutes each", 3),
+    ],
+)
+def test_what_is_done_one_by_one_lasts_for_all(line: str, minutes: float) -> None:
+    assert told([line]).schedule.skills[0].duration == 60 * minutes

@@ -22,15 +22,9 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     spans = [(node.start + part.offset, node.end + part.offset) for node in part.tree.nodes]
     said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
     rest = text[said[0][0] : said[-1][1]] if said else ""
-    if sketch.phrases:
-        turned, _, level = rest.partition(" to ")
-        particle = _particle_alone(turned, lexicon)
-        if particle is not None:
-            # "And back up to 37 degrees at six"
-            return replace(before, particle=particle, place=f"to {level}" if level else before.place)
-        if rest and set(rest.lower().split()) <= closed.adverbs_of_repetition:
-            # "Ring the bell at six, then again at seven"
-            return before
+    shortly = _said_shortly(before, rest, lexicon) if sketch.phrases else None
+    if shortly is not None:
+        return shortly
     said_again = sketch.operation
     if said_again is not None and said_again.lemma in lexicon.doing.repeating and sketch.phrases:
         # "Baste the roast, and repeat this every ten minutes"
@@ -59,13 +53,13 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     # "Call Ann at ten, then Bob"
     called = then and first[:1].isupper() and (before.object or "")[:1].isupper()
     named = (thing or part.segment.verbless) if sketch.phrases else ((thing or called) and then)
+    if _is_deed(rest, sketch, lexicon):
+        # "Call Ana at ten, prep 15 minutes before"
+        return Operation(verb=rest, lemma=rest, span=(said[0][0], said[-1][1]))
     if rest and part.segment.verbless:
         placed = _placed_again(before, rest, lexicon)
         if placed is not None or (before.object is None and before.place is not None):
             return placed
-    if part.segment.verbless and _is_deed(rest, sketch, lexicon):
-        # "Call Ana at ten, prep 15 minutes before"
-        return Operation(verb=rest.lower(), lemma=rest.lower(), span=(said[0][0], said[-1][1]))
     if not rest or not named or before.object is None:
         return None
     # "Hand me the wrench, then the pliers"
@@ -77,6 +71,18 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     return replace(before, object=" ".join((*given, rest)), place=None)
 
 
+def _said_shortly(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before where a particle alone, or that it is done again, is said beside a time."""
+    turned, _, level = rest.partition(" to ")
+    particle = _particle_alone(turned, lexicon)
+    if particle is not None:
+        # "And back up to 37 degrees at six"
+        return replace(before, particle=particle, place=f"to {level}" if level else before.place)
+    # "Ring the bell at six, then again at seven"
+    again = rest and set(rest.lower().split()) <= lexicon.closed.adverbs_of_repetition
+    return before if again else None
+
+
 def _is_deed(rest: str, sketch: Sketch, lexicon: Lexicon) -> bool:
     """Whether one word beside a time is what is done, and no thing that the same is done with.
 
@@ -84,7 +90,9 @@ def _is_deed(rest: str, sketch: Sketch, lexicon: Lexicon) -> bool:
     """
     early = any(phrase.said.preposition == EARLIER for phrase in sketch.phrases)
     alone = rest.isalpha() and rest.islower()
-    return bool(sketch.phrases) and alone and (early or rest in lexicon.chores)
+    return (
+        sketch.part.segment.verbless and bool(sketch.phrases) and alone and (early or rest in lexicon.chores)
+    )
 
 
 def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
