@@ -203,7 +203,7 @@ def _times_in(reading: Reading) -> Iterator[TimeRequirement]:
 
 
 def _first_times(reading: Reading) -> Iterator[TimeRequirement]:
-    """Give the same, but of times that one thing has several of only the first: the next line goes on there."""
+    """Give the same, but of several times of one thing only the first: there the next line goes on."""
     seen: set[Span] = set()
     for one in reading.instructions:
         again = one.operation is not None and one.operation.span in seen

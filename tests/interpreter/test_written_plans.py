@@ -68,3 +68,21 @@ def test_who_gets_ready_before_a_call_calls_nobody() -> None:
 )
 def test_what_is_done_one_by_one_lasts_for_all(line: str, minutes: float) -> None:
     assert told([line]).schedule.skills[0].duration == 60 * minutes
+
+
+def test_what_the_calendar_knows_to_become_so_needs_no_reading() -> None:
+    made = told(["Tomorrow", "Pick the leeks before it gets dark", "Light the lamps once it is dark"])
+    assert starts(made)["s3"] == "19:00"
+    assert starts(made)["s2"] < "18:00"
+    assert not [problem for problem in made.problems if "tells" in problem.message]
+
+
+def test_a_line_behind_several_times_of_one_thing_goes_on_at_the_first() -> None:
+    made = told(["Meds at 8, 12, 16 and 20", "Visit ward 3 before 11"])
+    assert any(problem.message.startswith("'before 11' is taken as 11:00") for problem in made.problems)
+
+
+@pytest.mark.parametrize(("line", "latest"), [("bale the hay by 6", "18:00"), ("leave by 6:30", "06:30")])
+def test_what_is_due_by_six_tomorrow_is_due_when_people_do_it(line: str, latest: str) -> None:
+    made = told(["Tomorrow", line])
+    assert any(f"is taken as {latest}" in problem.message for problem in made.problems)
