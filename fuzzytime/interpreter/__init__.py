@@ -6,7 +6,8 @@ way.
 Understanding (``interpreter``)
     Values: ``request``, ``interpretation``.
     Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``, ``joining``.
-    In other words: ``in_full``, ``retold``, ``told_anew``, ``lasting``, ``waits``; none: ``why_nothing``.
+    In other words: ``in_full``, ``retold``, ``told_anew``, ``lasting``, ``waits``, ``by_the_sky``;
+    none: ``why_nothing``.
     Repeated beside something else: ``inside``, ``behind``, ``each_turn``, ``of_each``, ``passing``,
     ``turns_in_bounds``.
     Done ``meanwhile``.

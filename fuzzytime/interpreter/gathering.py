@@ -116,7 +116,7 @@ class Gathering:
             self.rows.join(reading, about, self.skills, self.maker.lexicon)
             for _, places in about:
                 self.rows.await_arrival(places, self.skills, self.maker.lexicon)
-                self.rows.resume(places, self.skills)
+                self.rows.resume(places, self.skills, self.maker.lexicon)
                 self.rows.pause(places, self.skills, self.maker.lexicon)
 
     def _take(self, wish: SpokenWish, reading: Reading, instruction: Instruction, *, listed: bool) -> range:

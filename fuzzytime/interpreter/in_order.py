@@ -36,7 +36,7 @@ class Rows:
     """The lists of a request: all of it where its order holds, else each numbered list.
 
     ``arrived`` gives for each word the latest that comes which it names, ``latest`` for each thing the latest
-    that is to be done with it; ``asked`` is what was asked for last of all.
+    that is to be done with it; ``asked`` is what was asked for last of all, ``journey`` who leaves last.
     """
 
     in_order: bool
@@ -46,6 +46,7 @@ class Rows:
     arrived: dict[str, int] = field(default_factory=dict)
     latest: dict[str, int] = field(default_factory=dict)
     asked: Step | None = None
+    journey: int | None = None
 
     def holds(self, reading: Reading) -> bool:
         """Whether what a text says stands in a row; a list that counts from the beginning is a new one."""
@@ -118,18 +119,36 @@ class Rows:
                 # Of two with times of their own, the times say which comes first.
                 self.precedences += [a.precedence(b) for a, b in pairs if not (a.timed and b.timed)]
 
-    def resume(self, made: Sequence[int], skills: Sequence[Interpreted]) -> None:
-        """Let what is done with "it" follow what was asked for of the same thing before."""
+    def resume(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:
+        """Let what is done with "it" follow what was asked for of the same thing before.
+
+        What was loaded is unloaded where the way behind it leads.
+        """
         operation = skills[made[0]].operation if made else None
-        if operation is None or operation.object is None or operation.stated:
+        if operation is None or operation.stated:
+            return
+        if operation.lemma in lexicon.doing.leaving and operation.is_asked:
+            self.journey = made[0]
+        if operation.object is None:
             return
         before = self._latest_about(operation.object)
         if operation.again and before is not None and len(made) == 1:
             one, other = Step(before, skills[before]), Step(made[0], skills[made[0]])
             if not other.timed and all(map(_may_follow, other.interpreted.requirements)):
-                self.precedences.append(one.precedence(other))
+                there = self._arrival_of(one, other, lexicon, skills)
+                self.precedences.append(one.precedence(other) if there is None else there.precedence(other))
         if not any(skills[place].repeats for place in made):
             self.latest[operation.object] = made[-1]
+
+    def _arrival_of(
+        self, one: Step, other: Step, lexicon: Lexicon, skills: Sequence[Interpreted]
+    ) -> Step | None:
+        """Give the journey between loading and unloading something, if there is one."""
+        loaded, undone = one.interpreted.operation, other.interpreted.operation
+        if self.journey is None or self.journey < one.position or loaded is None or undone is None:
+            return None
+        carried = loaded.phrase in lexicon.doing.loading and undoes(undone, loaded, lexicon)
+        return Step(self.journey, skills[self.journey]) if carried else None
 
     def pause(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:
         """Let who waits do so right behind what was asked for before, and what comes next follow on that."""

@@ -7,6 +7,7 @@ from datetime import datetime
 from fuzzytime.context import Context
 from fuzzytime.errors import InstructionError
 from fuzzytime.interpreter.asked import by_agents
+from fuzzytime.interpreter.by_the_sky import told_by_the_sky
 from fuzzytime.interpreter.gathering import Gathering
 from fuzzytime.interpreter.horizon import horizon_of, within_horizon
 from fuzzytime.interpreter.in_full import in_full
@@ -23,6 +24,7 @@ from fuzzytime.interpreter.told_anew import as_they_happened
 from fuzzytime.interpreter.turns_in_bounds import turns_out_of_bounds, without
 from fuzzytime.language import Language, Reading, check_length, with_words
 from fuzzytime.language.instruction import Span, overlap
+from fuzzytime.requirement import TimeRequirement
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.rulebook.tables.documents import shipped_tables
 from fuzzytime.skills import FuzzySkill
@@ -176,6 +178,13 @@ class Interpreter:
         if not reading.instructions and not remarks:
             problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, "says nothing to do"))
 
+    def _by_the_sky(self, requirement: TimeRequirement, reading: Reading) -> bool:
+        """Whether the calendar tells when words are so: "before it gets dark"."""
+        given = reading.now
+        return (
+            given is not None and told_by_the_sky(requirement, (), given, self.language.lexicon) is not None
+        )
+
     def _told_by_readings(self, reading: Reading, context: Context) -> set[tuple[int, int]]:
         """Give the words that refer to no instruction but to what readings tell: "after the timer rings"."""
         return {
@@ -184,7 +193,7 @@ class Interpreter:
             for requirement in instruction.requirements
             if requirement.anchor is not None
             and requirement.anchor.target is None
-            and self.rulebook.tells(requirement.anchor, context)
+            and (self.rulebook.tells(requirement.anchor, context) or self._by_the_sky(requirement, reading))
         }
 
 

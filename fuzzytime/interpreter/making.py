@@ -15,7 +15,7 @@ from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.of_each import OfEach
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.retold import from_to, going_to, occurrence, until_then, waiting_until
-from fuzzytime.interpreter.waits import with_waits
+from fuzzytime.interpreter.waits import with_waits, without_readings
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
@@ -77,7 +77,8 @@ class Maker:
         """
         instruction = waiting_until(from_to(instruction), self.lexicon)
         told = (p for p in instruction.requirements if p.constraint is not Constraint.FOR)
-        said = [with_waits(part, self.rulebook, self.request) for part in told]
+        known = without_readings(list(told), wish.given, self.request, self.lexicon)
+        said = [with_waits(part, self.rulebook, self.request) for part in known]
         once = tuple(part for part in said if part.constraint is not Constraint.EVERY)
         if beside is not None:
             rest = tuple(part for part in said if part.anchor != beside.said.anchor)

@@ -1,10 +1,23 @@
 """What a skill waits for where no reading tells of the state that it is to wait for."""
 
+from collections.abc import Sequence
 from dataclasses import replace
+from datetime import datetime
 
+from fuzzytime.interpreter.by_the_sky import told_by_the_sky
 from fuzzytime.interpreter.request import Request
+from fuzzytime.language import Lexicon
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.rulebook import Rulebook
+
+
+def without_readings(
+    parts: Sequence[TimeRequirement], given: datetime, request: Request, lexicon: Lexicon
+) -> list[TimeRequirement]:
+    """Give when what the calendar knows becomes so, where no reading tells of it now, or may later."""
+    if request.context.readings or request.awaits_readings:
+        return list(parts)
+    return [told_by_the_sky(part, parts, given, lexicon) or part for part in parts]
 
 
 def with_waits(requirement: TimeRequirement, rulebook: Rulebook, request: Request) -> TimeRequirement:

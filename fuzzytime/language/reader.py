@@ -8,7 +8,7 @@ from pathlib import Path
 from fuzzytime.language.finding import check_length, lexicon_with, shipped_grammar, shipped_lexicon
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Reading, RemarkKind, overlap
+from fuzzytime.language.instruction import Operation, Reading, RemarkKind, Span, overlap
 from fuzzytime.language.lines import with_stops
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.compose import composed
@@ -127,7 +127,8 @@ class Language:
             since = since if readings and readings[-1].now == draft.now else NOTHING
             given_since.append(since)
             reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
-            since = night_told(reading, last_said(_times_in(reading), since))
+            said = last_said(_times_in(reading), since)
+            since = night_told(reading, replace(said, clock=last_said(_first_times(reading), since).clock))
             for instruction in reading.instructions:
                 mentions.told.add(len(mentions.operations), instruction, reading.now)
                 mentions.add(instruction.operation)
@@ -199,6 +200,15 @@ def _times_in(reading: Reading) -> Iterator[TimeRequirement]:
     for instruction in reading.instructions:
         if instruction.operation is not None or not any(overlap(instruction.span, span) for span in wrong):
             yield from instruction.requirements
+
+
+def _first_times(reading: Reading) -> Iterator[TimeRequirement]:
+    """Give the same, but of several times of one thing only the first: there the next line goes on."""
+    seen: set[Span] = set()
+    for one in reading.instructions:
+        again = one.operation is not None and one.operation.span in seen
+        seen |= set() if one.operation is None else {one.operation.span}
+        yield from () if again else (part for part in _times_in(reading) if part in one.requirements)
 
 
 def _waits(reading: Reading, told: frozenset[str]) -> bool:

@@ -44,3 +44,45 @@ def test_what_is_opened_at_a_time_is_shut_behind_that_and_shortly_before_it_is_d
 def test_a_deadline_below_a_day_is_kept_as_late_as_one_on_its_own(line: str, expected: str) -> None:
     assert starts(told([line])) == {"s1": expected}
     assert starts(told(["Sunday", line])) == {"s2": expected}
+
+
+def test_what_was_loaded_is_unloaded_where_the_way_leads() -> None:
+    found = starts(told(["Load the van, 45 min", "Leave at 11:30", "Unload"]))
+    assert found == {"s1": "07:00", "s2": "11:30", "s3": "11:31"}
+
+
+def test_who_gets_ready_before_a_call_calls_nobody() -> None:
+    made = told(["Call Ana at 10, prep 15 min before"])
+    assert [skill.name for skill in made.schedule.skills] == ["call Ana", "prep"]
+    assert starts(made) == {"s1": "10:00", "s1.2": "09:45"}
+
+
+@pytest.mark.parametrize(
+    ("line", "minutes"),
+    [
+        ("Set 12 tables, 5 minutes each", 60),
+        ("Make up rooms 201-206, 25 min each", 150),
+        ("Wrap both orders, 6 min each", 12),
+        ("Grill two steaks for 3 minutes each", 3),
+    ],
+)
+def test_what_is_done_one_by_one_lasts_for_all(line: str, minutes: float) -> None:
+    assert told([line]).schedule.skills[0].duration == 60 * minutes
+
+
+def test_what_the_calendar_knows_to_become_so_needs_no_reading() -> None:
+    made = told(["Tomorrow", "Pick the leeks before it gets dark", "Light the lamps once it is dark"])
+    assert starts(made)["s3"] == "19:00"
+    assert starts(made)["s2"] < "18:00"
+    assert not [problem for problem in made.problems if "tells" in problem.message]
+
+
+def test_a_line_behind_several_times_of_one_thing_goes_on_at_the_first() -> None:
+    made = told(["Meds at 8, 12, 16 and 20", "Visit ward 3 before 11"])
+    assert any(problem.message.startswith("'before 11' is taken as 11:00") for problem in made.problems)
+
+
+@pytest.mark.parametrize(("line", "latest"), [("bale the hay by 6", "18:00"), ("leave by 6:30", "06:30")])
+def test_what_is_due_by_six_tomorrow_is_due_when_people_do_it(line: str, latest: str) -> None:
+    made = told(["Tomorrow", line])
+    assert any(f"is taken as {latest}" in problem.message for problem in made.problems)

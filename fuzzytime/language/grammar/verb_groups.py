@@ -10,6 +10,7 @@ class Doing:
     """Verbs, and what is said like one, by what they say of what happens or ask for: ``doing``."""
 
     arriving: Words
+    loading: Words
     leaving: Words
     being_there: Words
     getting_there: Words

@@ -27,6 +27,7 @@ class ClosedClasses:
     distributives: Words
     each_of_several: Words
     marking_turns: Words
+    deeds_like_the_past: Words
     universal_determiners: Words
     general_ordinals: Words
     indefinite_determiners: Words

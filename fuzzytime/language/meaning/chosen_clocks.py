@@ -138,7 +138,8 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     if not here.usual and EARLY <= here.now.time() < first <= last and moment.date() == here.now.date():
         # Who speaks at five is up at half past; dinner is in the evening all the same.
         first = here.now.time()
-    if ahead and moment.date() > here.now.date():
+    if ahead and moment.date() > here.now.date() and (here.early or not here.ends):
+        # Nothing is over by six in the morning but what people do that early.
         first = min(first, here.policy.ahead_from)
     # "Stay up until three": the end of usual hours is one of them.
     closes = here.usual and moment.time() == last

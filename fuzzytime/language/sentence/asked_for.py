@@ -8,7 +8,11 @@ from fuzzytime.language.instruction import Operation, Remark
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft
-from fuzzytime.language.sentence.sketches.pronouns import resolved_object, thing_of_clause_in_front
+from fuzzytime.language.sentence.sketches.pronouns import (
+    resolved_object,
+    thing_of_clause_in_front,
+    undone_alone,
+)
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.doubts import (
     doubts_of,
@@ -51,6 +55,7 @@ def asked_of(
             thing = thing_of_clause_in_front(sketch, operation, anchors)
             thing = thing or _behind_denials(sketch, operation, operations, mentions, first)
             thing = thing or resolved_object(operation, spoken_of, mentions, first)
+            thing = thing or undone_alone(operation, reversed(mentions.operations[:first]), lexicon)
             again = thing != operation.object
             found.append(replace(sketch, operation=replace(operation, object=thing, again=again)))
         operations.append(found[-1].operation)

@@ -74,6 +74,14 @@ def _undone(
     return None
 
 
+def undone_alone(operation: Operation, before: Iterable[Operation | None], lexicon: Lexicon) -> str | None:
+    """Give what an order without a thing undoes: "load the van" and, on another line, "unload"."""
+    if operation.object is not None or operation.place is not None or not operation.is_asked:
+        return None
+    done = (one for one in before if one is not None and undoes(operation, one, lexicon))
+    return next((one.object for one in done if may_be_it(one, lexicon)), None)
+
+
 def _is_changing(operation: Operation, lexicon: Lexicon) -> bool:
     return any(operation.lemma == form[0] for form in lexicon.changing)
 

@@ -116,7 +116,30 @@ def _held_behind(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> lis
             if not _is_bare(found[other], STEPS):
                 break
             found[other] = found[other].under(shared)
+        if last and place and _is_verb_alone(found[place - 1], text) and _is_bare(found[place - 1], STEPS):
+            # "Level and float when the pour is finished", "stretch and fold every half hour"
+            phrases = [phrase for phrase in sketch.phrases if isinstance(phrase.said.time, Repeat)]
+            clauses = [
+                clause for clause in sketch.clauses if clause.kind in HELD and _follows(clause, sketch)
+            ]
+            joint = text_between(found[place - 1], sketch, text).strip().lower()
+            if (
+                joint in lexicon.closed.additions
+                or sketch.part.segment.connective in lexicon.closed.additions
+            ):
+                found[place - 1] = found[place - 1].under(phrases, clauses)
     return found
+
+
+def _is_verb_alone(sketch: Sketch, text: str) -> bool:
+    """Whether nothing is said of an order but its verb."""
+    first, end = sketch.part.segment.span
+    return text[first:end].strip(" ,").isalpha()
+
+
+def _follows(clause: Clause, sketch: Sketch) -> bool:
+    """Whether a clause stands behind what is to be done."""
+    return sketch.operation is not None and clause.span[0] > sketch.operation.span[0]
 
 
 def _without_all(sketch: Sketch, lexicon: Lexicon) -> Sketch:

@@ -26,6 +26,7 @@ from fuzzytime.language.sentence.together.first_offered import first_offered
 from fuzzytime.language.sentence.together.first_times import from_first_time
 from fuzzytime.language.sentence.together.left_out_behind import left_out_behind
 from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
+from fuzzytime.language.sentence.together.one_by_one import one_by_one
 from fuzzytime.language.sentence.together.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.reasons_told import due_before_told
 from fuzzytime.language.sentence.together.said_again import done_again, each_of
@@ -54,7 +55,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     told = [day_by_day(each_day_too(sketch, words, lexicon), draft.text, lexicon) for sketch in told]
     told = days_on(told, draft.text, lexicon)
     split = (
-        counted_apart(one, words, lexicon)
+        one_by_one(counted_apart(one, words, lexicon), words, lexicon)
         for sketch in told
         for each in each_of(sketch, draft.instances)
         for again in done_again(each, words)

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
-from fuzzytime.language.meaning.distances import LATER
+from fuzzytime.language.meaning.distances import EARLIER, LATER
 from fuzzytime.language.meaning.expressions import Offset, Repeat, Said
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.verbs.due_by_then import BE, MUST, MUST_BE
@@ -22,15 +22,9 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     spans = [(node.start + part.offset, node.end + part.offset) for node in part.tree.nodes]
     said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
     rest = text[said[0][0] : said[-1][1]] if said else ""
-    if sketch.phrases:
-        turned, _, level = rest.partition(" to ")
-        particle = _particle_alone(turned, lexicon)
-        if particle is not None:
-            # "And back up to 37 degrees at six"
-            return replace(before, particle=particle, place=f"to {level}" if level else before.place)
-        if rest and set(rest.lower().split()) <= closed.adverbs_of_repetition:
-            # "Ring the bell at six, then again at seven"
-            return before
+    shortly = _said_shortly(before, rest, lexicon) if sketch.phrases else None
+    if shortly is not None:
+        return shortly
     said_again = sketch.operation
     if said_again is not None and said_again.lemma in lexicon.doing.repeating and sketch.phrases:
         # "Baste the roast, and repeat this every ten minutes"
@@ -59,6 +53,9 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     # "Call Ann at ten, then Bob"
     called = then and first[:1].isupper() and (before.object or "")[:1].isupper()
     named = (thing or part.segment.verbless) if sketch.phrases else ((thing or called) and then)
+    if _is_deed(rest, sketch, lexicon):
+        # "Call Ana at ten, prep 15 minutes before"
+        return Operation(verb=rest, lemma=rest, span=(said[0][0], said[-1][1]))
     if rest and part.segment.verbless:
         placed = _placed_again(before, rest, lexicon)
         if placed is not None or (before.object is None and before.place is not None):
@@ -72,6 +69,30 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
         if word.lower() in closed.indirect_objects and " " in before.object
     ]
     return replace(before, object=" ".join((*given, rest)), place=None)
+
+
+def _said_shortly(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before where a particle alone, or that it is done again, is said beside a time."""
+    turned, _, level = rest.partition(" to ")
+    particle = _particle_alone(turned, lexicon)
+    if particle is not None:
+        # "And back up to 37 degrees at six"
+        return replace(before, particle=particle, place=f"to {level}" if level else before.place)
+    # "Ring the bell at six, then again at seven"
+    again = rest and set(rest.lower().split()) <= lexicon.closed.adverbs_of_repetition
+    return before if again else None
+
+
+def _is_deed(rest: str, sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether one word beside a time is what is done, and no thing that the same is done with.
+
+    So long before something one gets ready for it, and does not do the same with another thing.
+    """
+    early = any(phrase.said.preposition == EARLIER for phrase in sketch.phrases)
+    alone = rest.isalpha() and rest.islower()
+    return (
+        sketch.part.segment.verbless and bool(sketch.phrases) and alone and (early or rest in lexicon.chores)
+    )
 
 
 def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:

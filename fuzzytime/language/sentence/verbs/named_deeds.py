@@ -9,8 +9,8 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Wall
-from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Wall
+from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 LONGEST = 2
 """Words before the last of such a name at most."""
@@ -53,14 +53,17 @@ def deed_at(
     root, start = tree.root, _first_word(tree, timed)
     if tree.nodes[root].tag != "NN" or not names_deed(tree, start, root, lexicon):
         return None
-    if any(node.relation != COMPOUND for node in tree.nodes[start:root]) or not any(
-        map(_is_clocked, phrases)
-    ):
+    if any(not _is_of_name(node) for node in tree.nodes[start:root]) or not any(map(_is_clocked, phrases)):
         return None
     first, last = tree.nodes[start], tree.nodes[root]
     return Operation(
         verb=tree.text[first.start : last.end].lower(), lemma=last.lower, span=(first.start, last.end)
     )
+
+
+def _is_of_name(node: Node) -> bool:
+    """Whether a word belongs to the name behind it, and is no order by itself: "legal read"."""
+    return node.relation == COMPOUND or (node.relation == "amod" and not node.may_act)
 
 
 def chores_at(tree: Tree, timed: Collection[int], phrases: Sequence[Phrase]) -> Operation | None:
@@ -84,8 +87,10 @@ def _tells_when(phrase: Phrase) -> bool:
 
 
 def _is_clocked(phrase: Phrase) -> bool:
-    """Whether a time has its hour, or is from one to another."""
+    """Whether a time has its hour, or is from one to another, or so long from a part of the day."""
     time = phrase.said.time
+    if isinstance(time, Offset) and isinstance(time.anchor, Wall):
+        return time.anchor.clock is not None or time.anchor.part is not None
     return isinstance(time, Range) or (isinstance(time, Wall) and time.clock is not None)
 
 
@@ -101,11 +106,18 @@ def names_deed(tree: Tree, start: int, root: int, lexicon: Lexicon) -> bool:
         # "Alarm set eight am" asks for one.
         return False
     bare = node.lower == node.lemma.lower() or first in lexicon.ordinals
+    # "Drone shot an hour before sunset"
+    past = node.lower in lexicon.closed.deeds_like_the_past
+    bare = bare or past
     moves = lexicon.doing.several_timed | lexicon.doing.arriving | lexicon.doing.leaving
     return (
         bare
         and node.lower not in moves - deeds
-        and all(_names(tree, place, start, lexicon) for place in range(start, root))
+        and all(
+            # Whom one asks, one asks to shoot.
+            _names(tree, place, start, lexicon) or (past and tree.nodes[place].lower in lexicon.machines)
+            for place in range(start, root)
+        )
     )
 
 
