@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors
@@ -51,11 +52,18 @@ def resolved_object(
     for earlier in own:
         passed = _is_setting(earlier, lexicon) and not _is_changing(operation, lexicon)
         near.add(None if passed else earlier)
-    here, there = near.thing(len(own), several=several), mentions.thing(first, several=several)
+    found = near.thing(len(own), several=several), mentions.thing(first, several=several)
+    here, there = (None if _is_moment(thing, operation, lexicon) else thing for thing in found)
     fitting = (
         thing for thing in (here, there) if thing is not None and is_several(thing, lexicon) is several
     )
     return next(fitting, here or there or operation.object)
+
+
+def _is_moment(thing: str | None, operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether what was named is a moment, to which nothing is done but give it another time."""
+    named = tuple(word.text for word in words_of(thing or ""))[-1:]
+    return named in lexicon.moments and operation.lemma not in lexicon.rescheduling | lexicon.moving
 
 
 def _undone(
