@@ -323,3 +323,14 @@ def test_times_of_what_is_told_or_named_are_pointed_at(text: str, verb: str, obj
 def test_a_time_of_which_nothing_tells_when_it_is_is_pointed_at(text: str, said: str) -> None:
     messages = [remark.message for remark in language().read(text, now=NOW).remarks]
     assert f"{said!r} looks like a time and was not understood" in messages
+
+
+@pytest.mark.parametrize(("text", "number"), [("plank 10", "10"), ("brb 5", "5"), ("simmer ten", "ten")])
+def test_a_number_of_which_nothing_says_what_it_counts_is_pointed_at(text: str, number: str) -> None:
+    (remark,) = language().read(text, now=NOW).remarks
+    assert remark.kind is RemarkKind.NOT_UNDERSTOOD
+    assert text[slice(*remark.span)] == number
+
+
+def test_a_number_that_names_a_thing_is_not_pointed_at() -> None:
+    assert not language().read("play 7", now=NOW).remarks

@@ -133,7 +133,7 @@ def always() -> Repeat:
     return daily()
 
 
-@grammar.rule("repeat", "<integer> - hourly", weight=0.5)
+@grammar.rule("repeat", "<integer> -? hourly", weight=0.5)
 def so_many_hourly(number: Integer) -> Repeat | None:
     """Two-hourly; but "do 4 hourly checks" is four of them."""
     return of_unit(UnitWord(Unit.HOUR, 1, "hour"), number.value) if number.value > 0 else None

@@ -268,6 +268,9 @@ class Borders:
         if "not" in earlier[-NEAR:] or not self.beside.repeating.isdisjoint(earlier):
             # "Not today but tomorrow", "every day at nine but sunday"
             return False
+        if any(said.category == "word" and said.end == piece.start - 1 for said in self.around.pieces(0)):
+            # "No rush but sometime this week"
+            return False
         bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
         return not bound and earlier[-1:] != [","]
 

@@ -8,6 +8,8 @@ from fuzzytime.language.meaning.expressions import TimeWord
 LAST_DAY = ["last", "day"]
 """Words for yesterday, which may be those for the end of something."""
 
+HOURLY = "hourly"
+
 TENS = 10
 LONG_DIGITS = 3
 """Digits of the parts of a telephone number, at least."""
@@ -18,7 +20,8 @@ class Cuts(Standing):
 
     def make(self, piece: Piece) -> bool:
         """Whether a reading is only a part of what is said."""
-        within = self._begins_clause(piece) or self._is_now_and_again(piece)
+        within = self._begins_clause(piece) or self._is_now_and_again(piece) or self._is_in_name(piece)
+        within = within or self._counts_hourly(piece)
         return within or self.runs_on(piece) or self._divides(piece) or self._opens_another(piece)
 
     def runs_on(self, piece: Piece) -> bool:
@@ -121,6 +124,23 @@ class Cuts(Standing):
         closed = self.around.closed
         told = self.around.follower(piece) in closed.first_and_second_person | closed.third_person
         return told and marker[:1] == ("the",) and marker in self.lexicon.clauses
+
+    def _is_in_name(self, piece: Piece) -> bool:
+        """Whether it ends, or begins, in what a thing is called: "the 10 second | clip", "ward | round 8"."""
+        follower = self.around.follower(piece)
+        named = follower.isalpha() and follower not in self.lexicon.function_words
+        counted = self.texts[piece.end - 1] == "second" and self.words[piece.end - 2].is_digits
+        if self.texts[piece.start] == "round" and self.around.before(piece) in self.lexicon.no_times.rounds:
+            return True
+        return counted and named and not self.around.timely(piece.end)
+
+    def _counts_hourly(self, piece: Piece) -> bool:
+        """Whether a number is how many there are each hour: "do four | hourly checks", "take 2 | hourly"."""
+        apart = self.texts[piece.end - 1] == HOURLY and piece.end - piece.start == 2
+        follower = self.around.follower(piece)
+        named = follower.isalpha() and follower not in self.lexicon.function_words
+        number = apart and self.texts[piece.start] not in self.closed.articles
+        return number and (named or self.around.before(piece) in self.lexicon.dosing)
 
     def _is_now_and_again(self, piece: Piece) -> bool:
         """Whether it is now, and then once more: "water it now and then | again at dusk"."""

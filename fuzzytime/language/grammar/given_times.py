@@ -47,8 +47,20 @@ class GivenTimes:
         ):
             begin -= 1
         clock = begin < place and self.texts[begin] in self.closed.noun_openers
-        named = clock or self.texts[place] in self.lexicon.events or self.around.is_part(place)
+        named = (
+            clock
+            or self._moves_event(place)
+            or self.texts[place] in self.lexicon.events
+            or self.around.is_part(place)
+        )
         return named and bool(self.lexicon.rescheduling & set(self.texts[max(0, begin - NEAR) : begin + 1]))
+
+    def _moves_event(self, place: int) -> bool:
+        """Whether "it" at a place is what happens and gets a time: "lunch is at one, move | it to two"."""
+        verb = self.texts[place - 1] if place else ""
+        moved = verb in self.lexicon.moving and self.texts[place] in self.closed.singular_anaphors
+        events = self.lexicon.events | self.lexicon.happening | self.lexicon.taken
+        return moved and not events.isdisjoint(self.texts[: place - 1])
 
     def gets_month(self, piece: Piece, wall: Wall) -> bool:
         """Whether it is the month in which something will be instead: "postpone the trip to august"."""
@@ -63,4 +75,10 @@ class GivenTimes:
 
     def _reschedules(self, texts: Sequence[str]) -> bool:
         """Whether one of some words gives something another time."""
-        return not (self.lexicon.rescheduling | self.lexicon.moving).isdisjoint(texts)
+        moving = self.lexicon.rescheduling | self.lexicon.moving
+        return any(not moving.isdisjoint(_as_order(text)) for text in texts)
+
+
+def _as_order(text: str) -> tuple[str, ...]:
+    """Give a word, and the verb that it may be of: "the exam moves to may", "has been moved to may"."""
+    return text, *(text.removesuffix(ending) for ending in ("s", "d", "ed"))

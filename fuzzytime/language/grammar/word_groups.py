@@ -281,6 +281,7 @@ class NoTimes:
     reckoning: Words
     far: Words
     for_periods: Words
+    rounds: Words
     tiny: Words
     adjectives: Words
     idioms: Words

@@ -37,7 +37,7 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.together.consequences import behind_consequences
 from fuzzytime.language.sentence.together.denials import denied_together
-from fuzzytime.language.sentence.together.doubts import unused_front, unused_words
+from fuzzytime.language.sentence.together.doubts import uncounted, unused_front, unused_words
 from fuzzytime.language.sentence.together.for_all import said_for_all
 from fuzzytime.language.sentence.together.headings import day_above, read_heading
 from fuzzytime.language.sentence.together.how_often import unknown_moments
@@ -179,6 +179,7 @@ class _Composer:
                 text, part = self.draft.text, sketch.part
                 held = [*told, *sketch.heard, *sketch.joints]
                 found += unused_words(text, part, sketch.operation, held, self.lexicon)
+                found += uncounted(text, part, sketch.operation, self.lexicon)
                 found += unused_front(text, part, held)
                 found += unknown_moments(text, part, held, self.lexicon)
         return found

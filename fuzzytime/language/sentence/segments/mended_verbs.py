@@ -95,6 +95,9 @@ def _calls_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
         return None
     who = tree.nodes[1 : root + 1]
     person = any(node.lower in lexicon.persons or node.text[0].isupper() for node in who)
+    # "Text rob at six"; but "text message", "phone call"
+    things = lexicon.taken | lexicon.happening | lexicon.events | lexicon.doing.letters
+    person = person or (who[-1].may_act and who[-1].lower not in things)
     calls = tree.nodes[0].lower in lexicon.addressing - lexicon.persons
     return tree.with_nodes(with_thing_done(tree, root, root)) if calls and person else None
 

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors
@@ -55,11 +56,18 @@ def resolved_object(
     said = ((near, len(own)), (mentions, first))
     goods = operation.lemma not in lexicon.doing.of_events
     goods = goods and any(one.thing(end, several=several, goods=True) for one, end in said)
-    here, there = (one.thing(end, several=several, goods=goods) for one, end in said)
+    found = (one.thing(end, several=several, goods=goods) for one, end in said)
+    here, there = (None if _is_moment(thing, operation, lexicon) else thing for thing in found)
     fitting = (
         thing for thing in (here, there) if thing is not None and is_several(thing, lexicon) is several
     )
     return next(fitting, here or there or operation.object)
+
+
+def _is_moment(thing: str | None, operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether what was named is a moment, to which nothing is done but give it another time."""
+    named = tuple(word.text for word in words_of(thing or ""))[-1:]
+    return named in lexicon.moments and operation.lemma not in lexicon.rescheduling | lexicon.moving
 
 
 def _undone(

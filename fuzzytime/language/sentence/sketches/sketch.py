@@ -180,7 +180,9 @@ def _happening(
     if named is not None:
         return _moved(named, part)
     if not happens(part.tree, phrases, lexicon):
-        deed = deed_at(part.tree, places, phrases, lexicon) or chores_at(part.tree, places, phrases)
+        heard = [*places, *(place for clause in clauses for place in _at(part, clause))]
+        deed = deed_at(part.tree, places, phrases, lexicon)
+        deed = deed or chores_at(part.tree, heard, phrases, lexicon, led=bool(clauses))
         return None if deed is None else _moved(deed, part)
     if any(root in _at(part, phrase) for phrase in phrases if isinstance(phrase.said.time, TimeWord)):
         # "No rush, but …" is no rush hour.
@@ -197,9 +199,9 @@ def _moved(operation: Operation, part: Part) -> Operation:
     return replace(operation, span=(first + part.offset, end + part.offset))
 
 
-def _at(part: Part, phrase: Phrase) -> Sequence[int]:
-    """Give the places of a time in the tree of a part."""
-    return list(part.tree.at(phrase.span[0] - part.offset, phrase.span[1] - part.offset))
+def _at(part: Part, said: Phrase | Clause) -> Sequence[int]:
+    """Give the places of a time, or of a clause about one, in the tree of a part."""
+    return list(part.tree.at(said.span[0] - part.offset, said.span[1] - part.offset))
 
 
 def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexicon: Lexicon) -> Action | None:

@@ -150,6 +150,18 @@ def unused_words(
         yield Remark(RemarkKind.POLICY, span, f"{text[slice(*span)]!r} is not used")
 
 
+def uncounted(text: str, part: Part, operation: Operation, lexicon: Lexicon) -> Iterator[Remark]:
+    """Point at a number of which nothing says what it counts: "plank 10"; but "play 7" names one."""
+    lasting = lexicon.timing | lexicon.timing_alone | lexicon.intransitive | lexicon.lasting
+    acts = any(node.lower == operation.verb and node.may_act for node in part.tree.nodes)
+    number = (operation.object or "").lower()
+    if (number.isdigit() or number in lexicon.numbers) and (operation.lemma in lasting or not acts):
+        place = text.lower().find(number, operation.span[1])
+        span = (place, place + len(number))
+        message = f"{text[slice(*span)]!r}: what it counts is not said, as in 'for {number} minutes'"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+
+
 def _says_how(node: Node, lexicon: Lexicon) -> bool:
     """Whether a word is an adverb that says how something is done, or how often."""
     told = node.tag.startswith("RB") and node.relation == "advmod"

@@ -10,6 +10,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Wall
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 LONGEST = 2
@@ -17,6 +18,9 @@ LONGEST = 2
 
 NOUNS = frozenset({"NN", "NNP", "JJ"})
 BARE = frozenset({"VB", "VBP", "VBD", "NN"})
+LEADING = frozenset({*DETERMINERS, "CD"})
+"""Tags of the first word of a name."""
+
 COMPOUND = "compound"
 PLURAL = "NNS"
 
@@ -66,19 +70,33 @@ def _is_of_name(node: Node) -> bool:
     return node.relation == COMPOUND or (node.relation == "amod" and not node.may_act)
 
 
-def chores_at(tree: Tree, timed: Collection[int], phrases: Sequence[Phrase]) -> Operation | None:
-    """Give what is done with several things that alone are named beside when: "dishes after dinner"."""
+def chores_at(
+    tree: Tree, timed: Collection[int], phrases: Sequence[Phrase], lexicon: Lexicon, *, led: bool = False
+) -> Operation | None:
+    """Give what is done with things that alone are named beside when: "the dishes after dinner".
+
+    These are several, or one thing that is done without another verb: "laundry tonight, 20 mins". Where a
+    clause has ``led`` to it, that says when.
+    """
     named = [place for place, node in enumerate(tree.nodes) if place not in timed and node.text[0].isalnum()]
-    if not named or not any(map(_tells_when, phrases)):
+    if not named or not (led or any(map(_tells_when, phrases))):
         return None
-    if named[-1] != tree.root or tree.nodes[tree.root].tag != PLURAL:
+    root = tree.nodes[tree.root]
+    several = root.tag == PLURAL and lexicon.persons.isdisjoint((root.lower, root.lemma))
+    done = several or (root.lower,) in lexicon.conversation["by itself"]
+    if named[-1] != tree.root or not done:
         return None
-    if any(tree.nodes[place].tag not in NOUNS or tree.nodes[place].may_act for place in named[:-1]):
+    if any(not _describes(tree.nodes[place], first=place == named[0]) for place in named[:-1]):
         return None
     first, last = tree.nodes[named[0]], tree.nodes[named[-1]]
     return Operation(
         verb=tree.text[first.start : last.end].lower(), lemma=last.lower, span=(first.start, last.end)
     )
+
+
+def _describes(node: Node, *, first: bool) -> bool:
+    """Whether a word belongs to the name of things: its article or number, or what says which they are."""
+    return (first and node.tag in LEADING) or (node.tag in NOUNS and not node.may_act)
 
 
 def _tells_when(phrase: Phrase) -> bool:
