@@ -166,7 +166,7 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
         function_words=function_words,
         misspelt={
             **misspellings((form[0] for form in speech.words("spelling", "words")), known),
-            **{form[0]: form[-1] for form in speech.words("spelling", "short")},
+            **{"".join(form[:-1]): form[-1] for form in speech.words("spelling", "short")},
         },
         clipped=clipped((form[0] for form in speech.words("spelling", "ending")), known),
         transliterated=Names.of((entry.words, entry) for entry in days.entries if is_transliterated(entry)),
