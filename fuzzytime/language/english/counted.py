@@ -57,6 +57,12 @@ def in_like(duration: Duration) -> Said:
     return _length(duration.hedged("about"), Constraint.AT, "in")
 
 
+@grammar.rule("said", "in <duration> ,? about", weight=0.4)
+def in_about(duration: Duration) -> Said:
+    """In ten minutes about; but "write in ten minutes about the flat" is refused where it stands."""
+    return in_like(duration)
+
+
 @grammar.rule("said", "for like|say ,? <duration>", weight=0.6)
 def for_like(duration: Duration) -> Said:
     """For like ten minutes."""

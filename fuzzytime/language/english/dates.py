@@ -11,6 +11,12 @@ from fuzzytime.language.meaning.nested import Share
 
 grammar = Grammar()
 
+SPOKEN_CENTURIES = range(16, 21)
+"""What a year of "nineteen oh one" begins with."""
+
+SPOKEN_ALONE = 10
+"""Below it, what a year ends in is said behind a zero."""
+
 LAST_CLOCK_YEAR = 1959
 """The last past year that is written as a clock time is."""
 
@@ -105,6 +111,16 @@ def with_year(date: Calendar, number: int) -> Fields | None:
     if not isinstance(date, Fields) or _is_late_hour(number):
         return None
     return date.joined(Fields(year=number))
+
+
+@grammar.rule("date", "<date> ,? <integer> zero|oh|o <integer>", weight=2.2)
+def with_spoken_year(date: Calendar, centuries: Integer, number: Integer) -> Fields | None:
+    """September 10, nineteen zero one; june 5, twenty oh nine."""
+    spoken = not (centuries.digits or number.digits) and 0 < number.value < SPOKEN_ALONE
+    if not spoken or centuries.value not in SPOKEN_CENTURIES or not isinstance(date, Fields):
+        return None
+    dated = date.month is not None and date.year is None
+    return date.joined(Fields(year=centuries.value * 100 + number.value)) if dated else None
 
 
 def _is_late_hour(number: int) -> bool:

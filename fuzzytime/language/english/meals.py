@@ -2,9 +2,11 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.goals import after_goal, before_goal
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.expressions import Edge, Said, Wall
+from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.expressions import Duration, Edge, Goal, Said, Wall
 from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.meaning.times_of_day import Half, Part
 from fuzzytime.requirement import Constraint
@@ -32,6 +34,18 @@ def meal_tonight(meal: Part, found: tuple[Relative, Part]) -> Wall | None:
     days, part = found
     late = {Half.PM, Half.EVENING, Half.NIGHT}
     return Wall(days, meal) if not meal.place and {meal.half, part.half} <= late else None
+
+
+@grammar.rule("goal", "<duration> after|following the? <meal> on? <days>|<date>", weight=0.5)
+def after_meal_on_day(duration: Duration, meal: Part, days: Calendar) -> Goal | None:
+    """Two hours after lunch tomorrow."""
+    return None if meal.place else after_goal(duration, Goal(Wall(days, meal)))
+
+
+@grammar.rule("goal", "<duration> before the? <meal> on? <days>|<date>", weight=0.5)
+def before_meal_on_day(duration: Duration, meal: Part, days: Calendar) -> Goal | None:
+    """An hour before dinner on friday."""
+    return None if meal.place else before_goal(duration, Goal(Wall(days, meal)))
 
 
 @grammar.rule("several meals", "<meal> ,|and|& <meal>")

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.feasts import feast_in
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Rest, Said, Wall
+from fuzzytime.language.meaning.expressions import Edge, Ending, Rest, Said, Wall
 from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.nested import Share, WeekOf
 from fuzzytime.language.meaning.relations import Away, Deictic, Relative, Which
@@ -73,32 +73,6 @@ def midnight_between(_first: Calendar, second: Calendar) -> Ending:
 def night_between(found: Part, first: Calendar, _second: Calendar) -> Wall | None:
     """The night from thursday to friday: that of thursday."""
     return Wall(first, found) if found.half.is_late and not found.is_point else None
-
-
-@grammar.rule("wall", "in|during|for|over? the? first <duration> of the? <wall>", weight=1.2)
-def beginning_of_part(duration: Duration, wall: Wall) -> Wall | None:
-    """In the first hour of the morning."""
-    return _shortened(wall, duration, last=False)
-
-
-@grammar.rule("wall", "in|during|for|over? the? last|final <duration> of the? <wall>", weight=1.2)
-def ending_of_part(duration: Duration, wall: Wall) -> Wall | None:
-    """In the last half hour of lunch."""
-    return _shortened(wall, duration, last=True)
-
-
-def _shortened(wall: Wall, duration: Duration, *, last: bool) -> Wall | None:
-    """Give so much of a part of the day, from its start or to its end."""
-    found, seconds = wall.part, int(duration.seconds)
-    if (
-        found is None
-        or wall.clock is not None
-        or duration.until is not None
-        or not 0 < seconds < found.end - found.start
-    ):
-        return None
-    start, end = (found.end - seconds, found.end) if last else (found.start, found.start + seconds)
-    return replace(wall, part=replace(found, start=start, end=end, late=None), weak=False)
 
 
 @grammar.rule("wall", "outside of? the? <part>", weight=0.3)

@@ -74,13 +74,14 @@ def weekday_of_week(days: Calendar) -> Calendar | None:
     return Deictic(days.which, Weekend(working=True)) if weekly and isinstance(days, Deictic) else None
 
 
-@grammar.rule("days", "<workdays> after|from|following|since <days>|<date>", weight=0.6)
+@grammar.rule("days", "<workdays> after|from|following|since <days>|<date>|<day of month>", weight=0.6)
 def workdays_after(count: int, anchor: Calendar) -> Calendar:
     """Three working days after easter."""
     return Workdays(count, anchor)
 
 
-@grammar.rule("days", "<workdays> before <days>|<date>", "<workdays> prior to <days>|<date>", weight=0.6)
+@grammar.rule("days", "<workdays> before <days>|<date>|<day of month>", weight=0.6)
+@grammar.rule("days", "<workdays> prior to <days>|<date>|<day of month>", weight=0.6)
 def workdays_before(count: int, anchor: Calendar) -> Calendar:
     """Two business days before friday."""
     return Workdays(-count, anchor)
@@ -101,3 +102,11 @@ def coming_workdays(which: Which, count: int) -> Said | None:
     if which not in {Which.NEXT, Which.COMING}:
         return None
     return Said(Range(Wall(Relative(1)), Wall(Workdays(count, TODAY))), Constraint.BETWEEN, "during")
+
+
+@grammar.rule("said", "over|during|for|in? the? <deictic> <workdays>", weight=0.6)
+def past_workdays(which: Which, count: int) -> Said | None:
+    """The last three working days: up to yesterday."""
+    if which not in {Which.LAST, Which.PAST}:
+        return None
+    return Said(Range(Wall(Workdays(-count, TODAY)), Wall(Relative(-1))), Constraint.BETWEEN, "during")

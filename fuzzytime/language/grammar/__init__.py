@@ -5,7 +5,7 @@ what stands around it, so that numbers and names are no times.
 
 From a text to readings
     Words: ``words``, what is quoted (``quotes``), ``word_tables``, ``lexicon``, ``word_groups``,
-    ``verb_groups``, ``timetables``, ``spelling``, ``numerals``.
+    ``verb_groups``, ``timetables``, ``spelling``, ``transliteration``, ``numerals``.
     Rules applied, and the best readings chosen: ``chart``, ``spans``.
     What times lend each other: ``lending``, ``lent``; what is ``due`` behind "for", and how long
     (``typed_hours``); what is ``denied``.

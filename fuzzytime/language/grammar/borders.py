@@ -69,6 +69,7 @@ class Borders:
         # "Twenty minutes earlier than usual", "3 > 2"
         return (
             compared
+            or (self.texts[piece.end - 1] == "about" and self.around.follower(piece)[:1].isalnum())
             or (self.texts[piece.start] in SIGNS and self.measures.is_number(piece.start - 1))
             or self._is_state(piece)
             or self._takes_full_stop(piece)

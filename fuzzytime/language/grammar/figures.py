@@ -19,6 +19,13 @@ DECADES = frozenset(map(str, range(20, 100, 10)))
 """Numbers before a glued "s" that are years: "80s music"."""
 
 
+METRE = 4
+"""Words of a metre: "in", its two numbers and the slash."""
+
+NOTE_VALUES = frozenset({"2", "4", "8", "16"})
+"""What is counted in a metre: halves, quarters, eighths."""
+
+
 class Figures(Standing):
     """What stands around figures, and whether it makes them something else than a time."""
 
@@ -33,6 +40,8 @@ class Figures(Standing):
             or self._is_code(piece)
             or self._is_year_of_thing(piece)
             or self._is_rounded(piece)
+            or self._is_metre(piece)
+            or self._is_rate(piece)
             or (self.texts[piece.start : piece.end] == ALWAYS and not self.around.may_end(piece))
         )
 
@@ -138,3 +147,15 @@ class Figures(Standing):
         """Whether a number is to be rounded: "round 4.45 to 4.5"."""
         verb = self.texts[piece.start] == "round" and self.around.opens(piece.start)
         return verb and self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1)
+
+    def _is_metre(self, piece: Piece) -> bool:
+        """Whether it is a metre: "play it in 3/4", "count it in 6/8"; a date has "on"."""
+        *_, first, slash, last = ("", "", "", *self.texts[piece.start : piece.end])
+        written = self.texts[piece.start] == "in" and piece.end - piece.start == METRE
+        return written and first.isdecimal() and slash == "/" and last in NOTE_VALUES
+
+    def _is_rate(self, piece: Piece) -> bool:
+        """Whether a number is so many for each: "lend it at 3 per cent"; but "at 3 per our chat"."""
+        *behind, _ = (*self.texts[piece.end : piece.end + 2], "")
+        each = behind[:1] == ["per"] and behind[1:] != [] and behind[1] not in self.closed.noun_openers
+        return each and self.measures.is_number(piece.end - 1)

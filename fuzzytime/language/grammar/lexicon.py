@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.transliteration import Names
 from fuzzytime.language.grammar.verb_groups import Doing
 from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, NoTimes
 from fuzzytime.language.grammar.words import Word, joins, words_of
@@ -140,6 +141,8 @@ class Lexicon:
         Verbs beside which a number says into how many parts.
     changing, reading, counting, amount_nouns
         Words beside which even a bound is one: "by 10", "until 10".
+    transliterated
+        By their sounds, feasts whose names Latin letters spell in many ways.
     usual_hours
         By words for what people do, the hours at which they do it.
     questions, foreign
@@ -236,6 +239,7 @@ class Lexicon:
     function_words: frozenset[str]
     misspelt: Mapping[str, str]
     clipped: Mapping[str, str]
+    transliterated: Names[Entry]
     usual_hours: Mapping[tuple[str, ...], Hours]
     policy: Policy = field(default_factory=Policy)
 
@@ -245,6 +249,8 @@ class Lexicon:
             end = _matched(words, start, entry.words)
             if end and not (entry.category == "unit" and _ends_sentence(words, end)):
                 yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
+        for end, entry in self.transliterated.at(words, start):
+            yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
 
     def means(self, text: str, *categories: str) -> bool:
         """Whether a word alone has a meaning of one of some categories: "friday" is a "weekday"."""

@@ -4,7 +4,13 @@ from functools import cached_property
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.figures import Figures
-from fuzzytime.language.grammar.proper_names import has_surname, is_whom, names_in
+from fuzzytime.language.grammar.proper_names import (
+    has_surname,
+    is_called_like_day,
+    is_event_of_weekday,
+    is_whom,
+    names_in,
+)
 from fuzzytime.language.grammar.spoken_of import is_spoken_of
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.things_of_times import is_of_street
@@ -34,6 +40,8 @@ class NoTime(Standing):
             or is_of_street(piece, self.around)
             or is_spoken_of(piece, self.around)
             or has_surname(piece, self.around)
+            or is_called_like_day(piece, self.around)
+            or is_event_of_weekday(piece, self.around)
             or self._is_somebody(piece)
             or self._is_bought(piece)
             or self._is_told_of(piece)

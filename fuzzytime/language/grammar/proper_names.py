@@ -68,6 +68,36 @@ def has_surname(piece: Piece, around: Surroundings) -> bool:
     return small and (acted or before in NOTABLE)
 
 
+def is_called_like_day(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is a weekday as somebody's name, right behind a verb: "text Friday the butler".
+
+    Who that is says the person or the animal behind it, and behind a verb of giving whose is what is given:
+    "give Tuesday her dinner". Other words are small: not "Text Friday The Butler".
+    """
+    place, texts = piece.start, around.texts
+    if place + 1 != piece.end or not around.is_weekday(place) or not around.words[place].capital:
+        return False
+    verb = place - 1
+    if verb < 0 or not around.opens(verb) or (around.words[verb].capital and verb):
+        return False
+    opener, noun = ("", "", *texts[piece.end : piece.end + 2])[-2:]
+    somebody = noun in around.lexicon.persons | around.lexicon.animals
+    ends = not "".join(texts[piece.end + 2 : piece.end + 3]).isalnum()
+    told = opener == "the" and somebody and ends and len(texts) > piece.end + 1
+    given = texts[verb] in around.lexicon.no_times.handing and opener in {"his", "her", "its"}
+    return told or given
+
+
+def is_event_of_weekday(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is a weekday by which something is called that one is at: "shop at Sunday market"."""
+    texts = around.texts
+    follower = around.follower(piece)
+    named = follower.isalpha() and follower not in around.lexicon.function_words
+    place = piece.end - 1
+    at = place > 0 and texts[place - 1] == "at" and piece.start in {place - 1, place}
+    return at and named and around.is_weekday(place) and not around.timely(piece.end)
+
+
 def is_whom(place: int, around: Surroundings) -> bool:
     """Whether a preposition at a place, and a name behind it, say who gets or hears something.
 

@@ -111,6 +111,11 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
             # "2026-03-14..2026-03-16"
             found.append(replace(word, text="-"))
             continue
+        if _is_shorthand(words, place, lexicon):
+            # "B4 noon"
+            meant = lexicon.misspelt[words[place - 1].text + word.text]
+            found[-1] = replace(found[-1], text=meant, end=word.end)
+            continue
         if _is_clipped(words, place, lexicon):
             found.append(replace(word, start=words[place - 1].start, glued=words[place - 1].glued))
             continue
@@ -149,6 +154,15 @@ def _is_ellipsis(words: Sequence[Word], place: int) -> bool:
     points = [word.text for word in around[1:3]] == [".", "."]
     typed = points and len(around) == LONGEST_ELLIPSIS and around[0].is_digits and around[0].glued
     return typed and _is_inside(words, first + 1)
+
+
+def _is_shorthand(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a number ends what is typed for a word: "b4"; but "seat B4"."""
+    if not place or not words[place].glued or not words[place].is_digits:
+        return False
+    first = words[place - 1]
+    ends = place + 1 == len(words) or not words[place + 1].glued
+    return ends and not (first.glued or first.capital) and first.text + words[place].text in lexicon.misspelt
 
 
 def _is_clipped(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:

@@ -223,6 +223,9 @@ class Surroundings(LookedUp):
         if end < piece.end or self.opens(first):
             return False
         led = first < piece.start and self.texts[first] in self.closed.articles
+        # "A Tequila Sunrise"; but "on a Tuesday Morning"
+        *_, before = ("", *self.texts[:first])
+        led = led or (first < piece.start and before in self.closed.articles and not self.timely(first))
         parts = [place for place in range(first, end) if self.is_part(place)]
         return led or (bool(parts) and not self.timely(end - 1))
 

@@ -16,6 +16,9 @@ BANK_HOLIDAY = ["bank", "holiday"]
 BINDING = frozenset({"preposition_at", "preposition_before", "preposition_after"})
 """Categories of words that bind a time behind them."""
 
+MOST_JOINTS = 2
+"""Words without a capital between two of a title that have one, at most."""
+
 LEAST_TITLE = 2
 """Words of a title that capitals tell, at least."""
 
@@ -28,7 +31,7 @@ def written_out(words: Sequence[Word], lexicon: Lexicon) -> frozenset[int]:
     found: set[int] = set()
     small = any(word.is_letters and not word.capital for word in words)
     for place, word in enumerate(words):
-        if small and word.text in lexicon.playing and (not place or not word.capital):
+        if small and _takes_title(words, place, lexicon) and (not place or not word.capital):
             end = place + 1
             while end < len(words) and _goes_on(words, end, lexicon):
                 end += 1
@@ -37,16 +40,26 @@ def written_out(words: Sequence[Word], lexicon: Lexicon) -> frozenset[int]:
     return frozenset(found)
 
 
+def _takes_title(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a title may stand behind a word: "watch", "read", and the "of" of "a copy of"."""
+    copied = words[place].text == "of" and place > 0 and words[place - 1].text in lexicon.no_times.copies
+    return copied or words[place].text in lexicon.playing | lexicon.no_times.titled
+
+
 def _goes_on(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    """Whether a word may be one of a title: an article has no capital there."""
-    inner = words[place].text in lexicon.closed.articles and any(
-        one.capital for one in words[place + 1 : place + 2]
-    )
-    return words[place].capital or words[place].is_digits or inner
+    """Whether a word may be one of a title: joints have no capital there: "Born on the Fourth of July"."""
+    behind = place
+    while behind < len(words) and words[behind].text in lexicon.closed.inside_titles:
+        behind += 1
+    if behind > place + MOST_JOINTS:
+        return False
+    return behind < len(words) and (words[behind].capital or (behind == place and words[place].is_digits))
 
 
 def _tells(title: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether a word has a capital that has none in a sentence: "Before"; or a unit behind a number."""
+    if title[0].text in lexicon.no_times.beginning_titles or _ends_in_time(title, lexicon):
+        return True
     plain = lexicon.function_words | lexicon.closed.noun_openers
     said = any(
         word.capital
@@ -60,6 +73,13 @@ def _tells(title: Sequence[Word], lexicon: Lexicon) -> bool:
     first, second = title[:LEAST_TITLE]
     counted = first.is_digits and second.capital and lexicon.means(second.text, "unit")
     return said or (counted and len(title) == LEAST_TITLE)
+
+
+def _ends_in_time(title: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a time that has no capital in a sentence has one, and a small joint: "Murder at Midnight"."""
+    *_, joint, last = title
+    joined = not joint.capital and joint.text in lexicon.closed.inside_titles
+    return title[0].capital and joined and last.capital and lexicon.means(last.text, "part", "day")
 
 
 class Titles(Standing):
@@ -90,9 +110,15 @@ class Titles(Standing):
         time = piece.value.time
         numbered = any(map(self.measures.is_number, range(piece.start, piece.end)))
         clocked = isinstance(time, Wall) and time.clock is not None and (numbered or time.days is not None)
-        if piece.value.preposition not in {None, "of"} or clocked or isinstance(time, TimeWord):
-            return False
         verb = piece.start - 1
+        # "Play 3 AM by Matchbox Twenty"
+        by_whom = self.around.follower(piece) == "by" and any(
+            word.capital for word in self.words[piece.end + 1 : piece.end + 2]
+        )
+        credited = by_whom and verb >= 0 and self.around.plays(verb)
+        other = piece.value.preposition not in {None, "of"} or isinstance(time, TimeWord)
+        if other or (clocked and not credited):
+            return False
         if self.texts[piece.start] == "this" and self.texts[verb] not in self.lexicon.playing:
             # "Watch the sunset this evening"
             return False
@@ -106,12 +132,18 @@ class Titles(Standing):
     @cached_property
     def _written_out(self) -> frozenset[int]:
         """The places of words of a title with capitals."""
-        return written_out(self.words, self.lexicon) if self._plays else frozenset()
+        return written_out(self.words, self.lexicon) if self._may_have_title else frozenset()
 
     @cached_property
     def _plays(self) -> bool:
         """Whether anything is played in the text."""
         return not (self.lexicon.playing | self.lexicon.no_times.listening).isdisjoint(self.texts)
+
+    @cached_property
+    def _may_have_title(self) -> bool:
+        """Whether a word stands in the text behind which a title may."""
+        kinds = self.lexicon.no_times
+        return self._plays or not (kinds.titled | kinds.copies).isdisjoint(self.texts)
 
     def _is_of_its_year(self, piece: Piece) -> bool:
         """Whether it is the year that what is played is from: "play a song from 1975"."""

@@ -16,6 +16,7 @@ class ClosedClasses:
     endings_of_manner: Words
     articles: Words
     of_titles: Words
+    inside_titles: Words
     first_person_possessives: Words
     sure_possessives: Words
     possessives: Words
@@ -296,6 +297,9 @@ class NoTimes:
     meaning: Words
     rhyming: Words
     listening: Words
+    titled: Words
+    copies: Words
+    beginning_titles: Words
     of_years: Words
     aging: Words
     numbered: Words

@@ -6,10 +6,11 @@ from pathlib import Path
 from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
 from fuzzytime.language.grammar.spelling import clipped, misspellings
+from fuzzytime.language.grammar.transliteration import Names
 from fuzzytime.language.grammar.verb_groups import Doing
 from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, NoTimes
 from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
-from fuzzytime.language.grammar.word_tables.feasts import read_feasts
+from fuzzytime.language.grammar.word_tables.feasts import is_transliterated, read_feasts
 from fuzzytime.language.grammar.word_tables.groups import read_groups
 from fuzzytime.language.grammar.word_tables.policies import read_policy, read_usual_hours
 from fuzzytime.language.grammar.word_tables.speech import (
@@ -165,9 +166,10 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
         function_words=function_words,
         misspelt={
             **misspellings((form[0] for form in speech.words("spelling", "words")), known),
-            **{form[0]: form[-1] for form in speech.words("spelling", "short")},
+            **{"".join(form[:-1]): form[-1] for form in speech.words("spelling", "short")},
         },
         clipped=clipped((form[0] for form in speech.words("spelling", "ending")), known),
+        transliterated=Names.of((entry.words, entry) for entry in days.entries if is_transliterated(entry)),
         usual_hours=usual_hours,
         policy=policy,
     )
@@ -241,6 +243,7 @@ _ROWS = {
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
     "days", "days_on", "deictics", "all_meals", "parts", "day_halves", "first_thing", "last_thing",
-    "weeknights", "day_parts", "shares", "edges", "abbreviated_edges", "seasons", "holidays",
+    "weeknights", "day_parts", "shares", "edges", "abbreviated_edges", "seasons", "shortened",
+    "holidays",
     "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip

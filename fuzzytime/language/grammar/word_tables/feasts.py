@@ -5,7 +5,9 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from fuzzytime.language.grammar.word_tables.tables import Tables, numbered
+from fuzzytime.language.grammar.lexicon import Entry
+from fuzzytime.language.grammar.word_tables.feast_names import otherwise
+from fuzzytime.language.grammar.word_tables.tables import Form, Tables, numbered
 from fuzzytime.language.meaning.calendars.east_asian import (
     CHINA,
     KOREA,
@@ -31,6 +33,9 @@ NTHS = ("-4", "-3", "-2", "-1", "1", "2", "3", "4")
 FROM_EVENING = frozenset({"hebrew", "islamic"})
 """Calendars whose days begin in the evening before."""
 
+OF_LATIN_SCRIPT = (OnDate, OnWeekday, FromEaster, OneOf)
+"""Calendars whose feasts have names that are spelt in one way."""
+
 OF_SOME = {"at": ("hindu", "hindu sun"), "later": ("hindu",)}
 """What is said of the feasts of some calendars only."""
 
@@ -52,6 +57,11 @@ def read_feasts(tables: Tables) -> None:
         return [("season", Season(name, begins, _month_day(tables, fields["to"], f"seasons.{name}.to")))]
 
     tables.table("seasons", {"from": True, "to": True}, season)
+
+
+def is_transliterated(entry: Entry) -> bool:
+    """Whether it is the name of a feast that is spelt in many ways: of a calendar in another script."""
+    return isinstance(entry.value, Feast) and not isinstance(entry.value.kept, OF_LATIN_SCRIPT)
 
 
 class _Feasts:
@@ -86,7 +96,18 @@ class _Feasts:
         """Add them."""
         others = ("days", "moves", "lasts", "until", "doubtful", *OF_SOME)
         allowed = dict.fromkeys((*self.calendars, *others), False)
-        self.tables.table("holidays", allowed, self._feast, one_of=self.calendars)
+        ways = partial(otherwise, shortened=self._shortened())
+        self.tables.table("holidays", allowed, self._feast, one_of=self.calendars, otherwise=ways)
+
+    def _shortened(self) -> dict[str, list[Form]]:
+        """Give what words of names are shortened to: weekdays are as they are everywhere."""
+        found: dict[str, list[Form]] = {}
+        for section in ("weekdays", "shortened"):
+            for name, node in self.tables.rows(section):
+                first, *others = self.tables.forms(node, f"{section}.{name.text}")
+                key, short = (first[0], others) if section == "weekdays" else (name.text, [first, *others])
+                found[key] = short
+        return found
 
     def _feast(self, name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
         key = f"holidays.{name}"

@@ -82,11 +82,14 @@ class Tables:
         allowed: dict[str, bool],
         make: Callable[[str, dict[str, Node]], Iterable[tuple[str, Any]]],
         one_of: Collection[str] = (),
+        otherwise: Callable[[Form], Iterable[Form]] | None = None,
     ) -> None:
         """Add the entries of a section whose rows are mappings: ``make`` gives categories and meanings.
 
         ``allowed`` says which keys a row may have, and which it must; it must also have ``one_of`` some.
+        What ``otherwise`` gives are further ways to write a form, where no row says it so.
         """
+        further: list[tuple[str, object, Form]] = []
         message = f"must have one of {', '.join(map(repr, one_of))}"
         for name, node in self.rows(section):
             key = f"{section}.{name.text}"
@@ -101,6 +104,12 @@ class Tables:
                 said += self.forms(fields["also"], f"{key}.also")
             for category, value in make(name.text, fields):
                 self.add(name, key, category, value, said)
+                ways = (way for form in said for way in (otherwise(form) if otherwise else ()))
+                further += ((category, value, way) for way in ways)
+        for category, value, form in further:
+            if (form, category) not in self._seen:
+                self._enter(form, category, value)
+                self._seen[form, category] = self.sections[section], section
 
     def plain(
         self, section: str, make: Callable[[Scalar], Iterable[tuple[str, Any]]], *, named: bool
@@ -118,13 +127,16 @@ class Tables:
             if not form:
                 self.reader.mistake(node, key, NO_WORD)
                 continue
-            self.entries.append(Entry(form, category, value, MORE_WORDS * (len(form) - 1)))
+            self._enter(form, category, value)
             before = self._seen.setdefault((form, category), (node, key))
             if before != (node, key):
                 # Of two files, the upper one is where it can be mended.
                 at, where = before if self.reader.is_over(before[0], node) else (node, key)
                 message = f"words must have one meaning in a table, got {' '.join(form)!r} twice"
                 self.reader.mistake(at, where, message)
+
+    def _enter(self, form: Form, category: str, value: object) -> None:
+        self.entries.append(Entry(form, category, value, MORE_WORDS * (len(form) - 1)))
 
     def clock(self, node: Node, key: str) -> int:
         """Read a time of day as seconds since midnight."""
