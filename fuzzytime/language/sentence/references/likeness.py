@@ -35,6 +35,16 @@ def best_of(
     return found
 
 
+def all_alike(
+    clause: Clause, candidates: Iterable[tuple[int, Operation | None]], lexicon: Lexicon
+) -> list[int]:
+    """Give the positions of all operations that fit a clause as well as the best of them."""
+    asked = [(place, one) for place, one in candidates if one is not None and not one.negated]
+    worth = {place: _likeness(clause, one, lexicon) for place, one in asked}
+    best = max(worth.values(), default=0.0)
+    return sorted(place for place, found in worth.items() if found == best > 0)
+
+
 def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     """How well an operation fits a clause: 0 where it does not."""
     if clause.is_event:

@@ -156,16 +156,20 @@ class Mentions:
                 return position
         return None
 
-    def named_by(self, clause: Clause, stretch: range, *, backwards: bool) -> Iterator[int]:
-        """Give the positions in a stretch that a clause may be about, the nearest end first."""
+    def named_by(
+        self, clause: Clause, stretch: range, *, backwards: bool, every: bool = False
+    ) -> Iterator[int]:
+        """Give the positions in a stretch that a clause may be about, the nearest end first.
+
+        Of those that only the verb names, the nearest is as good as any, unless ``every`` one is looked for.
+        """
         closed = self.lexicon.closed
         named, words = names_of(clause)
-        # Of operations that only the verb names, the nearest is as good as any.
         single = [self._bare.get(clause.verb or "", [])]
         single += [self._by_verb.get(noun, []) for noun in words]
         if not named or named <= closed.anaphors | closed.universal_pronouns:
             single.append(self._by_verb.get(clause.verb or "", []))
-        end = slice(-1, None) if backwards else slice(1)
+        end = slice(None) if every else slice(-1, None) if backwards else slice(1)
         runs = [_within(run, stretch)[end] for run in single]
         if clause.where is not None:
             # "Before they go in the oven", "after it comes out"
