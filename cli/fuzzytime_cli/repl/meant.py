@@ -58,7 +58,9 @@ def command_meant(scene: Scene, about: About) -> str | None:
 
 
 def _changing(scene: Scene, about: About) -> str | None:
-    """Give the command that drops, moves or delays what is meant."""
+    """Give the command that drops, moves or delays what is meant, or says how long it takes."""
+    if about.kind is AboutKind.TAKES:
+        about = replace(about, kind=AboutKind.MOVE)
     if about.everything and about.kind is AboutKind.MOVE:
         raise FuzzytimeError(ONE_AT_A_TIME)
     if about.everything:

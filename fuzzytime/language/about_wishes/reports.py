@@ -101,7 +101,7 @@ def _so_long(said: Said) -> About | None:
         thing, time = said.until(place), rest.as_time()
         if time.lower().startswith(FOR) and (thing.is_in("last") or thing.label):
             names = frozenset({thing.label}) if thing.label else frozenset[str]()
-            return About(kind=AboutKind.MOVE, names=names, time=time, certain=True)
+            return About(kind=AboutKind.TAKES, names=names, time=time, certain=True)
     return None
 
 
