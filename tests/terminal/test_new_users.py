@@ -267,3 +267,33 @@ def test_one_thing_is_said_with_commas_too() -> None:
         "thanks, bye",
     ):
         assert said_apart(line, NINE, lexicon) == [line], line
+
+
+@pytest.mark.model
+def test_one_of_several_things_is_left_out_of_an_instruction() -> None:
+    talk = Talk()
+    talk.say("clean the bathroom, the hall and the kitchen at eleven")
+    talk.say("not the hall")
+    assert talk.entries == ["clean the bathroom and the kitchen at eleven"]
+    talk.say("leave the kitchen out")
+    assert talk.entries == ["clean the bathroom at eleven"]
+    talk.say("del 1")
+    assert talk.entries == []
+
+
+@pytest.mark.model
+def test_who_is_here_is_who_was_to_come() -> None:
+    talk = Talk()
+    talk.say("movers arrive at ten am")
+    talk.say("keys to the landlord at 5 pm sharp")
+    assert "moved: s1 movers arrive" in talk.say("they're here")
+
+
+@pytest.mark.model
+def test_what_tells_how_something_is_stands_in_the_place_of_nothing() -> None:
+    talk = Talk()
+    talk.say("freeze the tubes at ten")
+    for line in ("never mind, it works", "it works", "that helps", "sorry", "y"):
+        talk.say(line)
+        assert talk.entries == ["freeze the tubes at ten"], line
+    assert ":duration 1 7min" in talk.say("add 5 minutes")

@@ -14,7 +14,7 @@ from fuzzytime_cli.repl.naming import (
     unknown,
     words_of_entry,
 )
-from fuzzytime_cli.repl.retiming import days_on, some_time, with_time
+from fuzzytime_cli.repl.retiming import days_on, some_time, with_time, without_thing
 from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting
 from fuzzytime_cli.session import Entry
 
@@ -58,9 +58,7 @@ def command_meant(scene: Scene, about: About) -> str | None:
 
 
 def _changing(scene: Scene, about: About) -> str | None:
-    """Give the command that drops, moves or delays what is meant, or says how long it takes."""
-    if about.kind is AboutKind.TAKES:
-        about = replace(about, kind=AboutKind.MOVE)
+    """Give the command that drops, moves or delays what is meant."""
     if about.everything and about.kind is AboutKind.MOVE:
         raise FuzzytimeError(ONE_AT_A_TIME)
     if about.everything:
@@ -78,7 +76,7 @@ def _changing(scene: Scene, about: About) -> str | None:
     numbers = ",".join(str(entry.number) for entry in meant)
     match about.kind:
         case AboutKind.DROP:
-            return f":drop {numbers}"
+            return _dropping(scene, about, meant)
         case AboutKind.DELAY:
             return f":delay {numbers} {_length(scene, about)}"
         case _ if about.time == AT_FIRST and (other := _of_two(scene, meant[0])) is not None:
@@ -89,6 +87,13 @@ def _changing(scene: Scene, about: About) -> str | None:
         case _ if len(meant) == 1:
             return f":edit {numbers} {with_time(scene, meant[0], about)}"
     raise FuzzytimeError(ONE_AT_A_TIME)
+
+
+def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
+    """Give the command that forgets what is meant: of "clean the hall and the kitchen", perhaps the hall."""
+    numbers = ",".join(str(entry.number) for entry in meant)
+    rest = without_thing(scene, meant[0], about.names) if len(meant) == 1 else ""
+    return f":edit {numbers} {rest}" if rest else f":drop {numbers}"
 
 
 def _of_two(scene: Scene, entry: Entry) -> int | None:

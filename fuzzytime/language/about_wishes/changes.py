@@ -24,6 +24,7 @@ OWNER = re.compile(r"(?<=\w)['\u2019]s\b")
 
 DOING = "do"
 MAKING = "make"
+LEAVE, OUT = "leave", "out"
 
 
 def change(said: Said) -> About | None:
@@ -115,6 +116,9 @@ def _dropped(said: Said) -> About | None:
     dropped = said.after("dropping") or rest
     if dropped is not None and (kept := all_but(dropped)) is not None:
         return About(kind=AboutKind.DROP, names=_named(kept), everything=True, certain=True)
+    if said.forms[:1] == (LEAVE,) and said.forms[-1:] == (OUT,) and len(said.words) > 2:
+        # "Leave the soup out"
+        return _about(AboutKind.DROP, said.until(len(said.words) - 1).behind(1))
     rest = said.after("dropping")
     if rest is not None and (
         rest.label

@@ -12,6 +12,7 @@ WITH = "with"
 ON = "on"
 TO = "to"
 MAKE = "make"
+ADD = "add"
 
 
 def report(said: Said) -> About | None:
@@ -85,6 +86,8 @@ def _made_longer(said: Said) -> About | None:
 def _added(said: Said) -> About | None:
     """Read what is added to something that goes on: "add five minutes to the timer"."""
     found = said.length() if said.opens_with("adding") else None
+    if found is not None and found.rest.forms == (ADD,):
+        return About(kind=AboutKind.MORE, by=found.seconds, certain=True)
     if found is None or found.joint or found.rest.forms[1:2] not in {(TO,), (ON,)}:
         return None
     thing = found.rest.behind(2)

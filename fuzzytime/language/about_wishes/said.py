@@ -138,7 +138,7 @@ class Said:
     def names(self) -> frozenset[str]:
         """Give the words that name something."""
         courteous = {form[0] for form in self.lexicon.courtesies}
-        return content_words(self.text) - courteous
+        return content_words(self.text) - courteous - self.lexicon.closed.first_person
 
     @cached_property
     def label(self) -> str:
