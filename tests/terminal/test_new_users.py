@@ -297,3 +297,43 @@ def test_what_tells_how_something_is_stands_in_the_place_of_nothing() -> None:
         talk.say(line)
         assert talk.entries == ["freeze the tubes at ten"], line
     assert ":duration 1 7min" in talk.say("add 5 minutes")
+
+
+@pytest.mark.model
+def test_an_answer_in_front_of_something_else_is_no_part_of_it() -> None:
+    talk = Talk()
+    talk.say("do the dishes after lunch")
+    talk.say("ok fine, at six pm")
+    assert talk.entries == ["do the dishes at six pm"]
+    talk.say("sure, call Bob at eleven")
+    assert talk.entries[-1] == "call Bob at eleven"
+    talk.say("no, at noon")
+    assert talk.entries[-1] == "call Bob at noon"
+    assert ":drop all" in talk.say("done with everything")
+
+
+@pytest.mark.model
+def test_one_of_several_things_to_do_of_a_line_is_meant() -> None:
+    talk = Talk()
+    talk.say("water the roses at nine thirty, then mow the lawn at ten")
+    assert "done: mow the lawn" in talk.say("the lawn is done")
+    talk.say("call Ann at eleven and Ben at noon")
+    assert ":done s2.2" in talk.say("drop Ben")
+    assert talk.start("s2").hour == 11
+
+
+@pytest.mark.model
+def test_what_is_to_come_beside_another_may_be_corrected() -> None:
+    talk = Talk()
+    talk.say("hang the banner at five pm")
+    talk.say("blow up the balloons at six pm")
+    talk.say("no, before the banner")
+    assert talk.start("s2") < talk.start("s1")
+
+
+@pytest.mark.model
+def test_a_delivery_is_unpacked() -> None:
+    talk = Talk()
+    talk.say("count the till at nine thirty")
+    talk.say("delivery at ten am")
+    assert "unpack delivery" in talk.say("unpack it straight after")

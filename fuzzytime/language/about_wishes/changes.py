@@ -226,9 +226,17 @@ def _corrected(said: Said) -> About | None:
     number = rest.as_number()
     time = rest.as_time() or (f"for {number} {Unit.MINUTE}s" if number else "")
     if not time:
-        return change(rest)
+        return _beside_another(rest) or change(rest)
     bare = rest.is_bare(time)
     return About(kind=AboutKind.MOVE, time=time, number=number, bare=bare, corrects=True, certain=True)
+
+
+def _beside_another(said: Said) -> About | None:
+    """Read what is to be beside another thing instead: "no, before the balloons"."""
+    beside = said.beside()
+    if beside is None or not beside[1].names:
+        return None
+    return About(kind=AboutKind.MOVE, time=beside[0], others=beside[1].names, corrects=True, certain=True)
 
 
 def _later(about: About, beside: Said) -> About | None:

@@ -163,6 +163,8 @@ def _finished(said: Said) -> About | None:
         having = with_it or not thing.words or rest.opens_with("having")
         if not having or thing.has_time:
             return None
+        if thing.is_in("everything"):
+            return About(kind=AboutKind.DROP, everything=True, certain=True)
         names = frozenset() if thing.is_in("last") else thing.names
         return About(kind=AboutKind.DONE, names=names, certain=True)
     for place, word in enumerate(said.forms):
@@ -194,6 +196,8 @@ def _stated_over(said: Said) -> About | None:
         return None
     if thing.label:
         return About(kind=AboutKind.DONE, names=frozenset({thing.label}), certain=True)
+    if thing.is_in("everything"):
+        return About(kind=AboutKind.DROP, everything=True, certain=True)
     named = thing.behind(1) if thing.forms[0] in said.lexicon.closed.noun_openers else thing
     # "Get the shirts done" is a wish.
     return About(kind=AboutKind.DONE, names=named.names) if len(named.words) == 1 and named.names else None
