@@ -52,18 +52,27 @@ class PlanFormat(StrEnum):
 
     @classmethod
     def of_file(cls, path: Path | None) -> Self | None:
-        """Give the format that a file's name ends in, if it does.
+        """Give the format that a file's name ends in, if it does."""
+        ending = _ending(path)
+        return next((kind for kind in cls if kind == ending), None)
+
+    @classmethod
+    def written_to(cls, path: Path | None) -> Self:
+        """Give the format that a file's name asks for: a table where it ends in none.
 
         Raises
         ------
         UsageError
             If it ends as a document of another kind does, which a table would not be.
         """
-        ending = path.suffix.lower().removeprefix(".") if path is not None else ""
-        if ending in UNWRITTEN:
+        if (ending := _ending(path)) in UNWRITTEN:
             known = ", ".join(f".{kind}" for kind in cls if kind is not cls.TABLE)
             raise UsageError(f"-o: a plan is not written as .{ending}, but as {known}, or else as a table")
-        return next((kind for kind in cls if kind == ending), None)
+        return cls.of_file(path) or cls.TABLE
+
+
+def _ending(path: Path | None) -> str:
+    return path.suffix.lower().removeprefix(".") if path is not None else ""
 
 
 class RunFormat(StrEnum):

@@ -212,3 +212,11 @@ def test_many_occurrences_that_go_as_asked_stand_in_one_row(tmp_path: Path) -> N
     assert len(rows) == SHOWN + 1
     assert rows[-1].split() == ["…", "10:20", "and", "6", "times", "more,", "until", "12:02"]
     assert len(json.loads(written(tmp_path, "json", *said))["skills"]) == SHOWN + 6 + 1
+
+
+def test_a_picture_tells_each_start_in_figures(tmp_path: Path) -> None:
+    wishes = ("-i", "Wash the car at 11 pm for three hours", "-i", "Sleep at 2 am")
+    drawn = ran("plan", *wishes, "--format", "svg", "--now", "2026-03-04T21:00", folder=tmp_path).out
+    assert ">start<" in drawn
+    assert ">23:00<" in drawn
+    assert ">Thu 02:00<" in drawn

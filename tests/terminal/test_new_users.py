@@ -267,3 +267,73 @@ def test_one_thing_is_said_with_commas_too() -> None:
         "thanks, bye",
     ):
         assert said_apart(line, NINE, lexicon) == [line], line
+
+
+@pytest.mark.model
+def test_one_of_several_things_is_left_out_of_an_instruction() -> None:
+    talk = Talk()
+    talk.say("clean the bathroom, the hall and the kitchen at eleven")
+    talk.say("not the hall")
+    assert talk.entries == ["clean the bathroom and the kitchen at eleven"]
+    talk.say("leave the kitchen out")
+    assert talk.entries == ["clean the bathroom at eleven"]
+    talk.say("del 1")
+    assert talk.entries == []
+
+
+@pytest.mark.model
+def test_who_is_here_is_who_was_to_come() -> None:
+    talk = Talk()
+    talk.say("movers arrive at ten am")
+    talk.say("keys to the landlord at 5 pm sharp")
+    assert "moved: s1 movers arrive" in talk.say("they're here")
+
+
+@pytest.mark.model
+def test_what_tells_how_something_is_stands_in_the_place_of_nothing() -> None:
+    talk = Talk()
+    talk.say("freeze the tubes at ten")
+    for line in ("never mind, it works", "it works", "that helps", "sorry", "y"):
+        talk.say(line)
+        assert talk.entries == ["freeze the tubes at ten"], line
+    assert ":duration 1 7min" in talk.say("add 5 minutes")
+
+
+@pytest.mark.model
+def test_an_answer_in_front_of_something_else_is_no_part_of_it() -> None:
+    talk = Talk()
+    talk.say("do the dishes after lunch")
+    talk.say("ok fine, at six pm")
+    assert talk.entries == ["do the dishes at six pm"]
+    talk.say("sure, call Bob at eleven")
+    assert talk.entries[-1] == "call Bob at eleven"
+    talk.say("no, at noon")
+    assert talk.entries[-1] == "call Bob at noon"
+    assert ":drop all" in talk.say("done with everything")
+
+
+@pytest.mark.model
+def test_one_of_several_things_to_do_of_a_line_is_meant() -> None:
+    talk = Talk()
+    talk.say("water the roses at nine thirty, then mow the lawn at ten")
+    assert "done: mow the lawn" in talk.say("the lawn is done")
+    talk.say("call Ann at eleven and Ben at noon")
+    assert ":done s2.2" in talk.say("drop Ben")
+    assert talk.start("s2").hour == 11
+
+
+@pytest.mark.model
+def test_what_is_to_come_beside_another_may_be_corrected() -> None:
+    talk = Talk()
+    talk.say("hang the banner at five pm")
+    talk.say("blow up the balloons at six pm")
+    talk.say("no, before the banner")
+    assert talk.start("s2") < talk.start("s1")
+
+
+@pytest.mark.model
+def test_a_delivery_is_unpacked() -> None:
+    talk = Talk()
+    talk.say("count the till at nine thirty")
+    talk.say("delivery at ten am")
+    assert "unpack delivery" in talk.say("unpack it straight after")

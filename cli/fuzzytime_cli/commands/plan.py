@@ -63,7 +63,7 @@ def plan(
 
     if file is None and not instruction and is_piped():
         file = STDIN
-    chosen = output_format or PlanFormat.of_file(output) or PlanFormat.TABLE
+    chosen = output_format or PlanFormat.written_to(output)
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()
     request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook.signals)

@@ -10,10 +10,10 @@ from fuzzytime_cli.drawing.markup import element, picture, words
 from fuzzytime_cli.drawing.svg import path
 from fuzzytime_cli.drawing.ticks import ticks
 from fuzzytime_cli.formats.clock import date_of
-from fuzzytime_cli.formats.series import folded, shown
+from fuzzytime_cli.formats.series import clock_of, folded, shown
 from fuzzytime_cli.render import plain, width_of
 
-WIDTH, LEFT, RIGHT, LANE, TOP, BOTTOM = 820, 210, 76, 38, 26, 56
+WIDTH, NAMES, RIGHT, LANE, TOP, BOTTOM = 820, 202, 76, 38, 26, 56
 CHARACTER = 5.8
 """How wide a small letter is, about, in the units of the picture."""
 
@@ -43,13 +43,19 @@ class _Picture:
         ends = [max(skill.done, skill.end) for skill in planned] or [600.0]
         windows = [plan.skills[place].skill.satisfaction.acceptable(0.02) for place in self.shown]
         wishes = [window.high for window in windows if not window.empty and window.high < 2 * max(ends)]
+        clock = clock_of(plan)
+        self.starts = {
+            place: "" if plan.schedule.rejected[place] else clock.of(self.skills[place].start)
+            for place in self.shown
+        }
+        self.left = NAMES + 16 + CHARACTER * max((len(text) for text in self.starts.values()), default=0)
         self.end = max(*ends, *wishes, 60.0) * 1.02
         self.bottom = TOP + LANE * len(self.shown)
         self.busy = [busy for busy in plan.request.busy if busy.start < self.end and busy.end > 0]
 
     def across(self, time: float) -> float:
         """Give the horizontal place of a time."""
-        return LEFT + min(1.0, max(0.0, time / self.end)) * (WIDTH - LEFT - RIGHT)
+        return self.left + min(1.0, max(0.0, time / self.end)) * (WIDTH - self.left - RIGHT)
 
     def document(self) -> str:
         """Give the whole picture."""
@@ -63,8 +69,10 @@ class _Picture:
         date = date_of(self.plan.request.now)
         if not self.skills:
             date += ": nothing to plan"
+        start = element("text", "start", class_="small", x=self.left - 8, y=TOP - 9, text_anchor="end")
         return [
             element("text", words(date), class_="small", x=8, y=TOP - 9),
+            *([start] if any(self.starts.values()) else []),
             element("text", "satisfied", class_="small", x=WIDTH - 6, y=TOP - 9, text_anchor="end"),
         ]
 
@@ -133,13 +141,16 @@ class _Picture:
         parts = [
             element(
                 "text",
-                words(_shortened(plain(specific.name), LEFT - 16)) + said,
+                words(_shortened(plain(specific.name), NAMES - 8)) + said,
                 class_="label",
                 x=8,
                 y=base - 5,
             ),
-            element("line", class_="grid", x1=LEFT, y1=base, x2=WIDTH - RIGHT, y2=base),
+            element("line", class_="grid", x1=self.left, y1=base, x2=WIDTH - RIGHT, y2=base),
             self._wish(interpreted, base),
+            element(
+                "text", self.starts[position], class_="small", x=self.left - 8, y=base - 5, text_anchor="end"
+            ),
             element("text", figure, class_="small", x=WIDTH - 6, y=base - 5, text_anchor="end"),
         ]
         if rejected:

@@ -1,9 +1,10 @@
-"""Repetitions as a person sees them: the first few of many that go as asked, and how many more there are."""
+"""A plan as a person sees it: of many repetitions the first few, and times as fine as they need be."""
 
 from collections import defaultdict
 from collections.abc import Mapping
 
 from fuzzytime.interpreter import Plan
+from fuzzytime_cli.formats.clock import Clock
 
 SHOWN = 3
 """Occurrences of a repetition that are shown one by one."""
@@ -11,6 +12,10 @@ LEAST = 5
 """Further ones at least that stand in one row."""
 AS_ASKED = 0.995
 """Satisfaction from which an occurrence is shown as 1.00."""
+
+MINUTE = 60.0
+COARSE = 15 * MINUTE
+"""From which end of a plan on seconds are left out where all takes minutes."""
 
 
 def folded(plan: Plan) -> Mapping[int, tuple[int, ...]]:
@@ -35,3 +40,14 @@ def shown(plan: Plan, rows: Mapping[int, tuple[int, ...]]) -> list[int]:
     """Give what is shown by itself, by starts: all but what is `folded` into rows."""
     hidden = {position for more in rows.values() for position in more}
     return [position for position in plan.schedule.order if position not in hidden]
+
+
+def clock_of(plan: Plan) -> Clock:
+    """Choose how finely times are shown: seconds are noise where all takes minutes."""
+    rejected = plan.schedule.rejected
+    planned = [skill for position, skill in enumerate(plan.schedule.skills) if not rejected[position]]
+    times = [time for skill in planned for time in (skill.start, skill.done)]
+    brief = any(0 < skill.duration < MINUTE for skill in planned)
+    if brief or max(times, default=0.0) < COARSE:
+        return Clock.for_times(plan.request.now, times)
+    return Clock.to_minutes(plan.request.now)

@@ -9,18 +9,15 @@ from fuzzytime.interpreter import Plan
 from fuzzytime.requirement import asked_words
 from fuzzytime.scheduling import Status
 from fuzzytime_cli.drawing.ticks import axis
-from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.notes import note_lines
 from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, moved_words
-from fuzzytime_cli.formats.series import folded, shown
+from fuzzytime_cli.formats.series import clock_of, folded, shown
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.formats.whole import how_near, whole
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
 _EIGHTHS = " ▏▎▍▌▋▊▉"
 _BAR = 10
-MINUTE = 60.0
-COARSE = 15 * MINUTE
 """Seconds ahead from which on a plan of skills that take minutes is shown in minutes."""
 
 
@@ -66,24 +63,11 @@ class PlanView:
         self.schedule = plan.schedule
         self.folded = folded(plan)
         self.shown = shown(plan, self.folded)
-        self.clock = self._clock()
+        self.clock = clock_of(plan)
         self.labels = [plain(interpreted.identifier) for interpreted in plan.skills]
         labels = [self.labels[position] for position in self.shown]
         labels += ["busy"] if plan.request.busy else []
         self.label_width = min(12, max(map(width_of, labels), default=2))
-
-    def _clock(self) -> Clock:
-        """Choose how finely times are shown: seconds are noise where all takes minutes."""
-        planned = [
-            skill
-            for position, skill in enumerate(self.schedule.skills)
-            if not self.schedule.rejected[position]
-        ]
-        times = [time for skill in planned for time in (skill.start, skill.done)]
-        brief = any(0 < skill.duration < MINUTE for skill in planned)
-        if brief or max(times, default=0.0) < COARSE:
-            return Clock.for_times(self.plan.request.now, times)
-        return Clock.to_minutes(self.plan.request.now)
 
     def lines(self) -> list[Text]:
         """Give the whole view, a line each."""

@@ -120,8 +120,9 @@ def beside(scene: Scene, about: About) -> Reply:
     """Say what comes before something, or behind it."""
     schedule, positions = scene.plan.schedule, _positions(scene, about.names)
     left = [place for place, _ in waiting(scene) if not schedule.rejected[place]]
-    named = [place for place in positions if place in left]
-    running = running_one(scene, about.names) if about.names and not named else None
+    running = running_one(scene, about.names) if about.names else None
+    # "After the cake", which is in the oven, what is done with it then comes.
+    named = [place for place in positions if place in left and running is None]
     if not named and running is None:
         return _nothing(about.names)
     begin = min((schedule.start_times[place] for place in named), default=0.0)

@@ -10,11 +10,12 @@ from fuzzytime_cli.repl.naming import (
     called,
     entries_meant,
     entry_of,
+    part_meant,
     running_one,
     unknown,
     words_of_entry,
 )
-from fuzzytime_cli.repl.retiming import days_on, some_time, with_time
+from fuzzytime_cli.repl.retiming import days_on, some_time, with_time, without_thing
 from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting
 from fuzzytime_cli.session import Entry
 
@@ -76,7 +77,7 @@ def _changing(scene: Scene, about: About) -> str | None:
     numbers = ",".join(str(entry.number) for entry in meant)
     match about.kind:
         case AboutKind.DROP:
-            return f":drop {numbers}"
+            return _dropping(scene, about, meant)
         case AboutKind.DELAY:
             return f":delay {numbers} {_length(scene, about)}"
         case _ if about.time == AT_FIRST and (other := _of_two(scene, meant[0])) is not None:
@@ -87,6 +88,16 @@ def _changing(scene: Scene, about: About) -> str | None:
         case _ if len(meant) == 1:
             return f":edit {numbers} {with_time(scene, meant[0], about)}"
     raise FuzzytimeError(ONE_AT_A_TIME)
+
+
+def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
+    """Give the command that forgets what is meant: of "clean the hall and the kitchen", perhaps the hall."""
+    numbers = ",".join(str(entry.number) for entry in meant)
+    if len(meant) == 1 and (part := part_meant(scene, meant[0].number, about.names)):
+        # "Forget the roses", of "water the roses, then mow the lawn"
+        return f":done {part}"
+    rest = without_thing(scene, meant[0], about.names) if len(meant) == 1 else ""
+    return f":edit {numbers} {rest}" if rest else f":drop {numbers}"
 
 
 def _of_two(scene: Scene, entry: Entry) -> int | None:
@@ -164,7 +175,8 @@ def _progress(scene: Scene, about: About) -> str | None:
 
     one = running_one(scene, about.names)
     if one is not None:
-        return line(one.identifier)
+        part = None if longer else part_meant(scene, number_of(one.identifier), about.names)
+        return line(part or one.identifier)
     last = next(reversed(all_called(scene, about.names)), None)
     if last is not None and longer:
         return line(last.identifier)
@@ -180,7 +192,9 @@ def _progress(scene: Scene, about: About) -> str | None:
         told = "" if last is None else f"; the last, {last.name}, was done at {over}"
         raise FuzzytimeError(f"nothing is running{told}: say what, such as: the soup is done")
     entry = entry_of(scene, about.names)
-    planned = None if entry is None else called(scene, entry.number)
+    planned = None
+    if entry is not None:
+        planned = part_meant(scene, entry.number, about.names) or called(scene, entry.number)
     if planned is not None:
         if longer:
             return _lengthened(scene, number_of(planned), about) if about.certain else None

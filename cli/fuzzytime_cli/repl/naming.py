@@ -180,6 +180,15 @@ def running_one(scene: Scene, names: frozenset[str]) -> Started | None:
     return running[0] if running else None
 
 
+def part_meant(scene: Scene, number: int, names: frozenset[str]) -> str | None:
+    """Give the only one of several things to do of an instruction that words name; None for the whole."""
+    begun = {one.identifier: one.name for one in scene.conversation.running(scene.now)}
+    parts = begun | {one.identifier: one.skill.name for _, one in waiting(scene, number)}
+    mine = {key: name for key, name in parts.items() if number_of(key) == number}
+    named = [key for key, name in mine.items() if names <= content_words(name)]
+    return named[0] if names and len(named) == 1 and len(set(mine.values())) > 1 else None
+
+
 def all_called(scene: Scene, names: frozenset[str]) -> list[Started]:
     """Give what has started and is named by all of some words, the latest last; without words all."""
     known = {entry.identifier for entry in scene.conversation.state.entries}

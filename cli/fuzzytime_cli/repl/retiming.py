@@ -34,6 +34,9 @@ DAY_SECONDS = 86400.0
 BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 """What is asked for until, or from, a time."""
 
+BETWEEN = re.compile(r",\s*(?:and\s+)?|\s+and\s+")
+"""What stands between several things."""
+
 AT = re.compile(r"(^| )at ")
 """The preposition of a time that is no bound."""
 
@@ -107,9 +110,24 @@ def wished_instead(scene: Scene, words: str) -> str | None:
     old = [one.operation for one in scene.plan.skills if one.wish.identifier == meant[0].identifier]
     read = language.read(wish, now=scene.now, given=old).instructions
     asked = [one.operation for one in read if one.operation is not None]
-    if not asked or asked[0].negated:
+    told = wish.split()[0].lower() in language.lexicon.closed.condition_openers
+    if told or not asked or asked[0].negated:
+        # "Never mind, it works"
         return None
     return f":edit {meant[0].number} {with_names(wish, next(iter(old), None), language.lexicon)}"
+
+
+def without_thing(scene: Scene, entry: Entry, names: frozenset[str]) -> str:
+    """Give an entry's words without one of several things that it is about; empty where it is about one."""
+    operations = (one.operation for one in scene.plan.skills if one.wish.identifier == entry.identifier)
+    for operation in operations:
+        said = "" if operation is None else operation.object or ""
+        things = [thing for thing in BETWEEN.split(said) if thing]
+        left = [thing for thing in things if content_words(thing) != names]
+        if 0 < len(left) < len(things) and said in entry.text:
+            front = ", ".join(left[:-1])
+            return entry.text.replace(said, f"{front} and {left[-1]}" if front else left[-1], 1)
+    return ""
 
 
 def _is_same(one: Operation | None, other: Operation) -> bool:

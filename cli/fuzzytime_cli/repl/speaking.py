@@ -115,11 +115,11 @@ def _told(scene: Scene, words: str) -> Reply | None:
     meant = means is not None and means.kind is AboutKind.INSTEAD
     operation = None if meant else reported(reading, language.lexicon)
     if operation is None:
-        if tells_what_is(reading, language.lexicon):
-            raise FuzzytimeError(f"{words!r} tells what is, and says nothing to do: say what you want done")
         state = told_state(scene, words, reading)
         if state is not None:
             return state
+        if tells_what_is(reading, language.lexicon):
+            raise FuzzytimeError(f"{words!r} tells what is, and says nothing to do: say what you want done")
         if means is None or not (means.certain and means.names):
             _check_labels(scene, reading)
         # "Dinner at six" is a wish, and no time of another.
@@ -165,6 +165,8 @@ def _taken(scene: Scene, about: About) -> Reply | None:
         return out
     if (moved := left_out_then(scene, about)) is not None:
         return moved
+    if about.kind is AboutKind.TAKES:
+        about = replace(about, kind=AboutKind.MOVE)
     line = command_meant(scene, about)
     if line is None:
         return None
@@ -177,7 +179,7 @@ def _run(scene: Scene, about: About, line: str) -> Reply:
     command, rest = command_of(line)
     named = rest.partition(" ")[0]
     dropped, focus = "", None
-    if kind is AboutKind.DROP:
+    if line.startswith(":drop"):
         dropped = "; ".join(_text_of(scene, number) for number in named.split(","))
     else:
         focus = whole_number(named.partition(".")[0].lstrip("s"))

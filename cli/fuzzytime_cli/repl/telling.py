@@ -15,6 +15,9 @@ TOLD_OF = frozenset({"it", "they", "it's", "they're", "there"})
 
 YOU = "you"
 
+THINGS = frozenset({"it", "he", "she", "that", "this"})
+"""First words of what tells how something is: no order begins with them."""
+
 
 def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
     """Take what is so now as a reading, or as what something waits for; None where nothing is told."""
@@ -49,10 +52,12 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     if operation.due is not None:
         return (operation.object or "").endswith(("'s", "\u2019s"))
     first = reading.tokens[0].text.lower() if reading.tokens else ""
-    asked = operation.stated or operation.negated or bool(reading.instructions[0].requirements)
+    if operation.negated or reading.instructions[0].requirements:
+        return False
     verb = operation.verb.lower()
     past = verb != operation.lemma or any(verb in forms for forms in lexicon.past.values())
-    return first == YOU and not asked and past
+    owed = any(token.text.lower() in lexicon.closed.verbs_of_obligation for token in reading.tokens)
+    return (first == YOU and past and not operation.stated) or (first in THINGS and not owed)
 
 
 def _tells(scene: Scene, said: str, reading: Reading) -> bool:

@@ -8,7 +8,7 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError, InstructionError
 from fuzzytime.interpreter import Plan, Problem
-from fuzzytime.language import About, choice_meant, chooses_none, said_apart
+from fuzzytime.language import About, behind_an_answer, choice_meant, chooses_none, said_apart
 from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.inputs.lines import said_in
@@ -144,7 +144,8 @@ class Turns:
         if words[0] in ":/":
             command, rest = command_of(words)
             return command.run(self._scene(now), rest)
-        parts = said_apart(words, now, self.conversation.interpreter.language.lexicon)
+        lexicon = self.conversation.interpreter.language.lexicon
+        parts = said_apart(behind_an_answer(words, now, lexicon), now, lexicon)
         return self._one_by_one(parts, now) if len(parts) > 1 else self._said(parts[0], now)
 
     def _one_by_one(self, parts: Sequence[str], now: datetime) -> Reply:

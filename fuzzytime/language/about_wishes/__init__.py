@@ -8,7 +8,7 @@ from fuzzytime.language.about_wishes.lengths import by_how_much
 from fuzzytime.language.about_wishes.merging import merged_time
 from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
 from fuzzytime.language.about_wishes.reading import about_wishes, behind_what_is_told
-from fuzzytime.language.about_wishes.replacing import in_its_place, said_apart, with_names
+from fuzzytime.language.about_wishes.replacing import behind_an_answer, in_its_place, said_apart, with_names
 from fuzzytime.language.about_wishes.reports import reported
 from fuzzytime.language.about_wishes.rewording import (
     is_person,
@@ -30,6 +30,7 @@ __all__ = [
     "about_things",
     "about_wishes",
     "added_time",
+    "behind_an_answer",
     "behind_what_is_told",
     "by_how_much",
     "choice_meant",

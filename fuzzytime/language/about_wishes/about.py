@@ -24,6 +24,7 @@ class AboutKind(StrEnum):
     REDO = "redo"
     DONE = "done"
     MORE = "more"
+    TAKES = "takes"
     LATE = "late"
     STARTED = "started"
     UNSTARTED = "unstarted"

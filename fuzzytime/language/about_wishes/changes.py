@@ -24,6 +24,7 @@ OWNER = re.compile(r"(?<=\w)['\u2019]s\b")
 
 DOING = "do"
 MAKING = "make"
+LEAVE, OUT = "leave", "out"
 
 
 def change(said: Said) -> About | None:
@@ -115,6 +116,9 @@ def _dropped(said: Said) -> About | None:
     dropped = said.after("dropping") or rest
     if dropped is not None and (kept := all_but(dropped)) is not None:
         return About(kind=AboutKind.DROP, names=_named(kept), everything=True, certain=True)
+    if said.forms[:1] == (LEAVE,) and said.forms[-1:] == (OUT,) and len(said.words) > 2:
+        # "Leave the soup out"
+        return _about(AboutKind.DROP, said.until(len(said.words) - 1).behind(1))
     rest = said.after("dropping")
     if rest is not None and (
         rest.label
@@ -222,9 +226,17 @@ def _corrected(said: Said) -> About | None:
     number = rest.as_number()
     time = rest.as_time() or (f"for {number} {Unit.MINUTE}s" if number else "")
     if not time:
-        return change(rest)
+        return _beside_another(rest) or change(rest)
     bare = rest.is_bare(time)
     return About(kind=AboutKind.MOVE, time=time, number=number, bare=bare, corrects=True, certain=True)
+
+
+def _beside_another(said: Said) -> About | None:
+    """Read what is to be beside another thing instead: "no, before the balloons"."""
+    beside = said.beside()
+    if beside is None or not beside[1].names:
+        return None
+    return About(kind=AboutKind.MOVE, time=beside[0], others=beside[1].names, corrects=True, certain=True)
 
 
 def _later(about: About, beside: Said) -> About | None:

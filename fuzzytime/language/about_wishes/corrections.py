@@ -46,7 +46,7 @@ def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     >>> added_time("At seven.", datetime(2026, 3, 4, 9), shipped_lexicon()).time
     'at seven'
     """
-    said = Said.of(text, now, lexicon)
+    said = Said.of(text, now, lexicon).without_exclamations()
     behind = lexicon.courtesies | said.table("preferring") | said.table("instead")
     closing = (form for form in behind if said.forms[-len(form) :] == form != said.forms)
     said = said.until(len(said.words) - max(map(len, closing), default=0))

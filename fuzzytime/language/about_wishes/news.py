@@ -97,6 +97,13 @@ class News:
         if not happening.stated or happening.negated:
             return False
         things = content_words(happening.object) | content_words(happening.place)
+        if (
+            self.kind is THERE
+            and not self.names
+            and happening.lemma not in lexicon.doing.arriving | lexicon.doing.leaving
+        ):
+            # "They're here" is of the movers, and not of "keys to the landlord at five".
+            return False
         subject = self.names - _verbs(happening, lexicon)
         return subject <= things and (self.several is not None or bool(subject))
 

@@ -9,7 +9,6 @@ from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.questions import question
 from fuzzytime.language.about_wishes.reports import report
 from fuzzytime.language.about_wishes.said import ENDS, Said
-from fuzzytime.language.about_wishes.things import without_exclamations
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
 MARKS = frozenset({",", ".", "!", "?", "-"})
@@ -29,7 +28,7 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     said = _without_courtesies(whole)
     if not said.words or not set(whole.without("answering")[0].forms) - MARKS:
         return About(kind=AboutKind.ANSWER, certain=True)
-    if without_exclamations(said).is_in("going ahead"):
+    if said.without_exclamations().is_in("going ahead"):
         return About(kind=AboutKind.ANSWER, certain=True)
     if text.rstrip().endswith("?") and said.without("yet")[0].is_in("finished"):
         # "Done?"
@@ -37,11 +36,11 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if text.rstrip().endswith("?"):
         said = _without_tag(said)
     found = _read(said)
-    plain = without_exclamations(said)
+    plain = said.without_exclamations()
     # "Ok then do it the day after"
     then = plain.after("following") or plain
     # "Hmm, actually maybe make the call a bit later"
-    anew = without_exclamations(plain.behind(opening_correction(plain)))
+    anew = plain.behind(opening_correction(plain)).without_exclamations()
     for other in (plain, then, anew, _without_closing(plain)):
         found = _read(other) if found is None and other != said and other.words else found
     return found
@@ -74,7 +73,7 @@ def behind_what_is_told(text: str, now: datetime, lexicon: Lexicon) -> tuple[str
     about = about_wishes(rest, now, lexicon)
     if about is None or about.kind is AboutKind.ANSWER:
         return None
-    front = without_exclamations(Said.of(told, now, lexicon))
+    front = Said.of(told, now, lexicon).without_exclamations()
     front = front.behind(opening_correction(front))
     said = about_wishes(front.text, now, lexicon) if front.words else None
     return "" if said is not None and said.certain else front.text, about

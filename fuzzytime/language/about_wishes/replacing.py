@@ -4,6 +4,7 @@ import re
 from datetime import datetime
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.reading import about_wishes
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -65,6 +66,25 @@ def said_apart(text: str, now: datetime, lexicon: Lexicon) -> list[str]:
             # "Thanks. What's next?"
             return [part for part, kind in zip(parts, kinds, strict=True) if kind is not AboutKind.ANSWER]
     return [text]
+
+
+def behind_an_answer(text: str, now: datetime, lexicon: Lexicon) -> str:
+    """Leave out what only answers in front of something else: "ok fine, now", "sure, call Bob at six".
+
+    What corrects is no mere answer: "no, at seven".
+
+    >>> from datetime import datetime
+    >>> from fuzzytime.language.finding import shipped_lexicon
+    >>> behind_an_answer("ok fine, now", datetime(2026, 3, 4, 9), shipped_lexicon())
+    'now'
+    """
+    said = rest = Said.of(text, now, lexicon)
+    while rest.words and (taken := rest.opens_with("answering")) and not opening_correction(rest):
+        rest = rest.behind(taken)
+        if rest.forms[:1] == (",",) and len(rest.words) > 1:
+            end = rest.behind(1).text
+            return text[text.index(end) :] if end in text else end
+    return text if said.words else ""
 
 
 def in_its_place(text: str, now: datetime, lexicon: Lexicon) -> tuple[About, str] | None:

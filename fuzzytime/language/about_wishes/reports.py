@@ -12,6 +12,7 @@ WITH = "with"
 ON = "on"
 TO = "to"
 MAKE = "make"
+ADD = "add"
 
 
 def report(said: Said) -> About | None:
@@ -85,6 +86,8 @@ def _made_longer(said: Said) -> About | None:
 def _added(said: Said) -> About | None:
     """Read what is added to something that goes on: "add five minutes to the timer"."""
     found = said.length() if said.opens_with("adding") else None
+    if found is not None and found.rest.forms == (ADD,):
+        return About(kind=AboutKind.MORE, by=found.seconds, certain=True)
     if found is None or found.joint or found.rest.forms[1:2] not in {(TO,), (ON,)}:
         return None
     thing = found.rest.behind(2)
@@ -101,7 +104,7 @@ def _so_long(said: Said) -> About | None:
         thing, time = said.until(place), rest.as_time()
         if time.lower().startswith(FOR) and (thing.is_in("last") or thing.label):
             names = frozenset({thing.label}) if thing.label else frozenset[str]()
-            return About(kind=AboutKind.MOVE, names=names, time=time, certain=True)
+            return About(kind=AboutKind.TAKES, names=names, time=time, certain=True)
     return None
 
 
@@ -160,6 +163,8 @@ def _finished(said: Said) -> About | None:
         having = with_it or not thing.words or rest.opens_with("having")
         if not having or thing.has_time:
             return None
+        if thing.is_in("everything"):
+            return About(kind=AboutKind.DROP, everything=True, certain=True)
         names = frozenset() if thing.is_in("last") else thing.names
         return About(kind=AboutKind.DONE, names=names, certain=True)
     for place, word in enumerate(said.forms):
@@ -191,6 +196,8 @@ def _stated_over(said: Said) -> About | None:
         return None
     if thing.label:
         return About(kind=AboutKind.DONE, names=frozenset({thing.label}), certain=True)
+    if thing.is_in("everything"):
+        return About(kind=AboutKind.DROP, everything=True, certain=True)
     named = thing.behind(1) if thing.forms[0] in said.lexicon.closed.noun_openers else thing
     # "Get the shirts done" is a wish.
     return About(kind=AboutKind.DONE, names=named.names) if len(named.words) == 1 and named.names else None

@@ -109,6 +109,14 @@ class Said:
         behind = (form for form in self.lexicon.courtesies if self.forms[-len(form) :] == form != self.forms)
         return self.until(len(self.words) - max(map(len, behind), default=0))
 
+    def without_exclamations(self) -> "Said":
+        """Leave out what opens a line and says nothing of wishes: "oh", "hmm, maybe", "ok then"."""
+        said = self
+        while (taken := said.opens_with("exclaiming")) and taken < len(said.words):
+            rest = said.behind(taken)
+            said = rest.behind(1) if rest.forms[:1] == (",",) and len(rest.words) > 1 else rest
+        return said
+
     def opens_with(self, name: str) -> int:
         """Give how many words an entry of a table has with which it begins; 0 for none."""
         return len(longest_match(self.words, 0, self.table(name)) or ()) if self.words else 0
@@ -138,7 +146,7 @@ class Said:
     def names(self) -> frozenset[str]:
         """Give the words that name something."""
         courteous = {form[0] for form in self.lexicon.courtesies}
-        return content_words(self.text) - courteous
+        return content_words(self.text) - courteous - self.lexicon.closed.first_person
 
     @cached_property
     def label(self) -> str:

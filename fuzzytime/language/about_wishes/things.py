@@ -28,7 +28,7 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     >>> said.thing, said.time
     ('dad', 'at seven')
     """
-    said = without_exclamations(Said.of(text, now, lexicon))
+    said = Said.of(text, now, lexicon).without_exclamations()
     if (same := said.after("like")) is not None and same.words:
         thing, time = same.parted()
         return About(kind=AboutKind.LIKE, thing=thing, time=time, joint=FOR, certain=True) if thing else None
@@ -55,9 +55,9 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
 
 def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     """Read what a line without a verb says of things that were, or might have been, asked for; else None."""
-    whole = _without_and(without_exclamations(Said.of(text, now, lexicon)).without_thanks())
+    whole = _without_and(Said.of(text, now, lexicon).without_exclamations().without_thanks())
     place = opening_correction(whole)
-    said = without_exclamations(whole.behind(place)) if place else whole
+    said = whole.behind(place).without_exclamations() if place else whole
     naming = whole.after("naming anew") or whole.after("meaning")
     if naming is not None and naming.words:
         said, place = naming, 1
@@ -153,11 +153,3 @@ def _instead(said: Said) -> About | None:
 def _instead_of(said: Said) -> int | None:
     size = len(INSTEAD_OF)
     return next((n for n in range(1, len(said.forms)) if said.forms[n : n + size] == INSTEAD_OF), None)
-
-
-def without_exclamations(said: Said) -> Said:
-    """Leave out what opens a line and says nothing of wishes: "oh", "hmm, maybe", "ok then"."""
-    while (taken := said.opens_with("exclaiming")) and taken < len(said.words):
-        rest = said.behind(taken)
-        said = rest.behind(1) if rest.forms[:1] == (COMMA,) and len(rest.words) > 1 else rest
-    return said
