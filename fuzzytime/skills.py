@@ -157,9 +157,9 @@ def _over(done: float, until: float | None) -> float:
 class Precedence:
     """Skill ``first`` is done before skill ``second`` starts, by positions in the task, from 0.
 
-    The start of ``second`` minus the moment ``first`` is done lies between the two lags, in seconds; a
-    negative one lets them overlap. Of lags that satisfy equally, one nearer to the ``wished_lag`` is better;
-    None where no distance was named.
+    The start of ``second`` minus the moment ``first`` is done, its ``time_until_done`` after it starts, lies
+    between the two lags, in seconds; a negative one lets them overlap. Of lags that satisfy equally, one
+    nearer to the ``wished_lag`` is better; None where no distance was named.
 
     Raises
     ------

@@ -54,7 +54,8 @@ def elsewhere(
 ) -> Alternative | None:
     """Find the best schedule in which a skill starts within an interval, at the cost of those near by.
 
-    None where no agent is free for it then, the interval is over, or what must come first is rejected.
+    None where no agent is free for it then, the interval is over, what must come first is rejected, or it
+    would come too late behind another.
 
     Parameters
     ----------
@@ -81,6 +82,8 @@ def elsewhere(
     for member, start in zip(members, found.start_times, strict=False):
         starts[member] = start
     whole = replace(schedule, start_times=tuple(starts))
+    if whole.satisfactions[position] < float(schedule.task.skills[position].satisfaction(starts[position])):
+        return None
     return Alternative(starts[position], whole.satisfactions, whole.satisfaction, whole.weighted_cost)
 
 

@@ -150,7 +150,11 @@ def replan(
 
 
 def _shifted(skill: SpecificSkill, by: float) -> SpecificSkill:
-    return replace(skill, start=skill.start - by)
+    return replace(skill, start=skill.start - by, until=_earlier(skill.until, by))
+
+
+def _earlier(time: float | None, by: float) -> float | None:
+    return None if time is None else time - by
 
 
 def _remaining(
@@ -164,11 +168,14 @@ def _remaining(
     skills = []
     for position in kept:
         skill = task.skills[position]
-        skill = replace(skill, satisfaction=skill.satisfaction.shifted(-now))
+        skill = replace(
+            skill, satisfaction=skill.satisfaction.shifted(-now), until=_earlier(skill.until, now)
+        )
         skill = skill.starting_near(*(time - now for time in skill.named))
         for entry in task.precedences:
             if entry.second == position and entry.first in begun:
-                skill = _released(skill, begun[entry.first], entry)
+                done = begun[entry.first].start + task.skills[entry.first].time_until_done
+                skill = _released(skill, done, entry)
         skills.append(skill)
     taken = [(entry.start - now, entry.end - now, entry.what, entry.agent) for entry in task.busy]
     taken += [(one.start, one.end, one.name, one.agent) for one in begun.values()]
@@ -177,15 +184,15 @@ def _remaining(
     return replace(left, skills=(*skills, *added), busy=busy)
 
 
-def _released(skill: FuzzySkill, first: SpecificSkill, entry: Precedence) -> FuzzySkill:
-    """Give a skill that waits for one that has started, whose end is known now.
+def _released(skill: FuzzySkill, done: float, entry: Precedence) -> FuzzySkill:
+    """Give a skill that waits for one that has started, and is done at a time that is known now.
 
     A wish whose last moment has passed is late, not lost: it may start as soon as it can.
     """
     if skill.preferred is None and entry.wished_lag is not None:
-        skill = replace(skill, preferred=first.done + entry.wished_lag)
-    earliest = first.done + entry.minimum_lag
-    latest = max(first.done + entry.maximum_lag, earliest, 0.0)
+        skill = replace(skill, preferred=done + entry.wished_lag)
+    earliest = done + entry.minimum_lag
+    latest = max(done + entry.maximum_lag, earliest, 0.0)
     window = Interval(earliest if earliest > 0 else -math.inf, latest)
     if window.low == -math.inf and latest == math.inf:
         return skill

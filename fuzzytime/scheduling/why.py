@@ -74,6 +74,8 @@ class Why:
         What it got.
     best
         What it could have had alone, from now on and beside appointments.
+    lost
+        What it lost to others, at least 0: nothing where alone it would be rejected as well.
     ideal
         The largest ψ of all times: larger than what it could have had where its best time is over or taken.
     appointments
@@ -90,6 +92,7 @@ class Why:
     start: float
     satisfaction: float
     best: Best
+    lost: float
     ideal: float
     appointments: tuple[Busy, ...]
     neighbours: tuple[Neighbour, ...]
@@ -100,11 +103,6 @@ class Why:
     def alone(self) -> float:
         """The satisfaction that it could have had alone."""
         return self.best.satisfaction
-
-    @property
-    def lost(self) -> float:
-        """What it lost to others, at least 0."""
-        return max(0.0, self.alone - self.satisfaction)
 
 
 def explain(
@@ -148,9 +146,11 @@ def _why(schedule: Schedule, position: int, solver: Solver | None, watch: Stopwa
     best = best_alone(schedule.task, position, start)
     alternative: Alternative | None = None
     neighbours: tuple[Neighbour, ...] = ()
-    lost = best.satisfaction - schedule.satisfactions[position] > LOSS
-    sought = not (lost and whole.is_over())
-    if lost and sought:
+    lost = max(0.0, best.satisfaction - schedule.satisfactions[position])
+    if best.satisfaction <= schedule.threshold:
+        lost = 0.0
+    sought = not (lost > LOSS and whole.is_over())
+    if lost > LOSS and sought:
         limits = replace(watch.limits, seconds=watch.remaining)
         if not watch.is_over():
             alternative = elsewhere(schedule, position, best.starts, solver=solver, limits=limits)
@@ -161,6 +161,7 @@ def _why(schedule: Schedule, position: int, solver: Solver | None, watch: Stopwa
         start,
         schedule.satisfactions[position],
         best,
+        lost,
         0.0 if ideal.empty else float(skill.satisfaction(min(max(0.0, ideal.low), ideal.high))),
         _appointments(schedule.task, position, best, start),
         neighbours,
@@ -206,6 +207,8 @@ def _bond(schedule: Schedule, position: int, other: int, starts: Interval) -> Bo
     mine, its = schedule.task.skills[position], schedule.skills[other]
     for entry in schedule.task.precedences:
         if (entry.first, entry.second) == (other, position):
+            if schedule.rejected[other]:
+                return Bond.ORDER
             allowed = Interval(its.done + entry.minimum_lag, its.done + entry.maximum_lag)
         elif (entry.first, entry.second) == (position, other):
             last = its.start - mine.time_until_done

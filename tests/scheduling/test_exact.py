@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from fuzzytime.satisfaction import Rectangle, Trapezoid, Triangle
+from fuzzytime.satisfaction import Rectangle, Sampled, Trapezoid, Triangle
 from fuzzytime.scheduling import (
     HeldKarp,
     Labels,
@@ -170,6 +171,21 @@ def test_what_takes_no_time_may_start_with_what_it_must_not_precede(solver: Solv
     schedule = solve(FuzzyTask((stir, ring), precedences=(Precedence(0, 1, -3.0, -3.0),)), solver=solver)
     assert schedule.start_times == (21.0, 21.0)
     assert schedule.certificate.lower_cost == 0.0
+
+
+@pytest.mark.parametrize("rest", [0.0, 1.0])
+@pytest.mark.parametrize("solver", [None, Pauses(), Milp()])
+def test_what_is_too_late_for_another_is_not_as_good_as_what_is_not(
+    solver: Solver | None, rest: float
+) -> None:
+    """Both orders of boiling and frying take as long, but only one leaves time for peeling."""
+    boil = FuzzySkill("boil", Sampled([12, 12, 22, 22], [0, 0.5, 0.5, 0]), 1.0, elapsed=5.0)
+    fry = FuzzySkill("fry", Sampled([1, 12, 12, 14, 14, 22, 22], [0.5, 0.5, 0.9, 0.9, 0.5, 0.5, 0]), 5.0)
+    peel = FuzzySkill("peel", Rectangle(-math.inf, 21), rest)
+    task = FuzzyTask((boil, replace(fry, priority=2), peel), precedences=(Precedence(0, 2),))
+    schedule = solve(task, solver=solver)
+    assert schedule.certificate.lower_cost <= -math.log(0.5) - 2 * math.log(0.9) + 1e-9
+    assert schedule.satisfactions == (0.5, 0.9, 1.0)
 
 
 def test_what_must_end_shortly_before_dinner_is_not_done_in_the_morning() -> None:

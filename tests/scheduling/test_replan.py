@@ -56,6 +56,18 @@ def test_what_must_come_after_a_started_skill_waits_for_it_and_keeps_its_open_en
     assert list(later.schedule.satisfactions) == [1]
 
 
+def test_what_goes_on_until_a_time_is_over_then_whenever_now_is() -> None:
+    jazz = FuzzySkill("play jazz", Rectangle(0, 0), 10, elapsed=20, until=3600.0)
+    bow = FuzzySkill("bow", Trapezoid(0, 0, 7200, 7300), 60)
+    walk = FuzzySkill("walk", Rectangle(500, 600), 10, until=3600.0)
+    before = solve(FuzzyTask((jazz, bow, walk), precedences=(Precedence(0, 1),)))
+    later = replan(before, 15)
+    assert [skill.done for skill in later.running] == [3585]
+    assert list(later.schedule.start_times) == [5, 485]
+    assert later.schedule.skills[1].done == 3585
+    assert not replan(before, 4000).running
+
+
 def test_a_wish_whose_last_moment_has_passed_is_late_not_lost() -> None:
     eggs = FuzzySkill("eggs", Rectangle(0, 0), 10)
     peel = FuzzySkill("peel", Trapezoid(0, 10, 200, 300), 10)

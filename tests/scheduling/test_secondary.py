@@ -1,5 +1,6 @@
 """What counts among schedules that satisfy equally."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -7,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fuzzytime.satisfaction import Bell, Sampled, Trapezoid, Triangle
+from fuzzytime.satisfaction import ALWAYS, Bell, Rectangle, Sampled, Trapezoid, Triangle
 from fuzzytime.scheduling import EarliestStart, HeldKarp, LocalSearch, Nearness, Schedule, Solver, solve
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.random_tasks import faults, random_task
@@ -113,3 +114,13 @@ def test_the_order_said_gives_way_to_a_start_that_was_named() -> None:
     chores = tuple(FuzzySkill(name, always, 300.0) for name in ("sweep", "dust", "mop"))
     flip = FuzzySkill("flip", always, 60.0, preferred=300.0)
     assert solve(FuzzyTask((*chores, flip))).start_times == pytest.approx((0, 360, 660, 300))
+
+
+@pytest.mark.parametrize(("agents", "rest"), [(1, 1260.0), (2, 960.0)])
+def test_what_may_be_at_any_time_is_near_to_what_was_named(agents: int, rest: float) -> None:
+    read = FuzzySkill("read", ALWAYS, 1000.0)
+    call = FuzzySkill("call", ALWAYS, 60.0, preferred=1200.0, alternatives=(300.0,))
+    ring = FuzzySkill("ring", Rectangle(600.0, math.inf), 60.0, preferred=900.0)
+    schedule = solve(FuzzyTask((read, call, ring), agents, busy=(Busy(840.0, 960.0),)))
+    assert schedule.start_times == (rest, 1200.0, 960.0)
+    assert not faults(schedule)

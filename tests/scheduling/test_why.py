@@ -1,12 +1,13 @@
 """Why each skill starts when it does."""
 
 import itertools
+import math
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fuzzytime.satisfaction import ALWAYS, Interval, Rectangle, Trapezoid, Triangle
+from fuzzytime.satisfaction import ALWAYS, Interval, Rectangle, Sampled, Trapezoid, Triangle
 from fuzzytime.scheduling import Bond, Limits, elsewhere, explain, solve
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.random_tasks import random_task
@@ -126,10 +127,35 @@ def test_no_other_time_is_better_than_a_proved_schedule(seed: int) -> None:
     for why in explain(schedule):
         assert why.satisfaction <= why.alone + 1e-9
         if why.alternative is not None:
-            assert any(schedule.rejected) or why.alternative.cost >= schedule.weighted_cost - 1e-3
+            assert why.alternative.cost >= schedule.weighted_cost - 1e-3
             assert why.alternative.satisfactions[why.position] == pytest.approx(why.alone, rel=1e-6)
     later = elsewhere(schedule, 0, Interval(schedule.start_times[0] + 10, schedule.start_times[0] + 10))
     assert later is None or any(schedule.rejected) or later.cost >= schedule.weighted_cost - 1e-3
+
+
+def test_what_is_never_satisfied_enough_lost_nothing_and_what_follows_lost_to_it() -> None:
+    faint = FuzzySkill("flip", Sampled([0, 10, 20], [0, 0.3, 0]), 5)
+    serve = FuzzySkill("serve", Rectangle(0, 60), 5)
+    first, second = explain(solve(FuzzyTask((faint, serve), precedences=(Precedence(0, 1),)), threshold=0.4))
+    assert second.lost == 1
+    assert [(one.position, one.bond) for one in second.neighbours] == [(0, Bond.ORDER)]
+    assert (first.alone, first.lost, first.neighbours, first.alternative) == (0.3, 0, (), None)
+
+
+def test_the_best_time_is_none_where_it_would_be_too_late_behind_another() -> None:
+    fry = FuzzySkill("fry", Rectangle(0, 0), 10)
+    serve = FuzzySkill("serve", Trapezoid(0, 40, math.inf, math.inf), 5)
+    schedule = solve(FuzzyTask((fry, serve), precedences=(Precedence(0, 1, 0, 5),)))
+    (why,) = explain(schedule, [1])
+    assert (why.satisfaction, why.alone) == (0.375, 1)
+    assert why.alternative is None
+    assert [(one.position, one.bond) for one in why.neighbours] == [(0, Bond.ORDER)]
+
+
+def test_an_appointment_without_length_takes_nothing() -> None:
+    task = FuzzyTask((FuzzySkill("flip", WISH, 30),), busy=(Busy(130, 130),))
+    (why,) = explain(solve(task))
+    assert (why.satisfaction, why.alone, why.appointments) == (1, 1, ())
 
 
 def test_what_comes_after_a_skill_moves_along_with_it() -> None:

@@ -145,12 +145,13 @@ class Leeway:
         """Give the starts of open jobs, all alike on which nothing depends, and which may be too late.
 
         A start is as good as any later one where no lag from it ends before the other's own last start. It
-        may be too late where agents let the other start before a lag does.
+        may be too late where agents let the other start before a lag does: that of what it is too late for
+        stays, or a state that has lost it would be like one that has not.
         """
         known, pinned = np.full(states.opened.shape, LONG_AGO), np.zeros(states.opened.shape, bool)
         for place, job, least, most, _ in inside.bonds:
             start, alive = states.opened[:, place], ~room.lost[job]
-            pinned[:, place] |= alive & (start + least > room.soonest[job])
+            pinned[:, place] |= start + least > room.soonest[job]
             ends = [costs[job].last for costs in self.costs if job in costs]
             if most < np.inf and ends:
                 enough = np.minimum(start, max(ends) - int(most))

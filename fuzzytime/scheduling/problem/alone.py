@@ -66,8 +66,9 @@ def best_beside(skill: FuzzySkill, busy: list[Busy], near: float) -> Best:
     """Give the best that a skill could have at or after 0, outside some busy times."""
     function = skill.satisfaction
     end = _end(function, busy, near) + skill.duration
-    spans = (Interval(entry.start, entry.end) for entry in busy if not skill.needs_nobody)
-    taken = tuple(sorted(spans, key=lambda span: span.low))
+    # A busy time without length takes no time from anybody.
+    spans = {Interval(entry.start, entry.end) for entry in busy if entry.start < entry.end}
+    taken = () if skill.needs_nobody else tuple(sorted(spans, key=lambda span: span.low))
     free = free_of((Interval(0.0, end),), taken, skill.duration)
     marks = {function.best.low, function.best.high, *function.kinks}
     times = {min(max(mark, span.low), span.high) for span in free for mark in marks if not math.isnan(mark)}

@@ -1,7 +1,8 @@
 """Real start times for the skills that are not placed where they satisfy, after what matters.
 
 A rejected skill starts as soon as an agent is free for it once its windows are over. A skill that is as well
-done at any late time, as an instruction without time words, takes the first free time that is good enough.
+done at any late time, as an instruction without time words, takes the first free time that is good enough, or
+the nearest to what was named.
 """
 
 import bisect
@@ -11,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import Interval
 from fuzzytime.scheduling.problem.jobs import Job
-from fuzzytime.scheduling.problem.windows import good_enough, in_common
+from fuzzytime.scheduling.problem.windows import free_of, good_enough, in_common
 from fuzzytime.skills import FuzzyTask
 
 ROOM = 1e-10
@@ -40,6 +41,23 @@ class Rota:
             if start <= interval.high and start < math.inf:
                 return start
         return math.inf
+
+    def nearest(
+        self, agent: int, duration: float, wanted: Sequence[Interval], named: Sequence[float]
+    ) -> tuple[float, int, float]:
+        """Give how far an agent is free from what named time, by its place, and when; infinity if never.
+
+        Of times that are as far the first named one counts.
+        """
+        taken = tuple(Interval(low, high) for low, high in self._taken[agent])
+        free = free_of(tuple(wanted), taken, duration)
+        starts = (
+            (rank, time, min(max(time, span.low), span.high))
+            for rank, time in enumerate(named)
+            for span in free
+        )
+        found = ((abs(start - time), rank, start) for rank, time, start in starts)
+        return min(found, default=(math.inf, 0, math.inf))
 
 
 def place_rest(task: FuzzyTask, jobs: Sequence[Job], starts: list[float], agents: list[int]) -> None:
@@ -74,7 +92,12 @@ def place_rest(task: FuzzyTask, jobs: Sequence[Job], starts: list[float], agents
             # What has no time at all waits for everything that has.
             wanted = (Interval(max(release, job.over or end_of_all), math.inf),)
         allowed = [skill.agent] if skill.agent is not None else everybody
-        start, agent = min((rota.earliest(agent, job.duration, wanted), agent) for agent in allowed)
+        if skill.named and job.over == math.inf:
+            *_, start, agent = min(
+                (*rota.nearest(agent, job.duration, wanted, skill.named), agent) for agent in allowed
+            )
+        else:
+            start, agent = min((rota.earliest(agent, job.duration, wanted), agent) for agent in allowed)
         if start == math.inf:
             raise FuzzytimeError(
                 f"every skill needs a time when an agent is free for it, got none for {skill.name!r}"
@@ -85,8 +108,13 @@ def place_rest(task: FuzzyTask, jobs: Sequence[Job], starts: list[float], agents
 
 
 def _in_order(task: FuzzyTask, jobs: list[Job]) -> list[Job]:
-    """Sort jobs by when their windows are over, each after what must come before it."""
-    waiting = sorted(jobs, key=lambda job: (job.over or math.inf, job.position))
+    """Sort jobs by when their windows are over, each after what must come before it.
+
+    What was named has its time before what may be at any.
+    """
+    waiting = sorted(
+        jobs, key=lambda job: (job.over or math.inf, not task.skills[job.position].named, job.position)
+    )
     ordered: list[Job] = []
     while waiting:
         missing = {job.position for job in waiting}
