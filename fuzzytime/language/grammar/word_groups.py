@@ -26,6 +26,7 @@ class ClosedClasses:
     of_units: Words
     distributives: Words
     each_of_several: Words
+    marking_turns: Words
     universal_determiners: Words
     general_ordinals: Words
     indefinite_determiners: Words
@@ -61,6 +62,7 @@ class ClosedClasses:
     indirect_objects: Words
     object_pronouns: Words
     wholes: Words
+    free_relatives: Words
     both: Words
     universal_pronouns: Words
     nonrestrictive_relatives: Words
