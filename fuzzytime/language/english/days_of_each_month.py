@@ -48,10 +48,11 @@ def weekdays_of_month(places: tuple[int, ...], weekday: int) -> Repeat | None:
     return weekdays_of(places, Fields(weekday=weekday), Cycle(Unit.MONTH))
 
 
-@grammar.rule("repeat", "every|each last <weekday>", weight=0.4)
-def last_weekday_of_month(weekday: int) -> Repeat:
-    """Every last friday: of each month."""
-    return Repeat(walls=_walls((LAST,), Fields(weekday=weekday), Cycle(Unit.MONTH)))
+@grammar.rule("repeat", "every|each <place inside> <weekday>", weight=0.4)
+def end_weekday_of_month(place: int, weekday: int) -> Repeat | None:
+    """Every last friday, every first monday: of each month; but every second one is every other."""
+    ends = place in {1, LAST}
+    return Repeat(walls=_walls((place,), Fields(weekday=weekday), Cycle(Unit.MONTH))) if ends else None
 
 
 @grammar.rule("repeat", "every|each <places inside> <series> of|in <whole>", weight=0.6)

@@ -225,9 +225,10 @@ class Borders:
         return piece.rule in OFFERED_DAYS and (led or timed or more)
 
     def _likens(self, piece: Piece) -> bool:
-        """Whether its "like" is what something looks like: "what is the weather like on friday"."""
+        """Whether its "like" is what something looks like, or a verb: "a song I like at noon"."""
         time = piece.value.time
-        return self.texts[piece.start] == "like" and isinstance(time, Wall) and time.clock is None
+        liked = self.around.before(piece) in self.closed.personal_pronouns
+        return self.texts[piece.start] == "like" and isinstance(time, Wall) and (liked or time.clock is None)
 
     def _says_how(self, piece: Piece) -> bool:
         """Whether it begins with how somebody is: "don't be late tomorrow"."""

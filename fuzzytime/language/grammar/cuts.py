@@ -9,6 +9,9 @@ LAST_DAY = ["last", "day"]
 """Words for yesterday, which may be those for the end of something."""
 
 HOURLY = "hourly"
+THESE = frozenset({"this", "that"})
+"""Words that may say which of a thing is meant."""
+
 
 TENS = 10
 LONG_DIGITS = 3
@@ -129,6 +132,10 @@ class Cuts(Standing):
         """Whether it ends, or begins, in what a thing is called: "the 10 second | clip", "ward | round 8"."""
         follower = self.around.follower(piece)
         named = follower.isalpha() and follower not in self.lexicon.function_words
+        last = piece.end + 1 == len(self.texts) and piece.start > 0
+        if last and named and isinstance(piece.value.time, TimeWord) and self.texts[piece.end - 1] in THESE:
+            # "Stop it after this | song"
+            return True
         counted = self.texts[piece.end - 1] == "second" and self.words[piece.end - 2].is_digits
         if self.texts[piece.start] == "round" and self.around.before(piece) in self.lexicon.no_times.rounds:
             return True

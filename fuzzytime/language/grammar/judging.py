@@ -223,7 +223,9 @@ class Judge:
         # "Most evenings": which, is not said.
         some = self.around.before(piece) in self.beside.which_is_not_said
         parted = any(wall.part is not None for wall in piece.value.time.walls)
-        return not some and (parted or not self.measures.is_rate(piece))
+        # "To twenty | at seven each weekday"
+        bound = self.texts[piece.start] in self.closed.prepositions_of_points
+        return not some and (parted or bound or not self.measures.is_rate(piece))
 
     def _lasts(self, piece: Piece) -> bool:
         """Whether "for" stands before it, or before its hedges: "for at least an hour beforehand"."""

@@ -51,11 +51,14 @@ class Surroundings(LookedUp):
         last, follower = self.texts[piece.end - 1], self.follower(piece)
         several = last in self.lexicon.numbers and last not in self.closed.singular_determiners
         several = several or self.words[piece.end - 1].is_digits
-        led = self.texts[piece.start] in self.closed.prepositions_of_points and follower.isalpha()
+        # "On the fourteenth at seven put it in"
+        led = not self.closed.prepositions_of_points.isdisjoint(
+            (self.texts[piece.start], self.texts[piece.end - 2])
+        )
         one = not follower.endswith("s") and follower not in self.beside.plurals
         behind = self.texts[piece.end + 1 : piece.end + 2]
         opened = bool(behind) and behind[0] in self.closed.noun_openers | self.closed.object_pronouns
-        return several and led and one and opened
+        return several and led and follower.isalpha() and one and opened
 
     def _is_in_front(self, piece: Piece) -> bool:
         """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""

@@ -64,6 +64,7 @@ class ClosedClasses:
     indirect_objects: Words
     object_pronouns: Words
     wholes: Words
+    free_relatives: Words
     both: Words
     universal_pronouns: Words
     nonrestrictive_relatives: Words

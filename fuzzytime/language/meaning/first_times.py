@@ -33,7 +33,9 @@ def first_time(said: Said) -> Time | None:
     if said.preposition in COUNTED_FROM_ELSEWHERE or isinstance(time, (Repeat, Ending, Rest)):
         return None
     if isinstance(time, TimeWord):
-        return time if (said.constraint or time.constraint) is Constraint.AT else None
+        # "Starting now"
+        bound = said.constraint in {None, Constraint.AT, Constraint.AFTER}
+        return time if bound and time.constraint is Constraint.AT else None
     if isinstance(time, Duration):
         return Offset(time) if beginning else None
     if isinstance(time, Range):

@@ -115,7 +115,10 @@ class BeforeMarker:
 
         What has a time is none: "remind me of the meeting an hour before it starts".
         """
-        return place >= 0 and self.words[place].text in self.lexicon.lasting - self.lexicon.events
+        texts = [word.text for word in self.words[: place + 1]]
+        # "Hang on a minute before you pour it"
+        waits = len(texts) > 1 and texts[-1] == "on" and texts[-2] in self.lexicon.doing.waiting
+        return waits or (bool(texts) and texts[-1] in self.lexicon.lasting - self.lexicon.events)
 
 
 def _before_now(phrase: Phrase) -> Phrase | None:

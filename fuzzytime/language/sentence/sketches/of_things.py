@@ -92,6 +92,8 @@ class _Things:
         if not isinstance(said.time, (Wall, Range, Repeat)):
             return False
         several = self._is_several(place, declined=declined)
+        # "Cancel whatever I've got on the third"
+        several = several or self.nodes[self.verb + 1].lower in self.lexicon.closed.free_relatives
         if said.constraint in BOUNDS:
             return several and said.preposition in {"after", "before", FROM, SINCE}
         if said.preposition not in OF_THINGS or not (declined or several or said.preposition == FOR):
