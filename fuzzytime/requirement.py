@@ -124,7 +124,9 @@ class Anchor:
     or from the ``share`` of its length that is over then ("halfway through"). ``lasting`` and
     ``comparisons`` are those of a state that is measured from ("after the oven is above 150 degrees").
     ``assumed`` says that nothing tells of such a state, and that the target is only about the same thing.
-    ``turn`` is which occurrence of a repetition is meant, from 0, and None where that is not said.
+    ``turn`` is which occurrence of a repetition is meant, from 0, and None where that is not said; ``each``
+    are the positions of all instructions that words name, where every occurrence of each is meant ("after
+    each milking", "between milkings").
     """
 
     text: str
@@ -139,6 +141,7 @@ class Anchor:
     comparisons: tuple[Comparison, ...] = ()
     assumed: bool = False
     turn: int | None = None
+    each: tuple[int, ...] = ()
 
 
 class Recurrence(Protocol):

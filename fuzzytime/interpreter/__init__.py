@@ -7,13 +7,14 @@ Understanding (``interpreter``)
     Values: ``request``, ``interpretation``.
     Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``, ``joining``.
     In other words: ``in_full``, ``retold``, ``told_anew``, ``lasting``, ``waits``; none: ``why_nothing``.
-    Repeated beside something else: ``inside``, ``behind``, ``each_turn``, ``passing``, ``turns_in_bounds``.
+    Repeated beside something else: ``inside``, ``behind``, ``each_turn``, ``of_each``, ``passing``,
+    ``turns_in_bounds``.
     Done ``meanwhile``.
     Who, and how far ahead: ``asked``, ``horizon``.
 
 What binds skills
     References: ``references``, ``ties``, ``circles``; what cannot be done during another (``both_hands``).
-    Order: ``in_order`` by ``steps``, ``procedures``, ``loosening``.
+    Order: ``in_order`` by ``steps``, ``procedures``, ``same_things``, ``loosening``.
     Where some skills are left out: ``renumbering``.
 
 Planning (``planner``)

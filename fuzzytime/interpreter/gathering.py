@@ -12,6 +12,7 @@ from fuzzytime.interpreter.inside import GoingOn, going_on
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.meanwhile import beside_what_lasts, going_on_by_itself
+from fuzzytime.interpreter.of_each import OfEach, of_each, said_of_each
 from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
@@ -44,6 +45,7 @@ class Gathering:
     skills: list[Interpreted] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
     ahead: list[tuple[SpokenWish, Instruction]] = field(default_factory=list)
+    waiting: list[tuple[int, SpokenWish, Reading, Instruction]] = field(default_factory=list)
     _seen: Counter[str] = field(default_factory=Counter)
     _taken: set[str] = field(init=False)
     _happening: bool = False
@@ -137,14 +139,32 @@ class Gathering:
         for place in going_on_by_itself(instruction, *given):
             self.skills[place] = self.maker.how_long.by_itself(self.skills[place])
         step = without_now(instruction) if listed and self.rows.begun else instruction
+        if self._is_of_what_comes(step):
+            self.waiting.append((len(self.links.instructions), wish, reading, step))
+            return range(0)
         made = self._make(wish, reading, step)
         if listed:
             self.rows.add(self.skills, made, len(self.links.instructions))
         self._go_there(wish, reading, instruction, len(self.links.instructions))
         return made
 
+    def _is_of_what_comes(self, instruction: Instruction) -> bool:
+        """Whether it is done beside each of what is told only behind it: how often is known then."""
+        said = said_of_each(instruction)
+        here = len(self.links.instructions)
+        anchor = None if said is None else said.anchor
+        late = {place for place, *_ in self.waiting}
+        return anchor is not None and any(one > here or one in late for one in anchor.each)
+
+    def _make_waiting(self) -> None:
+        """Make what is done beside each of what was told behind it; what waits for its like is last."""
+        late = [place for place, *_ in self.waiting]
+        for place, wish, reading, instruction in sorted(self.waiting, key=lambda one: _latest(one[3], late)):
+            self.links.instructions[place] = self._make(wish, reading, instruction)
+
     def finish(self) -> None:
-        """Let all be done by when words said so before anything was asked for."""
+        """Make what waited for others, and let all be done by when words ahead of it said so."""
+        self._make_waiting()
         for wish, instruction in self.ahead:
             if not any(map(_is_asked, self.skills)):
                 what = "says when all must be done, and nothing is asked for"
@@ -157,7 +177,7 @@ class Gathering:
         before = self.links.instructions
         given = instruction, before, self.skills
         inside, behind = going_on(*given), behind_of(*given) or each_turn_of(*given)
-        made = self._skills_of(wish, reading, instruction, inside or behind)
+        made = self._skills_of(wish, reading, instruction, inside or behind, of_each(*given))
         if inside is not None and made:
             self.problems.append(_noted_inside(wish, instruction, inside))
         first = len(self.skills)
@@ -170,6 +190,7 @@ class Gathering:
         reading: Reading,
         instruction: Instruction,
         inside: GoingOn | Behind | EachTurn | None,
+        beside: OfEach | None,
     ) -> list[Interpreted]:
         """Make an instruction's skills; where there is none to make, say why."""
         if is_spoiled(instruction, reading, remarks_of(reading, wish)):
@@ -177,13 +198,13 @@ class Gathering:
         why_none = why_nothing(instruction, reading, self.skills, self.maker.lexicon)
         if why_none is None:
             try:
-                made = self.maker.spoken(wish, reading, instruction, inside)
+                made = self.maker.spoken(wish, reading, instruction, inside, beside)
             except FuzzytimeError as error:
                 self.problems.append(problem_of(wish, ProblemKind.UNREADABLE, str(error), instruction.span))
                 return []
             if made:
                 return made
-            why_none = "does not occur within the horizon"
+            why_none = "does not occur within the horizon" if beside is None else _without_turns(beside)
         self.problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, why_none, instruction.span))
         return []
 
@@ -290,3 +311,15 @@ def _noted_inside(wish: SpokenWish, instruction: Instruction, inside: GoingOn) -
     what = "is the end of this" if closing else "is as long as this goes on"
     message = f"{said.text!r} {what}: {inside.name}"
     return problem_of(wish, ProblemKind.NOTE, message, said.span, wish.identifier)
+
+
+def _latest(instruction: Instruction, late: Sequence[int]) -> int:
+    """Give how far on that stands which is made late and which an instruction is done beside."""
+    said = said_of_each(instruction)
+    anchor = None if said is None else said.anchor
+    return max((place for place in (() if anchor is None else anchor.each) if place in late), default=-1)
+
+
+def _without_turns(beside: OfEach) -> str:
+    """Say that what is done beside each of several has too few of them to be done at all."""
+    return f"{beside.said.text!r}: too few of these are planned"

@@ -12,6 +12,7 @@ from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both, either, is_day_of_another, with_alternatives
 from fuzzytime.interpreter.lasting import with_lasting
+from fuzzytime.interpreter.of_each import OfEach
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.retold import from_to, going_to, occurrence, until_then, waiting_until
 from fuzzytime.interpreter.waits import with_waits
@@ -61,11 +62,13 @@ class Maker:
         reading: Reading,
         instruction: Instruction,
         inside: GoingOn | Behind | EachTurn | None = None,
+        beside: OfEach | None = None,
     ) -> list[Interpreted]:
         """Make an instruction's skill, or one for each occurrence of a repetition within the horizon.
 
         Where it is repeated ``inside`` something that goes on, or behind something, each counts from that,
-        or from its turn of something else that is repeated.
+        or from its turn of something else that is repeated. Where it is done once ``beside`` each of several,
+        each counts from one of these.
 
         Raises
         ------
@@ -76,6 +79,12 @@ class Maker:
         told = (p for p in instruction.requirements if p.constraint is not Constraint.FOR)
         said = [with_waits(part, self.rulebook, self.request) for part in told]
         once = tuple(part for part in said if part.constraint is not Constraint.EVERY)
+        if beside is not None:
+            rest = tuple(part for part in said if part.anchor != beside.said.anchor)
+            return [
+                self._interpreted(wish, reading, instruction, (*time, *rest))
+                for time in islice(beside.times(), MAX_OCCURRENCES)
+            ]
         repeated = next((part for part in said if part.recurrence is not None), None)
         if repeated is None or repeated.recurrence is None:
             return [self._interpreted(wish, reading, instruction, once)]

@@ -124,9 +124,14 @@ class Tie:
         return Precedence(target, this, x.low + offset, x.high + offset, wished)
 
     def _wished(self) -> float | None:
-        """Give the x that is wished for, None where only its sign is."""
+        """Give the x that is wished for, None where only its sign is.
+
+        What is done beside each of several ("before every feed") is done near that one.
+        """
         if not self.anchor.exact:
-            return None
+            x = self.allowed()
+            ends = {Constraint.BEFORE: x.high, Constraint.AFTER: x.low}
+            return ends.get(self.requirement.constraint) if self.anchor.each else None
         beside, x = self.beside, self.allowed()
         off = 0.0 if beside is None else min(0.0, beside.best.high) + max(0.0, beside.best.low)
         return min(max(x.low, self.lag + off), x.high)

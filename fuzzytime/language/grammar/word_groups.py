@@ -27,6 +27,7 @@ class ClosedClasses:
     of_units: Words
     distributives: Words
     each_of_several: Words
+    marking_turns: Words
     universal_determiners: Words
     general_ordinals: Words
     indefinite_determiners: Words

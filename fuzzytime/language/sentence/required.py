@@ -22,6 +22,7 @@ from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.at_events import at_events
 from fuzzytime.language.sentence.sketches.clause_requirements import of_clause, referred
+from fuzzytime.language.sentence.sketches.in_turns import in_turns
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Anchor, TimeRequirement
 
@@ -49,9 +50,12 @@ def required_of(
         if one_is_enough(clause, anchors, draft.text) and (required.anchor is not None or not clause.further):
             # Of what must be so, readings tell either: "when the pan is hot or the oven is hot"
             remarks.append(only_one(clause, draft.text))
-    events, told = at_events(sketch, draft.scanned.words, draft.text, anchors)
-    requirements += events
-    remarks += told
+    for events, told in (
+        at_events(sketch, draft.scanned.words, draft.text, anchors),
+        in_turns(sketch, anchors, draft),
+    ):
+        requirements += events
+        remarks += told
     for required, told in _headed(sketch, anchors, draft):
         requirements.append(required)
         remarks += told

@@ -35,6 +35,16 @@ def best_of(
     return found
 
 
+def all_alike(
+    clause: Clause, candidates: Iterable[tuple[int, Operation | None]], lexicon: Lexicon
+) -> list[int]:
+    """Give the positions of all operations that fit a clause as well as the best of them."""
+    asked = [(place, one) for place, one in candidates if one is not None and not one.negated]
+    worth = {place: _likeness(clause, one, lexicon) for place, one in asked}
+    best = max(worth.values(), default=0.0)
+    return sorted(place for place, found in worth.items() if found == best > 0)
+
+
 def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     """How well an operation fits a clause: 0 where it does not."""
     if clause.is_event:
@@ -48,6 +58,8 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     word = None if clause.condition is None else clause.condition.word
     if operation.attended and clause.verb == operation.lemma == BE and word == operation.object:
         # "Half an hour before we're on"
+        return SAME_VERB
+    if _happens_as(clause, operation):
         return SAME_VERB
     if _is_same_verb(clause, operation, lexicon) or _says_when(clause, operation, lexicon):
         return SAME_VERB + shared
@@ -82,6 +94,17 @@ def _is_same_verb(clause: Clause, operation: Operation, lexicon: Lexicon) -> boo
     anyone = not named or named <= closed.anaphors | closed.universal_pronouns or not known
     # "While she is there" names no dinner that is at seven.
     return shared or (anyone and clause.verb != BE)
+
+
+def _happens_as(clause: Clause, operation: Operation) -> bool:
+    """Whether what happens has the name of what a clause says is done: "while she naps", "before opening".
+
+    Who does it, or with what, is said by neither.
+    """
+    if clause.verb is None or content_words(clause.object) or not operation.stated:
+        return False
+    named = {clause.verb, *nouns_of(clause.verb)}
+    return not named.isdisjoint(content_words(operation.object))
 
 
 def _says_when(clause: Clause, operation: Operation, lexicon: Lexicon) -> bool:

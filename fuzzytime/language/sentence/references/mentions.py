@@ -12,7 +12,7 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.told import Told
 from fuzzytime.language.sentence.trees.content_words import content_words, stems
-from fuzzytime.language.sentence.trees.named import is_several, may_be_it, names_person
+from fuzzytime.language.sentence.trees.named import is_event, is_several, may_be_it, names_person
 
 BE = "be"
 
@@ -63,6 +63,7 @@ class Mentions:
     _bare: dict[str, list[int]] = field(default_factory=dict)
     _by_way: dict[str, list[int]] = field(default_factory=dict)
     _things: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
+    _goods: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
     _people: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
 
     def add(self, operation: Operation | None) -> None:
@@ -75,7 +76,10 @@ class Mentions:
         if named is not None and names_person(named, self.lexicon):
             self._people[is_several(named, self.lexicon)].append(position)
         if may_be_it(operation, self.lexicon):
-            self._things[is_several(operation.object or "", self.lexicon)].append(position)
+            several = is_several(operation.object or "", self.lexicon)
+            self._things[several].append(position)
+            if not is_event(operation, self.lexicon):
+                self._goods[several].append(position)
         if operation.negated:
             return
         words = content_words(operation.object)
@@ -90,9 +94,13 @@ class Mentions:
         if not words | content_words(operation.place):
             self._bare.setdefault(operation.lemma, []).append(position)
 
-    def thing(self, before: int, *, several: bool, strictly: bool = False) -> str | None:
-        """Give the latest object that "it" or "them" may be, of either number unless ``strictly``."""
-        one, many = (positions[: bisect_left(positions, before)][-1:] for positions in self._things)
+    def thing(self, before: int, *, several: bool, strictly: bool = False, goods: bool = False) -> str | None:
+        """Give the latest object that "it" or "them" may be, of either number unless ``strictly``.
+
+        Where ``goods`` are meant, "handover at noon" is what something is done before, and no object of it.
+        """
+        things = self._goods if goods else self._things
+        one, many = (positions[: bisect_left(positions, before)][-1:] for positions in things)
         found = (many if several else one) or ([] if strictly else sorted(one + many)[-1:])
         operation = self.operations[found[0]] if found else None
         return None if operation is None else operation.object
@@ -148,16 +156,23 @@ class Mentions:
                 return position
         return None
 
-    def named_by(self, clause: Clause, stretch: range, *, backwards: bool) -> Iterator[int]:
-        """Give the positions in a stretch that a clause may be about, the nearest end first."""
+    def named_by(
+        self, clause: Clause, stretch: range, *, backwards: bool, every: bool = False
+    ) -> Iterator[int]:
+        """Give the positions in a stretch that a clause may be about, the nearest end first.
+
+        Of those that only the verb names, the nearest is as good as any, unless ``every`` one is looked for.
+        """
         closed = self.lexicon.closed
         named, words = names_of(clause)
-        # Of operations that only the verb names, the nearest is as good as any.
         single = [self._bare.get(clause.verb or "", [])]
         single += [self._by_verb.get(noun, []) for noun in words]
+        if clause.verb is not None and not named - closed.anaphors:
+            # "While she naps": what happens may have that name.
+            words |= frozenset(nouns_of(clause.verb))
         if not named or named <= closed.anaphors | closed.universal_pronouns:
             single.append(self._by_verb.get(clause.verb or "", []))
-        end = slice(-1, None) if backwards else slice(1)
+        end = slice(None) if every else slice(-1, None) if backwards else slice(1)
         runs = [_within(run, stretch)[end] for run in single]
         if clause.where is not None:
             # "Before they go in the oven", "after it comes out"
