@@ -109,6 +109,9 @@ class Rows:
         if opened is None or any(len(places) != 1 for _, places in made[opened:]):
             return
         first, *inside, last = (Step(places[0], skills[places[0]]) for _, places in made[opened:])
+        if last.ordered and not (first.at_moment and last.at_moment):
+            # "Open the vents at nine, shut them by five"
+            self.precedences.append(first.precedence_until_due(last))
         for step in inside:
             if is_asked(step.interpreted) and step.ordered:
                 pairs = ((first, step), (step, last))

@@ -1,6 +1,7 @@
 """Steps of a list, and what follows what among them."""
 
-from dataclasses import dataclass, field
+import math
+from dataclasses import dataclass, field, replace
 
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.language import shares_thing
@@ -21,10 +22,14 @@ class Step:
 
     @property
     def timed(self) -> bool:
-        """Whether it has a time of its own."""
-        return any(
-            part.constraint in OWN_TIME and not is_anchored(part) for part in self.interpreted.requirements
-        )
+        """Whether it has a time of its own, and not only that of a line above."""
+        return any(_is_own(part) and part.span[0] < part.span[1] for part in self.interpreted.requirements)
+
+    @property
+    def at_moment(self) -> bool:
+        """Whether it is at a moment of its own, and not only by one, or in a stretch."""
+        own = (part for part in self.interpreted.requirements if not is_anchored(part))
+        return any(part.constraint is Constraint.AT for part in own)
 
     @property
     def times(self) -> set[tuple[float | None, float | None]]:
@@ -34,7 +39,8 @@ class Step:
 
     def is_apart(self, other: "Step") -> bool:
         """Whether its time and that of another say which comes first: the same time for both does not."""
-        return self.timed and other.timed and self.times != other.times
+        said = (any(map(_is_own, one.interpreted.requirements)) for one in (self, other))
+        return all(said) and self.times != other.times
 
     @property
     def ordered(self) -> bool:
@@ -59,6 +65,15 @@ class Step:
         skill = self.interpreted.skill
         waits = skill.time_until_done - skill.duration if self._leaves(following) else 0.0
         return Precedence(self.position, following.position, -waits)
+
+    def precedence_until_due(self, following: "Step") -> Precedence:
+        """Let another follow as late as it is due, where this has a time: what is opened stays open."""
+        order, begin = self.precedence(following), self.interpreted.skill.named
+        latest = following.interpreted.skill.satisfaction.best.high
+        if not begin or not math.isfinite(latest):
+            return order
+        lag = latest - min(begin) - self.interpreted.skill.time_until_done
+        return replace(order, wished_lag=lag) if lag >= order.minimum_lag else order
 
     def _leaves(self, following: "Step") -> bool:
         needed = self.interpreted.duration.needed_for
@@ -93,6 +108,11 @@ class Row:
         if step.interpreted.duration.needed_for:
             self.needed.append(step)
         self.last = [*left, step]
+
+
+def _is_own(part: TimeRequirement) -> bool:
+    """Whether it says when something is, and counts from nothing else."""
+    return part.constraint in OWN_TIME and not is_anchored(part)
 
 
 def is_anchored(part: TimeRequirement) -> bool:

@@ -65,6 +65,8 @@ class Row:
         The model itself, where the row states its own breakpoints.
     begun
         The model for an interval that has begun.
+    dated
+        The model for a deadline on a day that is said, which begins with that day: "on sunday by six".
     t, w
         In seconds, where the words fix them.
     reference
@@ -80,6 +82,7 @@ class Row:
     model: str
     own: Model | None = None
     begun: str | None = None
+    dated: str | None = None
     t: float | None = None
     w: float | None = None
     reference: Reference | None = None

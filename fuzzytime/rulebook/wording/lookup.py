@@ -36,8 +36,13 @@ def find(requirement: TimeRequirement, tables: Tables, verb: str | None = None) 
     There is always one, as every constraint has a row of its own.
     """
     texts = described(requirement, verb)
+    due = (
+        described(replace(requirement, constraint=Constraint.BEFORE), verb)
+        if _is_dated(requirement, tables)
+        else None
+    )
     for entry in tables.entries:
-        if entry.match(texts):
+        if entry.match(texts) or (due is not None and entry.row.dated is not None and entry.match(due)):
             hedges = () if "hedge" in entry.match.keys else requirement.fuzziness
             return _found(entry.row, requirement, tables, hedges)
     worded = _word_row(requirement, tables)
@@ -55,6 +60,13 @@ def find(requirement: TimeRequirement, tables: Tables, verb: str | None = None) 
         words = requirement.word or requirement.text
         return replace(found, notes=(f"no row for {words!r}: taken as at any time",))
     return found
+
+
+def _is_dated(requirement: TimeRequirement, tables: Tables) -> bool:
+    """Whether it is a deadline on a day that is said, where that begins: "on sunday by six"."""
+    row = tables.prepositions.get(requirement.preposition or "")
+    due = row is not None and _model(row, tables).constraint is Constraint.BEFORE
+    return due and requirement.constraint is Constraint.BETWEEN and _interval(requirement) is not None
 
 
 def _word_row(requirement: TimeRequirement, tables: Tables) -> tuple[Row, tuple[str, ...]] | None:
@@ -117,7 +129,9 @@ def _model(row: Row, tables: Tables) -> Model:
 def _found(row: Row, requirement: TimeRequirement, tables: Tables, hedges: tuple[str, ...]) -> Found:
     interval = _interval(requirement)
     model = _model(row, tables)
-    if interval is not None and interval[0] <= 0 < interval[1] and row.begun is not None:
+    if row.dated is not None and requirement.constraint is Constraint.BETWEEN:
+        model = tables.models[row.dated]
+    elif interval is not None and interval[0] <= 0 < interval[1] and row.begun is not None:
         model = tables.models[row.begun]
         interval = (0.0, interval[1])
     elif requirement.constraint is Constraint.AT:

@@ -11,7 +11,7 @@ from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.distances import HALFWAY
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_sides import FIRST, side_of
-from fuzzytime.language.sentence.references.likeness import all_alike, best_of
+from fuzzytime.language.sentence.references.likeness import best_of
 from fuzzytime.language.sentence.references.mentions import (
     BE,
     Mentions,
@@ -99,31 +99,6 @@ class Anchors:
         if target is not None or not self.awaits:
             return target
         return best_of(clause, self._coming(clause), self.lexicon)
-
-    def all_targets(self, clause: Clause) -> tuple[int, ...]:
-        """Give the positions of all instructions that the name of an event means: "after each dive"."""
-        here = ((self.first + place, operation) for place, operation in enumerate(self.own))
-        beside = ((place, operation) for place, operation in here if place != self.position)
-        named = self.mentions.named_by
-        last = len(self.mentions.operations) if self.awaits else self.first
-        places = chain(
-            named(clause, range(self.first), backwards=False, every=True),
-            named(clause, range(self.first + len(self.own), last), backwards=False, every=True),
-        )
-        others = ((place, self.mentions.operations[place]) for place in places)
-        alike = all_alike(clause, chain(beside, others), self.lexicon)
-        return tuple([place for place in alike if not self._is_in_turns(place)] or alike)
-
-    def _is_in_turns(self, place: int) -> bool:
-        """Whether an instruction is itself done with each of several, or between them."""
-        operation, closed = self.operation_at(place), self.lexicon.closed
-        said = "" if operation is None else f"{operation.object or ''} {operation.place or ''}"
-        return not closed.marking_turns.isdisjoint(said.lower().split())
-
-    def names_each(self, clause: Clause) -> bool:
-        """Whether a clause names an event each time that it is: "before every take"."""
-        first = (clause.object or "").lower().split()[:1]
-        return clause.is_event and not self.lexicon.closed.distributives.isdisjoint(first)
 
     def _is_done_soon(self, clause: Clause) -> bool:
         """Whether a distance counts back from the end of what goes on: "five minutes before it is ready"."""
@@ -238,7 +213,6 @@ class Anchors:
             or clause.beside is not None
             or (distance is not None and clause.kind != "within" and clause.side is None),
             share=0.5 if clause.kind == HALFWAY else None,
-            each=self.all_targets(clause) if target is not None and self.names_each(clause) else (),
         )
         return TimeRequirement(
             text=text,

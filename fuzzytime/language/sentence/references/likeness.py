@@ -59,6 +59,8 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     if operation.attended and clause.verb == operation.lemma == BE and word == operation.object:
         # "Half an hour before we're on"
         return SAME_VERB
+    if _happens_as(clause, operation):
+        return SAME_VERB
     if _is_same_verb(clause, operation, lexicon) or _says_when(clause, operation, lexicon):
         return SAME_VERB + shared
     return _likeness_of_result(clause, operation, lexicon)
@@ -92,6 +94,17 @@ def _is_same_verb(clause: Clause, operation: Operation, lexicon: Lexicon) -> boo
     anyone = not named or named <= closed.anaphors | closed.universal_pronouns or not known
     # "While she is there" names no dinner that is at seven.
     return shared or (anyone and clause.verb != BE)
+
+
+def _happens_as(clause: Clause, operation: Operation) -> bool:
+    """Whether what happens has the name of what a clause says is done: "while she naps", "before opening".
+
+    Who does it, or with what, is said by neither.
+    """
+    if clause.verb is None or content_words(clause.object) or not operation.stated:
+        return False
+    named = {clause.verb, *nouns_of(clause.verb)}
+    return not named.isdisjoint(content_words(operation.object))
 
 
 def _says_when(clause: Clause, operation: Operation, lexicon: Lexicon) -> bool:

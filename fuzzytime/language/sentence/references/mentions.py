@@ -167,6 +167,9 @@ class Mentions:
         named, words = names_of(clause)
         single = [self._bare.get(clause.verb or "", [])]
         single += [self._by_verb.get(noun, []) for noun in words]
+        if clause.verb is not None and not named - closed.anaphors:
+            # "While she naps": what happens may have that name.
+            words |= frozenset(nouns_of(clause.verb))
         if not named or named <= closed.anaphors | closed.universal_pronouns:
             single.append(self._by_verb.get(clause.verb or "", []))
         end = slice(None) if every else slice(-1, None) if backwards else slice(1)

@@ -8,6 +8,8 @@ from fuzzytime.language.instruction import Operation, Remark, RemarkKind
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.comparisons import comparisons_in
 from fuzzytime.language.sentence.references.anchors import Anchors
+from fuzzytime.language.sentence.references.every_one import every_one, names_each
+from fuzzytime.language.sentence.references.left_inside import edge_inside, left_inside
 from fuzzytime.language.sentence.references.meals import meal_of
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.at_events import untold
@@ -45,6 +47,8 @@ def of_clause(
         target = anchors.target_of(replace(clause, condition=named))
     target = meal_of(clause, anchors) if target is None else target
     target = _begun(clause, anchors, sketch) if target is None else target
+    if target is None and (target := left_inside(clause, anchors)) is not None:
+        clause = replace(clause, edge=edge_inside(clause, anchors))
     if target is None and said is not None and clause.kind in STATING:
         condition = replace(said, text=text, comparisons=numbers)
         required = _of_condition(clause, condition, anchors, sketch)
@@ -63,6 +67,10 @@ def of_clause(
     requirement = anchors.of_clause(counted, text, what, target)
     if clause.reference is Reference.FINISH and target is not None:
         requirement = _ending(requirement, clause, anchors)
+    if target is not None and requirement.anchor is not None and names_each(clause, anchors):
+        requirement = replace(
+            requirement, anchor=replace(requirement.anchor, each=every_one(clause, anchors))
+        )
     if target is None and requirement.anchor is not None:
         requirement = replace(requirement, anchor=replace(requirement.anchor, comparisons=numbers))
     return referred(requirement, sketch.reference), remarks

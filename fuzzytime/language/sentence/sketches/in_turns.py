@@ -11,6 +11,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors
+from fuzzytime.language.sentence.references.every_one import every_one
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
@@ -68,7 +69,7 @@ def _several(words: list[Word], anchors: Anchors) -> list[Word]:
 
 def _turns(name: str, anchors: Anchors) -> tuple[int, ...]:
     """Give the instructions that a noun means, where they are several or one is repeated."""
-    targets = anchors.all_targets(Clause(BETWEEN, BETWEEN, (0, 0), (0, 0), object=name, is_event=True))
+    targets = every_one(Clause(BETWEEN, BETWEEN, (0, 0), (0, 0), object=name, is_event=True), anchors)
     again = any(anchors.told.is_repeated(target) for target in targets if target < anchors.position)
     return targets if len(targets) >= SEVERAL or again else ()
 

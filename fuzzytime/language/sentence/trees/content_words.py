@@ -23,6 +23,11 @@ def content_words(text: str | None) -> frozenset[str]:
 
 def _named_in(text: str) -> Iterator[str]:
     words = words_of(text)
+    for place in range(len(words) - 2):
+        pair, mark = (words[place], words[place + 2]), words[place + 1]
+        if mark.text == ":" and mark.glued and pair[1].glued and all(word.is_digits for word in pair):
+            # What is named by two numbers, as the 1:1 is.
+            yield f"{pair[0].text}:{pair[1].text}"
     for word, following in zip_longest(words, words[1:]):
         if word.is_letters and following is not None and following.glued and following.is_digits:
             yield word.text + following.text

@@ -13,7 +13,7 @@ from fuzzytime.rulebook.tables.sections.widths import LONGEST, MAX_FACTOR, read_
 from fuzzytime.rulebook.tables.vocabulary import CLAUSE_MODELS
 from fuzzytime.yaml_nodes import Node, Sequence
 
-_ROW = ("model", *FORMS, "begun", "t", "w", "reference", "hedge", "core", "fade")
+_ROW = ("model", *FORMS, "begun", "dated", "t", "w", "reference", "hedge", "core", "fade")
 _TIMES = (("t", -LONGEST), ("w", 1e-3), ("core", 0.0), ("fade", 0.0))
 """Times that a row may fix, with the least value of each."""
 
@@ -72,9 +72,11 @@ def _row(
     elif given is not None:
         form = read_form(scope, found[given], key, given)
         own = Model(name, form, source) if form is not None else None
-    begun = (
-        scope.reader.choice(found["begun"], f"{key}.begun", scope.names.models) if "begun" in found else ""
-    )
+    others = {
+        part: scope.reader.choice(found[part], f"{key}.{part}", scope.names.models)
+        for part in ("begun", "dated")
+        if part in found
+    }
     times = {
         part: scope.reader.duration(found[part], f"{key}.{part}", low, LONGEST)
         for part, low in _TIMES
@@ -93,7 +95,8 @@ def _row(
         source=source,
         model=model,
         own=own,
-        begun=begun or None,
+        begun=others.get("begun") or None,
+        dated=others.get("dated") or None,
         reference=Reference(moment) if moment else None,
         hedges=hedges,
         **times,
