@@ -337,3 +337,11 @@ def test_a_delivery_is_unpacked() -> None:
     talk.say("count the till at nine thirty")
     talk.say("delivery at ten am")
     assert "unpack delivery" in talk.say("unpack it straight after")
+
+
+@pytest.mark.parametrize("line", ["list", "status", "help me"])
+def test_commands_need_no_colon_where_they_are_no_wishes(line: str) -> None:
+    talk = Talk()
+    talk.say("call Ann at noon")
+    assert "call Ann" in talk.say(line) or line == "help me"
+    assert talk.entries == ["call Ann at noon"]
