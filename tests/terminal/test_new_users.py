@@ -337,3 +337,20 @@ def test_a_delivery_is_unpacked() -> None:
     talk.say("count the till at nine thirty")
     talk.say("delivery at ten am")
     assert "unpack delivery" in talk.say("unpack it straight after")
+
+
+@pytest.mark.parametrize("line", ["list", "status", "help me"])
+def test_commands_need_no_colon_where_they_are_no_wishes(line: str) -> None:
+    talk = Talk()
+    talk.say("call Ann at noon")
+    assert "call Ann" in talk.say(line) or line == "help me"
+    assert talk.entries == ["call Ann at noon"]
+
+
+def test_undo_behind_done_plans_anew_and_loses_nothing() -> None:
+    talk = Talk()
+    talk.say("boil the rice for 20 minutes")
+    talk.wait(minutes=1)
+    assert "done: boil the rice" in talk.say("done")
+    assert "taken as :edit 1 boil the rice" in talk.say("undo")
+    assert talk.start("s2") == talk.now

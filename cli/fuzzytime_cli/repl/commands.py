@@ -144,9 +144,12 @@ TRIED = tuple(
 )
 """What may be asked about beforehand: commands that change what is asked for, or what is so."""
 
-BARE = dict.fromkeys(
-    ("help", "", "commands", "what can you do", "what can i say", "how does this work"), ":help"
-) | dict.fromkeys(("quit", "exit", "q"), ":quit")
+BARE = {
+    **dict.fromkeys(("help", "help me", "", "menu", "commands", "what can you do"), ":help"),
+    **dict.fromkeys(("what can i say", "how does this work"), ":help"),
+    **dict.fromkeys(("list", "ls", "list all", "show list", "status"), ":list"),
+    **dict.fromkeys(("quit", "exit", "q"), ":quit"),
+}
 """Words that people type to a prompt, perhaps with a question mark, and mean as commands."""
 
 

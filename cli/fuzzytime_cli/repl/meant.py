@@ -37,7 +37,7 @@ def command_meant(scene: Scene, about: About) -> str | None:
                 raise FuzzytimeError("nothing was changed: it stays as it is")
             return None
         case AboutKind.UNDO | AboutKind.REDO:
-            return f":{about.kind.value}"
+            return _undone_report(scene, about) or f":{about.kind.value}"
         case AboutKind.DROP if about.corrects and scene.taken is not None:
             # "Scratch that", of what was changed
             return ":undo"
@@ -56,6 +56,16 @@ def command_meant(scene: Scene, about: About) -> str | None:
         case AboutKind.UNSTARTED:
             return _unstarted(scene, about)
     return _changing(scene, about)
+
+
+def _undone_report(scene: Scene, about: About) -> str | None:
+    """Give the command that plans anew what was told to be done just before; None where that was not."""
+    if about.kind is not AboutKind.UNDO or scene.taken is None or scene.taken.kind is not AboutKind.DONE:
+        return None
+    known = {entry.number for entry in scene.conversation.state.entries}
+    if scene.focus not in known:
+        return None
+    return _unstarted(scene, replace(about, kind=AboutKind.UNSTARTED, names=frozenset({f"s{scene.focus}"})))
 
 
 def _changing(scene: Scene, about: About) -> str | None:

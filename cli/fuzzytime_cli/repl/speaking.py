@@ -186,7 +186,7 @@ def _run(scene: Scene, about: About, line: str) -> Reply:
     reply = command.run(scene, rest)
     if not (reply.changed or scene.tried is not None):
         return replace(reply, focus=focus)
-    if kind in {AboutKind.UNDO, AboutKind.REDO} or line == ":undo":
+    if line in {":undo", ":redo"}:
         return reply
     back = "" if kind in HISTORY and not line.startswith(":busy") else "; :undo takes it back"
     head = Text(plain(f"taken as {line}{f' ({dropped})' if dropped else ''}{back}"))
