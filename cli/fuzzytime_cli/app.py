@@ -101,7 +101,7 @@ def _called(arguments: list[str]) -> int:
     except TyperException as error:
         from fuzzytime_cli.usage import usage_line
 
-        report(usage_line(error))
+        report(usage_line(error, arguments))
         return error.exit_code
     return code or Exit.FINE
 

@@ -4,6 +4,8 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Self
 
+from fuzzytime_cli.faults import UsageError
+
 
 class ProfileChoice(StrEnum):
     """A profile of widths."""
@@ -30,6 +32,13 @@ class SolverChoice(StrEnum):
     GENETIC = "genetic"
 
 
+UNWRITTEN = frozenset(
+    {"pdf", "png", "jpg", "jpeg", "gif", "webp", "eps", "ps", "xls", "xlsx", "ods", "doc", "docx", "odt"}
+    | {"xml", "tsv", "yaml", "yml", "toml", "htm", "zip"}
+)
+"""Endings of documents that a plan is not written as."""
+
+
 class PlanFormat(StrEnum):
     """What a plan is written as."""
 
@@ -43,8 +52,17 @@ class PlanFormat(StrEnum):
 
     @classmethod
     def of_file(cls, path: Path | None) -> Self | None:
-        """Give the format that a file's name ends in, if it does."""
+        """Give the format that a file's name ends in, if it does.
+
+        Raises
+        ------
+        UsageError
+            If it ends as a document of another kind does, which a table would not be.
+        """
         ending = path.suffix.lower().removeprefix(".") if path is not None else ""
+        if ending in UNWRITTEN:
+            known = ", ".join(f".{kind}" for kind in cls if kind is not cls.TABLE)
+            raise UsageError(f"-o: a plan is not written as .{ending}, but as {known}, or else as a table")
         return next((kind for kind in cls if kind == ending), None)
 
 

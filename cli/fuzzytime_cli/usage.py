@@ -1,6 +1,9 @@
 """A command line that breaks a rule, told in a line as every other mistake is, with where to look."""
 
 import re
+import shlex
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import typer
@@ -29,8 +32,12 @@ PLAINER = (
 )
 """Words of the libraries that read the command line, and what people would say."""
 
+EXTRA = re.compile(r"^Got unexpected extra argument")
+UNKNOWN = re.compile(r"^No such command (?!.*Did you mean)", re.DOTALL)
+"""What the libraries say of more than a command takes, and of none."""
 
-def usage_line(error: TyperException) -> str:
+
+def usage_line(error: TyperException, arguments: Sequence[str] = ()) -> str:
     """Say what is wrong with a command line, and which help tells more; what is no mistake gets that help."""
     if error.message.startswith("Usage:"):
         return error.message
@@ -49,8 +56,30 @@ def usage_line(error: TyperException) -> str:
     message = _plainer(error.message or error.format_message())
     if close:
         message += f" (did you mean {' or '.join(map(repr, close))}?)"
-    advised = " (did you mean " in message or "; if these are" in message
+    message += _advice(error.message or "", context, arguments)
+    advised = " (did you mean " in message or "; " in message
     return f"fuzzytime: {message}{'' if advised else where}"
+
+
+def _advice(message: str, context: Any, arguments: Sequence[str]) -> str:  # noqa: ANN401 - as below
+    """Say what helps who types words without quotes, or several files; nothing where that is not so."""
+    if context is None:
+        return ""
+    bare = len(arguments) > 1 and not any(one.startswith("-") for one in arguments)
+    if UNKNOWN.search(message) and bare:
+        # "fuzzytime boil the eggs"
+        words = shlex.quote(" ".join(arguments))
+        return f"; if these are the words themselves, say: fuzzytime plan -i {words}"
+    if not EXTRA.search(message):
+        return ""
+    if "text" in context.params:
+        return f"; words stand in quotes: {context.command_path} '…'"
+    if context.params.get("instruction"):
+        return "; words stand in quotes: -i '…'"
+    file = context.params.get("file")
+    if file and (Path(file).suffix or Path(file).exists()):
+        return "; of several files, see: fuzzytime batch"
+    return "; if these are the words themselves, say: -i '…'" if file else ""
 
 
 def _plainer(message: str) -> str:

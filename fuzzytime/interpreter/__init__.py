@@ -15,7 +15,7 @@ Understanding (``interpreter``)
 
 What binds skills
     References: ``references``, ``ties``, ``circles``; what cannot be done during another (``both_hands``).
-    Order: ``in_order`` by ``steps``, ``procedures``, ``loosening``.
+    Order: ``in_order`` by ``steps``, ``procedures``, ``same_things``, ``loosening``.
     Where some skills are left out: ``renumbering``.
 
 Planning (``planner``)

@@ -19,6 +19,7 @@ from fuzzytime.interpreter.references import Links, link
 from fuzzytime.interpreter.remarks import notes_of, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, Request, SpokenWish
 from fuzzytime.interpreter.retold import behind_ends
+from fuzzytime.interpreter.same_things import of_things
 from fuzzytime.interpreter.told_anew import as_they_happened
 from fuzzytime.interpreter.turns_in_bounds import turns_out_of_bounds, without
 from fuzzytime.language import Language, Reading, check_length, with_words
@@ -134,7 +135,8 @@ class Interpreter:
         skills, passing = in_passing(skills, self.rulebook, request.agents, gathered.links)
         problems += (*called, *passing)
         skills, precedences, unresolved = link(skills, gathered.links, self.rulebook, request.now)
-        order = free_of_circles((*gathered.rows.kept(), *of_places(skills)), precedences)
+        order = (*gathered.rows.kept(), *of_places(skills), *of_things(skills))
+        order = free_of_circles(order, precedences)
         out = turns_out_of_bounds(skills, precedences)
         dropped = {skills[place].identifier for place in out}
         problems += (one for one in unresolved if one.identifier not in dropped)

@@ -2,6 +2,7 @@
 
 from fuzzytime.language.about_wishes import (
     AT_FIRST,
+    AT_LAST,
     AT_ONCE,
     About,
     AboutKind,
@@ -17,14 +18,18 @@ from fuzzytime.language.about_wishes import (
     clauses_of,
     continued,
     continuing,
+    in_its_place,
     is_person,
     is_thing,
     may_be_thing,
     merged_time,
+    names_thing,
     news_in,
     reported,
     restated,
     reworded,
+    said_apart,
+    with_names,
     without_article,
 )
 from fuzzytime.language.answer import NAMED, answer
@@ -55,6 +60,7 @@ from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 
 __all__ = [
     "AT_FIRST",
+    "AT_LAST",
     "AT_ONCE",
     "HALF_OF_DAY_ADVICE",
     "NAMED",
@@ -93,6 +99,7 @@ __all__ = [
     "continued",
     "continuing",
     "find_times",
+    "in_its_place",
     "installed_model",
     "is_person",
     "is_several",
@@ -101,16 +108,19 @@ __all__ = [
     "may_be_thing",
     "merged_time",
     "model_files",
+    "names_thing",
     "news_in",
     "nouns_of",
     "read_lexicon",
     "reported",
     "restated",
     "reworded",
+    "said_apart",
     "shares_thing",
     "shipped_lexicon",
     "undoes",
     "verb_forms",
+    "with_names",
     "with_words",
     "without_article",
 ]

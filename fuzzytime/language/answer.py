@@ -1,6 +1,6 @@
 """A reading as plain JSON values: what ``fuzzytime parse --jsonl`` prints for other programs."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from fuzzytime.language.instruction import Instruction, Operation, Reading
@@ -17,9 +17,9 @@ NEXT = 3
 def answer(reading: Reading) -> dict[str, Any]:
     """Give a reading as the object of one JSON line.
 
-    The keys of one instruction are always there. With several, ``operations`` lists each one's operation,
-    and each requirement has the ``instruction`` that it belongs to. ``remarks`` and ``questions`` hold what
-    needs saying.
+    The keys of one instruction are always there. With several, ``operation`` is the first that is to be done,
+    or that happens where nothing is; ``operations`` lists each one's operation, and each requirement has the
+    ``instruction`` that it belongs to. ``remarks`` and ``questions`` hold what needs saying.
 
     Requirements whose ``reference`` is "named" say when something that is named is ("cancel my alarm for
     six"), and not when to do anything: they stand behind those that bind.
@@ -36,7 +36,7 @@ def answer(reading: Reading) -> dict[str, Any]:
     found: dict[str, Any] = {
         "text": reading.text,
         "now": reading.now.isoformat() if reading.now is not None else None,
-        "operation": next((operation for operation in operations if operation is not None), None),
+        "operation": _foremost(instruction.operation for instruction in instructions),
         "requirements": [
             {**told, **({"instruction": index} if several else {})}
             for index, instruction in enumerate(instructions)
@@ -64,6 +64,12 @@ def answer(reading: Reading) -> dict[str, Any]:
             for question in reading.questions
         ]
     return found
+
+
+def _foremost(operations: Iterable[Operation | None]) -> dict[str, Any] | None:
+    """Give the first operation that is to be done, or that happens: "the bus leaves at six, call a taxi"."""
+    named = [operation for operation in operations if operation is not None]
+    return _operation(min(named, key=lambda operation: operation.stated, default=None))
 
 
 def _operation(operation: Operation | None) -> dict[str, Any] | None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 
-from fuzzytime.context import Context, Signal
+from fuzzytime.context import Context, Reading, Signal
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.requirement import Anchor, Condition, Reference, TimeRequirement
 from fuzzytime.rulebook.resolving.answer import answer
@@ -20,6 +20,7 @@ from fuzzytime.rulebook.tables.durations import OperationDuration
 from fuzzytime.rulebook.tables.profile import Actor, Profile
 from fuzzytime.rulebook.wording.phrases import event_at_end
 from fuzzytime.rulebook.wording.sentences import can_be_told, condition_of
+from fuzzytime.rulebook.wording.told import reading_told
 from fuzzytime.satisfaction import ALWAYS
 from fuzzytime.times import HOUR
 from fuzzytime.yaml_nodes import Reader
@@ -151,6 +152,10 @@ class Rulebook:
     def tells_of(self, condition: Condition, context: Context) -> bool:
         """Tell whether readings can tell when a condition holds."""
         return can_be_told(condition, self.tables, context)
+
+    def told(self, condition: Condition, context: Context) -> Reading | None:
+        """Give the reading, now, under which a condition holds that somebody tells; None where none does."""
+        return reading_told(condition, self.tables, context)
 
     def untimed(self) -> Resolution:
         """Give ψ of an instruction without time words: satisfied at any time from now on."""

@@ -19,6 +19,17 @@ def test_a_state_waits_for_the_latest_that_is_about_the_same_thing() -> None:
     )
 
 
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["sand the shelf for 20 minutes", "paint the wall once it's dust free"],
+        ["rinse the beakers for 20 minutes", "put away the rack when they are dry"],
+    ],
+)
+def test_it_may_be_what_was_said_before_and_not_what_is_to_be_done(lines: list[str]) -> None:
+    assert starts(told(lines))["s2"] == "07:20"
+
+
 def test_how_long_a_state_takes_counts_from_when_hands_are_free() -> None:
     made = told(["paint the door for 15 minutes", "once the paint is dry, which takes two hours, sand it"])
     assert starts(made)["s2"] == "09:15"

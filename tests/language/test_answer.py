@@ -135,3 +135,10 @@ def test_a_duration_stands_in_seconds_and_among_the_requirements() -> None:
     found = answer(language().read("boil the eggs for eight minutes", now=NOW))
     assert found["duration_s"] == 480.0
     assert [requirement["constraint"] for requirement in found["requirements"]] == ["for"]
+
+
+def test_the_operation_is_what_is_asked_for_before_what_only_happens() -> None:
+    found = answer(language().read("the coach leaves at two, call a cab at one", now=NOW))
+    assert [operation["verb"] for operation in found["operations"]] == ["leaves", "call"]
+    assert found["operation"]["verb"] == "call"
+    assert answer(language().read("the coach leaves at two", now=NOW))["operation"]["verb"] == "leaves"

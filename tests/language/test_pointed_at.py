@@ -310,3 +310,16 @@ def test_times_of_what_is_told_or_named_are_pointed_at(text: str, verb: str, obj
     assert operation is not None
     assert (operation.verb, operation.object, instruction.requirements) == (verb, object_, ())
     assert [text[slice(*remark.span)] for remark in reading.remarks] == [time]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("leave the tray in room twelve at the usual time", "at the usual time"),
+        ("ring the gong at the same old time", "at the same old time"),
+        ("pick the plums on the first dry day", "day"),
+    ],
+)
+def test_a_time_of_which_nothing_tells_when_it_is_is_pointed_at(text: str, said: str) -> None:
+    messages = [remark.message for remark in language().read(text, now=NOW).remarks]
+    assert f"{said!r} looks like a time and was not understood" in messages

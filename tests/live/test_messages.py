@@ -129,3 +129,12 @@ def test_any_object_is_a_message_and_never_comes_before_it_is_there(line: object
 @given(st.binary(max_size=200))
 def test_any_bytes_are_a_message_or_nothing(line: bytes) -> None:
     LISTENER.heard(line, "here:1", 0.0)
+
+
+def test_who_types_words_is_shown_the_line_that_says_them() -> None:
+    told = LISTENER.heard(b"stir the soup soon\n", "<stdin>:1", 0.0)
+    assert isinstance(told, Unreadable)
+    assert told.message.endswith('words are said so: {"say": "stir the soup soon"}')
+    told = LISTENER.heard(b'{"say": }\n', "<stdin>:2", 0.0)
+    assert isinstance(told, Unreadable)
+    assert "words" not in told.message

@@ -7,7 +7,18 @@ import numpy as np
 import pytest
 
 from fuzzytime.satisfaction import Rectangle, Trapezoid, Triangle
-from fuzzytime.scheduling import HeldKarp, Labels, Limits, LocalSearch, Milp, Shares, Solver, Status, solve
+from fuzzytime.scheduling import (
+    HeldKarp,
+    Labels,
+    Limits,
+    LocalSearch,
+    Milp,
+    Pauses,
+    Shares,
+    Solver,
+    Status,
+    solve,
+)
 from fuzzytime.scheduling.auto import KICKS
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.checks import FAMILIES, wrong
@@ -149,6 +160,16 @@ def test_a_lag_is_kept_between_agents() -> None:
     schedule = solve(FuzzyTask((eggs, peel), 2, (Precedence(0, 1, 60, 300),)), solver=Milp())
     assert schedule.certificate.status is Status.OPTIMAL
     assert schedule.start_times == pytest.approx((0, 660))
+
+
+@pytest.mark.parametrize("solver", [None, Pauses(), Milp()])
+def test_what_takes_no_time_may_start_with_what_it_must_not_precede(solver: Solver | None) -> None:
+    stir = FuzzySkill("stir the soup", Rectangle(21, 22), 3.0)
+    ring = FuzzySkill("ring the bell", Rectangle(21, 21), 0.0)
+    # Three seconds before the soup is done: when stirring begins.
+    schedule = solve(FuzzyTask((stir, ring), precedences=(Precedence(0, 1, -3.0, -3.0),)), solver=solver)
+    assert schedule.start_times == (21.0, 21.0)
+    assert schedule.certificate.lower_cost == 0.0
 
 
 def test_what_must_end_shortly_before_dinner_is_not_done_in_the_morning() -> None:

@@ -8,6 +8,7 @@ from typing import get_type_hints
 import pytest
 
 from console import ROOT
+from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.options import Solving
 from fuzzytime_cli.settings import KINDS
 from terminal.running import ran
@@ -217,3 +218,24 @@ def test_a_misspelt_variable_of_the_environment_is_refused(tmp_path: Path) -> No
 def test_a_folder_is_no_settings_file(tmp_path: Path) -> None:
     done = ran(*SOUP, folder=tmp_path, FUZZYTIME_CONFIG=str(tmp_path))
     assert (done.code, "must be a file, and it is a folder" in done.err) == (78, True)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("boil", "the", "eggs"), "fuzzytime plan -i 'boil the eggs'"),
+        (("plann", "x"), "did you mean 'plan'"),
+        (("explain", "boil", "the", "eggs"), "words stand in quotes: fuzzytime explain"),
+        (("plan", "boil", "the", "eggs"), "say: -i"),
+        (("plan", "-i", "boil", "the", "eggs"), "words stand in quotes: -i"),
+        (("plan", "one.txt", "two.txt"), "fuzzytime batch"),
+        (("plan", "-i", "boil the eggs", "-o", "plan.pdf"), "not written as .pdf"),
+    ],
+)
+def test_who_types_words_as_they_come_is_told_how(
+    arguments: tuple[str, ...], told: str, tmp_path: Path
+) -> None:
+    done = ran(*arguments, folder=tmp_path)
+    assert done.code == Exit.USAGE
+    assert told in done.err
+    assert not list(tmp_path.iterdir())

@@ -60,7 +60,12 @@ def explain(
         screen.write(*reading_lines(interpreter.language.read(text, now=request.now), screen.width))
         raise typer.Exit(Exit.BAD_DATA)
     for position, others in first_of_each(made, own):
-        screen.write(*explanation_lines(made, position, screen.width, unicode=screen.unicode))
+        again = position != own[0]
+        if again:
+            screen.write("")
+        screen.write(
+            *explanation_lines(made, position, screen.width, unicode=screen.unicode, text_shown=again)
+        )
         if others:
             screen.write("", f"and {others} more occurrences like it")
     if svg is not None:

@@ -63,6 +63,7 @@ def plan(
 
     if file is None and not instruction and is_piped():
         file = STDIN
+    chosen = output_format or PlanFormat.of_file(output) or PlanFormat.TABLE
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()
     request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook.signals)
@@ -70,7 +71,6 @@ def plan(
     with told(f"planning {count:,} instruction{'' if count == 1 else 's'}"):
         made = assembly.plan(request, interpreter)
     report_problems(made, file or "-i")
-    chosen = output_format or PlanFormat.of_file(output) or PlanFormat.TABLE
     write_plan(made, chosen, output, assembly.limits())
     code = exit_of_plan(made, strict=strict)
     if code != Exit.FINE:

@@ -18,11 +18,18 @@ def chart_lines(chart: Chart, width: int, rows: int = 8, *, unicode: bool = True
     columns = max(16, width - _AXIS - 1)
     lines: list[str] = []
     for panel in chart.panels:
-        lines += _panel(panel, chart, columns, rows, unicode=unicode)
+        high = rows if _rises(panel) else 1
+        lines += _panel(panel, chart, columns, high, unicode=unicode)
     lines.append(_axis(chart, columns))
     for mark in chart.marks:
         lines.append(_placed(f"{_time(chart, mark.time)}: {plain(mark.label)}", columns))
     return lines
+
+
+def _rises(panel: Panel) -> bool:
+    """Whether anything in a panel is above its lower edge: what is 0 everywhere needs no room."""
+    edges = (edge for curve in panel.curves for edge in (curve.values, *(curve.band or ())))
+    return any(bool(np.any(np.asarray(edge) > panel.low)) for edge in edges)
 
 
 def _panel(panel: Panel, chart: Chart, columns: int, rows: int, *, unicode: bool) -> list[str]:

@@ -19,15 +19,20 @@ INDENT = "  "
 UNTIMED = "no words about time: any time from now on satisfies"
 
 
-def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = True) -> list[str]:
-    """Explain one skill of a plan, from its words to its start."""
+def explanation_lines(
+    plan: Plan, position: int, width: int, *, unicode: bool = True, text_shown: bool = False
+) -> list[str]:
+    """Explain one skill of a plan, from its words to its start.
+
+    Where ``text_shown``, what holds for the whole text was told with another of its skills.
+    """
     interpreted = plan.skills[position]
     given = interpreted.wish.given
     clock = Clock(given, with_seconds=bool(given.second))
     inner = width - len(INDENT)
-    head = f"{interpreted.identifier}: {plain(interpreted.words or interpreted.skill.name)}"
-    lines = _wrapped([head], width)
-    reading = interpreted.reading
+    named = interpreted.skill.name if text_shown else interpreted.words or interpreted.skill.name
+    lines = _wrapped([f"{interpreted.identifier}: {plain(named)}"], width)
+    reading = None if text_shown else interpreted.reading
     if reading is not None:
         lines += _section("tree", tree_lines(reading, inner))
         lines += _section("the paper's reading", _wrapped([strict_line(reading)], inner))

@@ -11,6 +11,7 @@ moment at which it comes. A line about a time ahead is held until then, so that 
 event that lies ahead and is known now says ``"announced": true``.
 """
 
+import json
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -78,6 +79,17 @@ class Unreadable(Message):
     message: str
 
 
+MOST_SHOWN = 60
+"""Bytes of words that are shown as the line that says them."""
+
+
+def _how_to_say(line: bytes) -> str:
+    """Show how words that somebody types are said as a line; nothing for what was meant as one."""
+    words = line.strip()
+    typed = words[:1].isalpha() and len(words) <= MOST_SHOWN
+    return f"; words are said so: {json.dumps({'say': words.decode(errors='replace')})}" if typed else ""
+
+
 @dataclass(frozen=True, slots=True)
 class Listener:
     """Understands lines, given when the run began and which signals there are."""
@@ -92,7 +104,8 @@ class Listener:
         try:
             return self._understood(parse_fields(line.removeprefix(b"\xef\xbb\xbf")), now)
         except FuzzytimeError as error:
-            return Unreadable(at=now, comes=now, place=place, message=str(error))
+            message = f"{error}{_how_to_say(line)}"
+            return Unreadable(at=now, comes=now, place=place, message=message)
 
     def _understood(self, fields: dict[str, Any], now: float) -> Message:
         kinds: dict[str, Callable[[dict[str, Any], float], Message]] = {

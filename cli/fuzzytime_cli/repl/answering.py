@@ -1,5 +1,6 @@
 """Questions about the plan, answered in a line or two: what comes next, when, for how long."""
 
+from dataclasses import replace
 from datetime import datetime
 
 from rich.text import Text
@@ -46,6 +47,22 @@ def coming(scene: Scene) -> Reply:
     meant = [scene.plan.skills[position].identifier for position in planned]
     meant += [one.identifier for one in running]
     return Reply(tuple(lines), focus=number_of(meant[0])) if lines else said(NOTHING)
+
+
+def on_time(scene: Scene) -> Reply:
+    """Say whether all that is left has its time, and else what has not."""
+    from fuzzytime_cli.formats.reasons import loss_lines
+
+    left = {place for place, _ in waiting(scene)}
+    told = loss_lines(scene.plan)
+    late = [(place, words) for place, words in told if place is not None and place in left]
+    over = _over(scene)
+    if not late:
+        return replace(over, lines=(Text("yes: everything that is planned has its time"), *over.lines))
+    said_of = [f"  {scene.plan.skills[place].identifier} {plain(words)}" for place, words in late[:MOST]]
+    lines = [line for words in said_of for line in wrapped(words, scene.width, 6)]
+    focus = _focus(scene, [place for place, _ in late])
+    return Reply((Text("not all of it:"), *lines, *over.lines), focus=focus)
 
 
 def when(scene: Scene, about: About) -> Reply:
@@ -108,11 +125,12 @@ def beside(scene: Scene, about: About) -> Reply:
     if not named and running is None:
         return _nothing(about.names)
     begin = min((schedule.start_times[place] for place in named), default=0.0)
+    over = max((schedule.skills[place].end for place in named), default=0.0)
     times = {place: schedule.start_times[place] for place in left if place not in named}
     if about.joint == "before":
         found = sorted((p for p, time in times.items() if time < begin), key=lambda p: -times[p])
     else:
-        found = sorted((p for p, time in times.items() if time >= begin), key=lambda p: times[p])
+        found = sorted((p for p, time in times.items() if time >= over), key=lambda p: times[p])
     found = found[:FEW]
     if not found:
         return said(f"nothing is planned {about.joint} {plain(about.thing)}")

@@ -9,6 +9,8 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import (
+    AT_FIRST,
+    AT_LAST,
     About,
     AboutKind,
     Reading,
@@ -20,13 +22,14 @@ from fuzzytime.language import (
     is_person,
     is_thing,
     may_be_thing,
+    names_thing,
     reworded,
 )
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import instant_after
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import changing
-from fuzzytime_cli.repl.naming import entries_meant, entry_of, words_of_entry
+from fuzzytime_cli.repl.naming import entries_meant, entry_of, unknown, words_of_entry
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.session import Entry
 
@@ -51,21 +54,14 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
         If what it leans on is not there, or cannot be said so.
     """
     language = scene.conversation.interpreter.language
-    more = continuing(words, scene.now, language.lexicon)
     last = entry_of(scene, frozenset())
-    if more is not None and last is not None:
-        anew = continued(words, scene.now, last.text, last.given, language)
-        if anew is not None:
-            return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
-        # "And Sam too" is nothing to do at any time.
-        somebody = (
-            not more.time and len(more.thing.split()) <= NAME and is_person(more.thing, language.lexicon)
-        )
-        if more.certain or somebody:
-            raise FuzzytimeError(f"{words!r} leans on {last.text!r}, and is not understood: say it in full")
+    if last is not None and (reply := _going_on(scene, words, last)) is not None:
+        return reply
     ordered = (one.operation for one in reading.instructions)
     orders = any(one is not None and one.is_asked and not is_thing(reading) for one in ordered)
     about = about_things(words, scene.now, language.lexicon)
+    if about is not None and about.time in {AT_FIRST, AT_LAST}:
+        return _placed(scene, about, taken)
     if about is None or (orders and not about.certain):
         return None
     if about.kind is AboutKind.INSTEAD:
@@ -84,8 +80,49 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
         return None
     if about.corrects:
         return _instead(scene, about, taken)
-    anew = continued(f"and {words}", scene.now, last.text, last.given, language)
+    return _continued(f"and {words}", last, scene)
+
+
+def _going_on(scene: Scene, words: str, last: Entry) -> Reply | None:
+    """Take what says that it goes on, such as by "and"; None where nothing does.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it surely does, and is not understood.
+    """
+    lexicon = scene.conversation.interpreter.language.lexicon
+    more = continuing(words, scene.now, lexicon)
+    if more is None:
+        return None
+    if (reply := _continued(words, last, scene)) is not None:
+        return reply
+    # "And Sam too" is nothing to do at any time.
+    somebody = not more.time and len(more.thing.split()) <= NAME and is_person(more.thing, lexicon)
+    if more.certain or somebody:
+        raise FuzzytimeError(f"{words!r} leans on {last.text!r}, and is not understood: say it in full")
+    return None
+
+
+def _continued(words: str, last: Entry, scene: Scene) -> Reply | None:
+    """Take what goes on with the verb that was said last in full; None where it does not."""
+    anew = continued(words, scene.now, last.text, last.given, scene.conversation.interpreter.language)
     return None if anew is None else Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
+
+
+def _placed(scene: Scene, about: About, taken: Taken) -> Reply | None:
+    """Have something come first, or last, that is asked for: "soup first, please"; None where it is a wish.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is a thing, and nothing that is planned is about it.
+    """
+    if entry_of(scene, about.names) is not None:
+        return taken(scene, about)
+    if names_thing(about.thing, scene.now, scene.conversation.interpreter.language):
+        unknown(about.names)
+    return None
 
 
 def _instead(scene: Scene, about: About, taken: Taken) -> Reply | None:

@@ -41,7 +41,7 @@ def command_meant(scene: Scene, about: About) -> str | None:
             # "Scratch that", of what was changed
             return ":undo"
         case AboutKind.STOP:
-            return _stopping(scene)
+            return _stopping(scene, about)
         case AboutKind.REVERSE:
             return _reversing(scene, about)
         case AboutKind.DONE | AboutKind.MORE:
@@ -128,13 +128,15 @@ def _length(scene: Scene, about: About) -> str:
     return _seconds(about.by)
 
 
-def _stopping(scene: Scene) -> str:
-    """Give the command that ends what is running, or else forgets what was spoken of last."""
-    one = running_one(scene, frozenset())
+def _stopping(scene: Scene, about: About) -> str | None:
+    """Give the command that ends what is running, or else forgets what is named, or was spoken of last."""
+    one = running_one(scene, about.names)
     if one is not None:
         return f":done {one.identifier}"
-    entry = entry_of(scene, frozenset())
-    return unknown(frozenset()) if entry is None else f":drop {entry.number}"
+    entry = entry_of(scene, about.names)
+    if entry is None:
+        return None if about.names else unknown(frozenset())
+    return f":drop {entry.number}"
 
 
 def _reversing(scene: Scene, about: About) -> str | None:
@@ -243,10 +245,11 @@ def _unstarted(scene: Scene, about: About) -> str:
 def _late(scene: Scene, about: About) -> str:
     """Give the command that keeps who is late from everything for so long."""
     if about.by is None:
-        raise FuzzytimeError(
+        message = (
             "by how much? Say: I'm ten minutes late (nothing starts before then), "
             "or: push everything back by ten minutes"
         )
+        raise AskedBackError(message, about)
     busy = [one for one in scene.conversation.running(scene.now) if one.end > scene.now]
     if len(busy) == 1:
         return f":more {busy[0].identifier} {_seconds(about.by)}"

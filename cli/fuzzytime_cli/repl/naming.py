@@ -3,7 +3,7 @@
 from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, content_words, nouns_of, verb_forms
+from fuzzytime.language import About, AboutKind, content_words, nouns_of, verb_forms
 from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, waiting, whole_number
 from fuzzytime_cli.session import Entry, Started
 
@@ -60,6 +60,10 @@ def entries_meant(scene: Scene, about: About) -> list[Entry]:
         If there are not so many.
     """
     left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
+    if about.both and about.kind is AboutKind.DROP:
+        # "Both done", of which one is running
+        running = {number_of(one.identifier) for one in scene.conversation.running(scene.now)}
+        left = [e for e in scene.conversation.state.entries if e in left or e.number in running]
     if about.both:
         left = [one for one in left if about.names <= words_of_entry(scene, one)]
         if len(left) != BOTH:

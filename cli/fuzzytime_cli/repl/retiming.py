@@ -1,12 +1,25 @@
 """What is asked for said anew: its words with another time in place of their own."""
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 from datetime import timedelta
 from itertools import combinations
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, Operation, content_words, find_times, merged_time, restated
+from fuzzytime.language import (
+    About,
+    AboutKind,
+    Operation,
+    content_words,
+    find_times,
+    in_its_place,
+    merged_time,
+    restated,
+    with_names,
+)
 from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime_cli.repl.naming import entries_meant
 from fuzzytime_cli.repl.scene import Scene, number_of, waiting
 from fuzzytime_cli.session import Entry
 
@@ -17,6 +30,12 @@ SOME = 600.0
 """Seconds that vague words are where tables say nothing of them."""
 
 DAY_SECONDS = 86400.0
+
+BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
+"""What is asked for until, or from, a time."""
+
+AT = re.compile(r"(^| )at ")
+"""The preposition of a time that is no bound."""
 
 ONE = frozenset({"1", "one", "a", "an"})
 """Numbers behind which a unit has no s."""
@@ -32,8 +51,18 @@ def said_anew(scene: Scene, words: str) -> str | None:
     """
     language = scene.conversation.interpreter.language
     anew = restated(words, scene.now, language.lexicon)
-    if anew is None:
-        return None
+    return None if anew is None else same_anew(scene, anew)
+
+
+def same_anew(scene: Scene, anew: str) -> str | None:
+    """Give the command that gives what does the same with the same its words; None where nothing does.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the instruction asks for more than that.
+    """
+    language = scene.conversation.interpreter.language
     reading = language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.skills])
     if len(reading.instructions) != 1:
         return None
@@ -53,6 +82,34 @@ def said_anew(scene: Scene, words: str) -> str | None:
         moved = About(kind=AboutKind.MOVE, time=times[0].text)
         anew = with_time(scene, scene.conversation.state.entry(number), moved, own)
     return f":edit {number} {anew}"
+
+
+def wished_instead(scene: Scene, words: str) -> str | None:
+    """Give the command that says in the place of an instruction another: "forget that, call Ann at six".
+
+    None where the words let nothing be, or wish for nothing behind that.
+
+    Raises
+    ------
+    FuzzytimeError
+        If several, or so many as there are not, are to be let be.
+    """
+    language = scene.conversation.interpreter.language
+    found = in_its_place(words, scene.now, language.lexicon)
+    if found is None:
+        return None
+    about, wish = found
+    if about.corrects and scene.told_last is not None:
+        scene = replace(scene, focus=scene.told_last)
+    meant = entries_meant(scene, about)
+    if len(meant) != 1:
+        return None
+    old = [one.operation for one in scene.plan.skills if one.wish.identifier == meant[0].identifier]
+    read = language.read(wish, now=scene.now, given=old).instructions
+    asked = [one.operation for one in read if one.operation is not None]
+    if not asked or asked[0].negated:
+        return None
+    return f":edit {meant[0].number} {with_names(wish, next(iter(old), None), language.lexicon)}"
 
 
 def _is_same(one: Operation | None, other: Operation) -> bool:
@@ -96,6 +153,9 @@ def with_time(scene: Scene, entry: Entry, about: About, own: Sequence[TimeRequir
     lexicon = scene.conversation.interpreter.language.lexicon
     time = merged_time(entry.text[first:end], entry.given, about.time, scene.now, lexicon)
     repeated = times[0].constraint is Constraint.EVERY and time == about.time
+    if about.bare and times[0].constraint in BOUNDS and times[0].preposition:
+        # "By seven", and then "make it eight", is by eight.
+        time = AT.sub(rf"\1{times[0].preposition} ", time, count=1)
     if len(times) > 1 or repeated:
         raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
     return f"{entry.text[:first]}{time}{entry.text[end:]}"

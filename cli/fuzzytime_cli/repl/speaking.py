@@ -26,8 +26,9 @@ from fuzzytime_cli.repl.commands import command_of, what_if
 from fuzzytime_cli.repl.leaning import leaning, left_out, left_out_then, next_left_out, the_other
 from fuzzytime_cli.repl.meant import command_meant
 from fuzzytime_cli.repl.naming import entries_meant
-from fuzzytime_cli.repl.retiming import said_anew
+from fuzzytime_cli.repl.retiming import said_anew, same_anew, wished_instead
 from fuzzytime_cli.repl.scene import Reply, Scene, whole_number
+from fuzzytime_cli.repl.telling import tells_what_is, told_state
 
 HISTORY = frozenset({AboutKind.DONE, AboutKind.MORE, AboutKind.LATE})
 """What tells how it went, which :undo does not take back."""
@@ -71,6 +72,9 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
     length = None if scene.asked is None else by_how_much(words, scene.now, lexicon)
     if scene.asked is not None and length is not None:
         return _taken(scene, replace(scene.asked, by=-length if scene.asked.earlier else length))
+    instead = wished_instead(scene, words)
+    if instead is not None:
+        return _run(scene, About(kind=AboutKind.MOVE), instead)
     about = about_wishes(words, scene.now, lexicon) or _behind_what_is_told(scene, words)
     if about is None:
         return _told(scene, words)
@@ -92,6 +96,7 @@ def _behind_what_is_told(scene: Scene, words: str) -> About | None:
         return about
     reading = language.read(told, now=scene.now)
     asks = any(one.operation is not None and one.operation.is_asked for one in reading.instructions)
+    asks = asks and not tells_what_is(reading, language.lexicon)
     return None if asks or any(one.requirements for one in reading.instructions) else about
 
 
@@ -110,8 +115,16 @@ def _told(scene: Scene, words: str) -> Reply | None:
     meant = means is not None and means.kind is AboutKind.INSTEAD
     operation = None if meant else reported(reading, language.lexicon)
     if operation is None:
-        _check_labels(scene, reading)
-        added = added_time(words, scene.now, language.lexicon)
+        if tells_what_is(reading, language.lexicon):
+            raise FuzzytimeError(f"{words!r} tells what is, and says nothing to do: say what you want done")
+        state = told_state(scene, words, reading)
+        if state is not None:
+            return state
+        if means is None or not (means.certain and means.names):
+            _check_labels(scene, reading)
+        # "Dinner at six" is a wish, and no time of another.
+        wish = any(one.operation is not None for one in reading.instructions)
+        added = None if wish else added_time(words, scene.now, language.lexicon)
         if added is not None:
             return _taken(scene, added)
         anew = said_anew(scene, words)
@@ -186,7 +199,8 @@ def _supposed(scene: Scene, text: str) -> Reply:
     """Show what would come of it: a wish, or what is said of those there are."""
     about = about_wishes(text, scene.now, scene.conversation.interpreter.language.lexicon)
     line = None if about is None or about.text else _supposable(scene, about)
-    return what_if(scene, line or text)
+    # "What if I start the rice at six?", which was to be started at five
+    return what_if(scene, line or same_anew(scene, text) or text)
 
 
 def _supposable(scene: Scene, about: About) -> str | None:
@@ -206,6 +220,7 @@ ANSWERS: Mapping[AboutKind, Callable[[Scene, About], Reply]] = {
     AboutKind.FREE: gaps.free,
     AboutKind.ROOM: gaps.room,
     AboutKind.DURING: gaps.during,
+    AboutKind.ON_TIME: lambda scene, _: answering.on_time(scene),
     AboutKind.SUPPOSE: lambda scene, about: _supposed(scene, about.text),
 }
 """What answers each kind of question."""

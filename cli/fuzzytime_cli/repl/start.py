@@ -5,7 +5,7 @@ import os
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, TextIO
 from rich.text import Text
 
 from fuzzytime.context import Signal
+from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import instant_after
 from fuzzytime_cli.assembly import Assembly
 from fuzzytime_cli.choices import SolverChoice
@@ -22,6 +23,7 @@ from fuzzytime_cli.options import Moment, Solving, Understanding
 from fuzzytime_cli.places import data_folder
 from fuzzytime_cli.render import Screen, plain, terminal_width
 from fuzzytime_cli.repl.conversation import Conversation
+from fuzzytime_cli.repl.retiming import IDLE
 from fuzzytime_cli.repl.scene import Reply
 from fuzzytime_cli.repl.turn import Line, Turns
 from fuzzytime_cli.session import KeptReading, NotKeptError, open_store
@@ -116,7 +118,10 @@ class Dialogue:
     def parted(self, typed: str) -> list[list[str]]:
         """Part what was typed, or pasted, at once: lines that are taken together."""
         lines = typed.splitlines()
-        return self.turns.together(lines, self.clock()) if len(lines) > 1 else [lines] if lines else []
+        if len(lines) < 2:
+            return [lines] if lines else []
+        with self.lock:
+            return self.turns.together(lines, self.clock())
 
     def take(self, *lines: str) -> tuple[bool, str]:
         """Answer a line, or instructions said at once; say whether to go on, and what the prompt holds."""
@@ -145,6 +150,12 @@ class Dialogue:
                 self.turns.width = terminal_width()
                 self.screen = replace(self.screen, width=self.turns.width)
             yield
+
+    def warm(self) -> None:
+        """Load what reads sentences while the first one is typed, which would else wait for it."""
+        with self.lock, suppress(FuzzytimeError, OSError):
+            # What is wrong with it the first turn says.
+            self.turns.conversation.interpreter.language.read(IDLE, now=self.clock())
 
     def beat(self) -> None:
         """Say what starts now; a turn that is being taken goes first."""
@@ -179,6 +190,7 @@ def _beating(talk: Dialogue) -> Iterator[None]:
     """Look at the clock every `BEAT` seconds meanwhile."""
 
     def run() -> None:
+        talk.warm()
         while not talk.over.wait(BEAT):
             talk.beat()
 

@@ -8,7 +8,7 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError, InstructionError
 from fuzzytime.interpreter import Plan, Problem
-from fuzzytime.language import About, Question, choice_meant, chooses_none
+from fuzzytime.language import About, choice_meant, chooses_none, said_apart
 from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.inputs.lines import said_in
@@ -16,6 +16,7 @@ from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
+from fuzzytime_cli.repl.pending import Pending, asked_late, question_lines
 from fuzzytime_cli.repl.scene import (
     UNREAD,
     AskedBackError,
@@ -30,14 +31,6 @@ from fuzzytime_cli.repl.speaking import are_about, reply_about
 from fuzzytime_cli.session import NotKeptError, Started
 
 Line = Text | str
-
-
-@dataclass(frozen=True, slots=True)
-class Pending:
-    """A question that was put: the next line answers it, by a number, or leaves the choice as it is."""
-
-    entry: int
-    question: Question
 
 
 @dataclass(slots=True)
@@ -142,6 +135,7 @@ class Turns:
         return reply
 
     def _answer_to(self, words: str, pending: Pending | None, now: datetime) -> Reply:
+        pending = pending or asked_late(self._scene(now), words)
         choice = whole_number(words)
         if pending is not None and choice is not None:
             return self._answer(pending, choice)
@@ -150,6 +144,31 @@ class Turns:
         if words[0] in ":/":
             command, rest = command_of(words)
             return command.run(self._scene(now), rest)
+        parts = said_apart(words, now, self.conversation.interpreter.language.lexicon)
+        return self._one_by_one(parts, now) if len(parts) > 1 else self._said(parts[0], now)
+
+    def _one_by_one(self, parts: Sequence[str], now: datetime) -> Reply:
+        """Take what one line says of several things, and draw the schedule once."""
+        before, lines, last = self.plan, list[Line](), Reply()
+        changed = False
+        for part in parts:
+            try:
+                reply = self._said(part, now)
+            except FuzzytimeError as error:
+                lines.append(Text(plain(str(error)), style="red"))
+                continue
+            lines += reply.lines
+            changed |= reply.changed
+            self.focus = reply.focus if reply.focus is not None else self.focus
+            if reply.changed:
+                last = reply
+                self.told_last, self.taken = self.focus, reply.taken
+                self._refresh(now)
+        # What moved is told from the plan on the screen on.
+        self.plan = before
+        return replace(last, lines=tuple(lines), changed=changed)
+
+    def _said(self, words: str, now: datetime) -> Reply:
         reply = reply_about(self._scene(now), words)
         if reply is None or not reply.anew:
             return reply or self._instructions([words], now)
@@ -276,15 +295,6 @@ def _words_of(line: str) -> str:
     """Give what was typed; a command that needs no colon as one that has it, and nothing for a comment."""
     words = said_in(line)
     return BARE.get(words.lower().rstrip("?").rstrip(), words) if words else ""
-
-
-def question_lines(question: Question) -> list[Line]:
-    """Put a question: which of several times is meant, and which one it is taken for."""
-    choices = [
-        f"{number} for {instant:%A %H:%M}" + (" (taken)" if number == question.chosen + 1 else "")
-        for number, instant in enumerate(question.choices, 1)
-    ]
-    return [Text(f"Which time did you mean? Type {', '.join(choices)}.", style="bold")]
 
 
 def start_line(started: Started) -> Text:

@@ -3,6 +3,7 @@
 import errno
 import json
 import sqlite3
+import weakref
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from dataclasses import asdict, replace
@@ -59,6 +60,8 @@ class SessionStore:
             isolation_level=None,
             check_same_thread=False,
         )
+        # One that nobody closed is closed when nobody has it any more.
+        weakref.finalize(self, self._connection.close)
         try:
             self._connection.execute("PRAGMA journal_mode=WAL")
             self._connection.execute("PRAGMA synchronous=FULL")

@@ -1,13 +1,14 @@
 """What is said about what was asked for already: "no, make it six", "cancel the call", "when do I stir?"."""
 
-from fuzzytime.language.about_wishes.about import AT_FIRST, AT_ONCE, About, AboutKind
+from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.answers import choice_meant, chooses_none
-from fuzzytime.language.about_wishes.continued import continued
+from fuzzytime.language.about_wishes.continued import continued, names_thing
 from fuzzytime.language.about_wishes.corrections import added_time, restated
 from fuzzytime.language.about_wishes.lengths import by_how_much
 from fuzzytime.language.about_wishes.merging import merged_time
 from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
 from fuzzytime.language.about_wishes.reading import about_wishes, behind_what_is_told
+from fuzzytime.language.about_wishes.replacing import in_its_place, said_apart, with_names
 from fuzzytime.language.about_wishes.reports import reported
 from fuzzytime.language.about_wishes.rewording import (
     is_person,
@@ -20,6 +21,7 @@ from fuzzytime.language.about_wishes.things import about_things, continuing
 
 __all__ = [
     "AT_FIRST",
+    "AT_LAST",
     "AT_ONCE",
     "About",
     "AboutKind",
@@ -35,13 +37,17 @@ __all__ = [
     "clauses_of",
     "continued",
     "continuing",
+    "in_its_place",
     "is_person",
     "is_thing",
     "may_be_thing",
     "merged_time",
+    "names_thing",
     "news_in",
     "reported",
     "restated",
     "reworded",
+    "said_apart",
+    "with_names",
     "without_article",
 ]

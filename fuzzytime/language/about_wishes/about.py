@@ -9,6 +9,9 @@ AT_ONCE = "right now"
 AT_FIRST = "as soon as possible"
 """The time of what is to be done before all else."""
 
+AT_LAST = "last"
+"""The time of what is to be done behind all else."""
+
 
 class AboutKind(StrEnum):
     """What is said of them."""
@@ -46,6 +49,7 @@ class AboutKind(StrEnum):
     DID = "did"
     BESIDE = "beside"
     DURING = "during"
+    ON_TIME = "on time"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -74,6 +78,8 @@ class About:
     number
         The new time as it was said where that is a number alone ("make it six"), which may count what was
         counted before; else empty.
+    bare
+        Whether the new time was said without a preposition: what was to be done "by seven" is then so by it.
     by
         Seconds: by how much later, earlier (below 0), or longer; None where that is not said.
     text
@@ -107,6 +113,7 @@ class About:
     both: bool = False
     time: str = ""
     number: str = ""
+    bare: bool = False
     by: float | None = None
     text: str = ""
     thing: str = ""

@@ -14,6 +14,7 @@ from fuzzytime.times import instant_after
 
 NOON = 12
 ONE = "one"
+NOT = "not"
 
 LONGEST = 9
 """Letters or digits of a number that somebody chooses by at most."""
@@ -31,6 +32,14 @@ def choice_meant(text: str, question: Question, now: datetime, lexicon: Lexicon)
     whole = Said.of(text, now, lexicon)
     corrected = opening_correction(whole)
     said = _answer(whole.behind(corrected))
+    if said.forms[:1] == (NOT,) and len(question.choices) == len(("this", "that")):
+        # "Not in the evening"
+        other = _choice(said.behind(1), question, corrected=corrected)
+        return None if other is None else 1 - other
+    return _choice(said, question, corrected=corrected)
+
+
+def _choice(said: Said, question: Question, *, corrected: int) -> int | None:
     time = said.one_time()
     # "No, tomorrow" is another day, and may be at the hour that was taken.
     if not said.words or (corrected and time is not None and is_of_days(time)):
@@ -50,7 +59,9 @@ def chooses_none(text: str, now: datetime, lexicon: Lexicon) -> bool:
 
 def _answer(said: Said) -> Said:
     """Leave out what opens an answer, and what is polite behind it: "I mean the later one, please"."""
-    return said.behind(said.opens_with("meaning")).without_thanks()
+    said = said.behind(said.opens_with("meaning")).without_thanks()
+    # "Morning, obviously"
+    return said.without("of course")[0] if said.words else said
 
 
 def _by_place(said: Said, question: Question) -> int | None:

@@ -13,6 +13,7 @@ def asked(said: Said) -> About | None:
     """Read a question about gaps, what was done, a thing or a day; None where it is none."""
     return (
         _about_last(said)
+        or _is_then(said)
         or _free(said)
         or _room(said)
         or _done(said)
@@ -24,6 +25,8 @@ def asked(said: Said) -> About | None:
 
 
 def _about_last(said: Said) -> About | None:
+    if said.is_in("on time"):
+        return About(kind=AboutKind.ON_TIME, certain=True)
     if said.is_in("asking next"):
         return About(kind=AboutKind.NEXT, certain=True)
     if said.is_in("asking when"):
@@ -33,6 +36,16 @@ def _about_last(said: Said) -> About | None:
         # "How long does it take in all?"
         return About(kind=AboutKind.WHEN, everything=True, certain=True)
     return None
+
+
+def _is_then(said: Said) -> About | None:
+    """Read whether something is at some time: "is it today?", "is the dentist at three?"."""
+    if said.forms[:1] not in {("is",), ("are",), ("was",), ("were",)} or len(said.words) < 2:
+        return None
+    thing, time = said.behind(1).parted()
+    named = Said(thing, said.now, said.lexicon)
+    known = named.is_in("last") or named.forms[:1] == ("the",)
+    return About(kind=AboutKind.WHEN, names=_named(named), certain=True) if time and known else None
 
 
 def _free(said: Said) -> About | None:
@@ -125,7 +138,10 @@ def _beside(said: Said) -> About | None:
 
 
 def _about(said: Said) -> About | None:
-    """Read a question about a thing: "what about the car?"."""
+    """Read a question about a thing: "what about the car?", "what's step two?"."""
+    asked_for = said.after("what")
+    if asked_for is not None and asked_for.label:
+        return About(kind=AboutKind.WHEN, names=frozenset({asked_for.label}), certain=True)
     rest = said.after("asking about")
     if rest is None or not rest.names or rest.has_time:
         return None

@@ -1,11 +1,12 @@
 """Orders that are about wishes: "cancel the call", "push everything back by ten minutes", "swap the two"."""
 
+import re
 from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.exceptions import exception
-from fuzzytime.language.about_wishes.lengths import DIRECTIONS, days_on, later_by
+from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, days_on, later_by, minutes_alone
 from fuzzytime.language.about_wishes.said import TO, Said
 from fuzzytime.language.about_wishes.turns import all_but, several_in, turned
 from fuzzytime.language.finding import find_times
@@ -13,12 +14,14 @@ from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.sentence.trees.named import is_several
 from fuzzytime.requirement import Unit
 
-REFERRED = ("last", "everything")
 FIRST = "first"
 FOR = "for"
 EVERY = "every"
 
 ROUND = {("around",), ("over",), ("back",)}
+OWNER = re.compile(r"(?<=\w)['\u2019]s\b")
+"""What tells whose something is."""
+
 DOING = "do"
 MAKING = "make"
 
@@ -105,8 +108,10 @@ def _dropped(said: Said) -> About | None:
     rest = said.after("clearing")
     if rest is not None and (rest.is_in("everything") or (not rest.words and len(said.words) > 1)):
         return About(kind=AboutKind.DROP, everything=True, certain=True)
-    if rest is not None and rest.label:
+    if rest is not None and (rest.label or rest.places or rest.is_in("the next")):
         return _about(AboutKind.DROP, rest)
+    if rest is not None and not rest.has_time and (owned := _appointment(rest)):
+        return About(kind=AboutKind.DROP, names=owned)
     dropped = said.after("dropping") or rest
     if dropped is not None and (kept := all_but(dropped)) is not None:
         return About(kind=AboutKind.DROP, names=_named(kept), everything=True, certain=True)
@@ -129,6 +134,14 @@ def _dropped(said: Said) -> About | None:
         return About(kind=AboutKind.DROP, certain=True)
     certain = said.opens_with("letting go") > 0
     return _about(AboutKind.DROP, rest, certain=certain) if rest.names else None
+
+
+def _appointment(said: Said) -> frozenset[str]:
+    """Give the words that name what is planned, and no thing: "Ann's call", "the meeting"; else none."""
+    bare = Said(OWNER.sub("", said.text), said.now, said.lexicon)
+    lexicon = said.lexicon
+    timed = lexicon.happening | lexicon.events | lexicon.taken
+    return bare.names if bare.forms[-1:] and bare.forms[-1] in timed else frozenset()
 
 
 def _ordered(said: Said) -> About | None:
@@ -188,7 +201,8 @@ def _corrected(said: Said) -> About | None:
         return replace(about, corrects=True)
     if proposed is not None and (time := proposed.as_time()):
         # "Let's say nine"
-        return About(kind=AboutKind.MOVE, time=time, corrects=True, certain=True)
+        bare = proposed.is_bare(time)
+        return About(kind=AboutKind.MOVE, time=time, bare=bare, corrects=True, certain=True)
     if place == 0 or not rest.words:
         return None
     thing, is_said, new = rest.text.rpartition(" is ")
@@ -209,7 +223,8 @@ def _corrected(said: Said) -> About | None:
     time = rest.as_time() or (f"for {number} {Unit.MINUTE}s" if number else "")
     if not time:
         return change(rest)
-    return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
+    bare = rest.is_bare(time)
+    return About(kind=AboutKind.MOVE, time=time, number=number, bare=bare, corrects=True, certain=True)
 
 
 def _later(about: About, beside: Said) -> About | None:
@@ -234,7 +249,7 @@ def _delayed(said: Said) -> About | None:
     if not rest.words or not rest.is_one or any(f" {joint}" in f" {rest.text.lower()}" for joint in TO):
         return None
     thing, directions = rest.without(*DIRECTIONS)
-    found = thing.length()
+    found = thing.length() or minutes_alone(thing, directed=bool(directions))
     if found is None:
         if thing.has_time or (delaying is None and not directions):
             return None
@@ -276,7 +291,7 @@ def _moved(said: Said) -> About | None:
     if not (about.names or about.places or about.upcoming) and not _is_last(thing):
         return None
     if time := new.as_time():
-        return replace(about, time=time)
+        return replace(about, time=time, bare=new.is_bare(time))
     beside = Said(new.text[len(joint) :], said.now, said.lexicon).beside()
     return None if beside is None else replace(about, time=beside[0], others=beside[1].names)
 

@@ -46,7 +46,7 @@ def continued(text: str, now: datetime, before: str, said: datetime, language: "
     if rest and first in lexicon.closed.prepositions_of_nouns and f" {first} " in before:
         # "Lesson with Mia at two", "and with Tom at three"
         about = replace(about, thing=rest, joint=first, certain=True)
-    if about.kind is AboutKind.LIKE and not about.certain and not _is_thing(about.thing, now, language):
+    if about.kind is AboutKind.LIKE and not about.certain and not names_thing(about.thing, now, language):
         return None
     reading = language.read(before, now=said)
     operations = [one.operation for one in reading.instructions if one.operation is not None]
@@ -101,7 +101,7 @@ def _is_met(thing: str, operation: Operation, lexicon: Lexicon) -> bool:
     return person and not known
 
 
-def _is_thing(thing: str, now: datetime, language: "Language") -> bool:
+def names_thing(thing: str, now: datetime, language: "Language") -> bool:
     """Whether words name a thing with which nothing is done without another verb.
 
     "And dinner at seven" and "then a nap" are something of their own, and so is "and stir".

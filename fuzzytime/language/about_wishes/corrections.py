@@ -6,7 +6,8 @@ from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
-COMMA = ","
+MARKS = frozenset({",", ".", ";", "!", "-"})
+"""What may stand behind the words that correct."""
 
 
 def opening_correction(said: Said) -> int:
@@ -14,7 +15,7 @@ def opening_correction(said: Said) -> int:
     place = 0
     while place < len(said.words):
         form = longest_match(said.words, place, said.lexicon.corrections)
-        if form is None and said.forms[place] != COMMA:
+        if form is None and said.forms[place] not in MARKS:
             break
         place += len(form) if form is not None else 1
     # "Wait ten minutes" is an order
@@ -53,7 +54,10 @@ def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         return counted
     time = said.as_time() if said.has_time else ""
     number = said.as_number() if len(said.words) == 1 else ""
-    return About(kind=AboutKind.MOVE, time=time[0].lower() + time[1:], number=number) if time else None
+    if not time:
+        return None
+    bare = said.is_bare(time)
+    return About(kind=AboutKind.MOVE, time=time[0].lower() + time[1:], number=number, bare=bare)
 
 
 def _counted_at(said: Said) -> About | None:

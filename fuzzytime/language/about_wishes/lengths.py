@@ -1,12 +1,19 @@
 """By how much something is to be later or earlier: "ten minutes later", "a bit earlier"."""
 
+from dataclasses import replace
 from datetime import datetime
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import Length, Said
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.requirement import Unit
+
+BY = "by"
 
 DIRECTIONS = ("later", "earlier")
+
+REFERRED = ("last", "everything")
+"""Tables of what stands for what was asked for."""
 
 DAYS = {"a day on": 1, "a day back": -1, "a week on": 7, "a week back": -7}
 """By how many days what is said in each of these tables is later."""
@@ -46,3 +53,17 @@ def by_how_much(text: str, now: datetime, lexicon: Lexicon) -> float | None:
     """Give the seconds that a line is which answers "by how much?"; None where it says anything else."""
     found = Said.of(text, now, lexicon).without(*DIRECTIONS, "more")[0].length()
     return None if found is None or found.rest.words else found.seconds
+
+
+def minutes_alone(said: Said, *, directed: bool) -> Length | None:
+    """Give the minutes that a number alone counts: "push it by ten", "push everything back ten"."""
+    place = len(said.words) - 1
+    number = said.behind(place).as_number() if place > 0 else ""
+    joint = said.forms[place - 1 : place] == (BY,)
+    if not number or not (joint or directed):
+        return None
+    rest = said.until(place - joint)
+    counted = Said(f"{number} {Unit.MINUTE}s", said.now, said.lexicon).length()
+    # "Push the boxes by ten" has a deadline.
+    known = directed or any(rest.is_in(name) for name in (*REFERRED, "both"))
+    return replace(counted, joint=BY if joint else "", rest=rest) if counted and known else None

@@ -104,11 +104,17 @@ def _clock_in(text: str, said: datetime, lexicon: Lexicon) -> datetime | None:
         return None
     for piece in _pieces(text):
         time = one_time(piece, said, lexicon)
-        bounds = () if time is None else (time.t_spec, time.earliest, time.latest)
+        bounds = () if time is None else (*_turns(time), time.t_spec, time.earliest, time.latest)
         first = next((bound for bound in bounds if bound is not None), None)
-        if time is not None and time.grain in CLOCKED and first is not None:
+        clocked = time is not None and (time.grain in CLOCKED or bool(_turns(time)))
+        if clocked and first is not None:
             return instant_after(said, first)
     return None
+
+
+def _turns(time: TimeRequirement) -> tuple[float, ...]:
+    """Give when something repeated is first done: what is "every day at seven" is so in the morning."""
+    return () if time.recurrence is None else time.recurrence.occurrences(2 * DAY_SECONDS)[:1]
 
 
 def _is_clock(word: str, said: datetime, lexicon: Lexicon) -> bool:

@@ -74,6 +74,9 @@ def _lasting(said: Said) -> About | None:
         return About(kind=AboutKind.NEXT, certain=True)
     if rest is None or not rest.words:
         return None
+    if rest.is_in("having left"):
+        # "How much time do I have?"
+        return About(kind=AboutKind.NEXT, certain=True)
     # "Tell me how long that takes"
     told = rest.forms[-1:] in said.table("needing") and len(rest.words) > 1
     if rest.forms[0] not in _helping(said) and not told:

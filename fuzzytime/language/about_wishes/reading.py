@@ -29,20 +29,32 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     said = _without_courtesies(whole)
     if not said.words or not set(whole.without("answering")[0].forms) - MARKS:
         return About(kind=AboutKind.ANSWER, certain=True)
+    if without_exclamations(said).is_in("going ahead"):
+        return About(kind=AboutKind.ANSWER, certain=True)
     if text.rstrip().endswith("?") and said.without("yet")[0].is_in("finished"):
         # "Done?"
         return About(kind=AboutKind.DID, certain=True)
+    if text.rstrip().endswith("?"):
+        said = _without_tag(said)
     found = _read(said)
     plain = without_exclamations(said)
     # "Ok then do it the day after"
     then = plain.after("following") or plain
-    for other in (plain, then, _without_closing(plain)):
+    # "Hmm, actually maybe make the call a bit later"
+    anew = without_exclamations(plain.behind(opening_correction(plain)))
+    for other in (plain, then, anew, _without_closing(plain)):
         found = _read(other) if found is None and other != said and other.words else found
     return found
 
 
 def _read(said: Said) -> About | None:
     return asked(said) or question(said) or change(_without_request(said)) or change(said) or report(said)
+
+
+def _without_tag(said: Said) -> Said:
+    """Leave out what makes a question of what it stands behind: "I'm free at two, right?"."""
+    joint = max((place for place, word in enumerate(said.forms) if word == ","), default=0)
+    return said.until(joint) if joint and said.behind(joint + 1).is_in("answering") else said
 
 
 def _without_closing(said: Said) -> Said:

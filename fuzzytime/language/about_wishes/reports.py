@@ -3,7 +3,7 @@
 from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import FOR, Said
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
 
@@ -21,6 +21,7 @@ def report(said: Said) -> About | None:
         or _late(said)
         or _more(said)
         or _added(said)
+        or _so_long(said)
         or _unstarted(said)
         or _started(said)
         or _finished(said)
@@ -59,7 +60,10 @@ def _more(said: Said) -> About | None:
         left, parts = said.without("more", "needing", "lengths")
         # "The sanding takes longer": by how much is not said
         known = {"more", "needing"} <= parts and said.forms[-1:] in said.table("lengths")
-        return About(kind=AboutKind.MORE, names=left.names, certain=True) if known and left.names else None
+        # "It takes longer", "the sanding takes longer"
+        if not known or (left.words and not (left.names or left.is_in("last"))):
+            return None
+        return About(kind=AboutKind.MORE, names=left.names, certain=True)
     rest = found.rest
     named, parts = rest.without("needing", "last")
     certain = not named.names or "needing" in parts
@@ -88,6 +92,19 @@ def _added(said: Said) -> About | None:
     return About(kind=AboutKind.MORE, names=names, by=found.seconds) if names or thing.words else None
 
 
+def _so_long(said: Said) -> About | None:
+    """Read how long takes what was spoken of last, or what has a label: "it takes two hours"."""
+    for place in range(1, len(said.words)):
+        rest = said.behind(place).after("lasting so long")
+        if rest is None:
+            continue
+        thing, time = said.until(place), rest.as_time()
+        if time.lower().startswith(FOR) and (thing.is_in("last") or thing.label):
+            names = frozenset({thing.label}) if thing.label else frozenset[str]()
+            return About(kind=AboutKind.MOVE, names=names, time=time, certain=True)
+    return None
+
+
 def _unstarted(said: Said) -> About | None:
     """Read what has not begun: "I haven't started yet", "I haven't started the soup"."""
     rest = said
@@ -104,7 +121,12 @@ def _unstarted(said: Said) -> About | None:
 
 
 def _started(said: Said) -> About | None:
-    """Read what has begun just now: "started", "I've started the soup", "I'm starting on the soup now"."""
+    """Read what has begun just now: "started", "I've started the soup", or is to begin: "start now"."""
+    if said.is_in("beginning now"):
+        return About(kind=AboutKind.STARTED, upcoming=True, certain=True)
+    if said.forms[0] in said.lexicon.doing.beginning and (label := said.behind(1).label):
+        # "Start s2"
+        return About(kind=AboutKind.STARTED, names=frozenset({label}), certain=True)
     thing = said.after("started")
     if thing is None or not thing.is_one:
         return None
@@ -156,7 +178,22 @@ def _finished(said: Said) -> About | None:
             # "Check that the soup is ready" is no report.
             named = len(owner.words) < 2 or owner.forms[0] in EMPTY
             return About(kind=AboutKind.DONE, names=names, certain=named)
-    return None
+    return _stated_over(said)
+
+
+def _stated_over(said: Said) -> About | None:
+    """Read what is over without a verb: "number 1 done", "shirts done"."""
+    closing = max(
+        (len(form) for form in said.table("finished") if said.forms[-len(form) :] == form), default=0
+    )
+    thing = said.until(len(said.words) - closing)
+    if not closing or not thing.words or thing.has_time:
+        return None
+    if thing.label:
+        return About(kind=AboutKind.DONE, names=frozenset({thing.label}), certain=True)
+    named = thing.behind(1) if thing.forms[0] in said.lexicon.closed.noun_openers else thing
+    # "Get the shirts done" is a wish.
+    return About(kind=AboutKind.DONE, names=named.names) if len(named.words) == 1 and named.names else None
 
 
 def _is_over(state: Said) -> bool:

@@ -1,5 +1,6 @@
 """A line of a conversation with its words, and the times, lengths and names in it."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import datetime
@@ -13,6 +14,9 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 
 Form = tuple[str, ...]
+
+LABEL = re.compile(r"s[1-9]\d{0,8}")
+"""How the list calls what was asked for."""
 
 TO = ("back to ", "forward to ", "to ", "back until ", "until ", "till ")
 """Words between what is moved and the time that it is moved to."""
@@ -31,6 +35,7 @@ ENDS = ".?! "
 """Marks at the ends of a line."""
 
 FOR = "for "
+AT = "at "
 THE = "the"
 LAST = "last"
 
@@ -137,7 +142,9 @@ class Said:
 
     @cached_property
     def label(self) -> str:
-        """What is called so by a number, as it is labelled: "s2" of "2", "number two", "#2"; else empty."""
+        """What is called so by a number, as it is labelled: "s2" of "2", "number two", "s2"; else empty."""
+        if LABEL.fullmatch(self.text.lower()) is not None:
+            return self.text.lower()
         rest = self.after("numbering") or self
         word = rest.forms[0] if len(rest.forms) == 1 else ""
         known = rest is not self or word.isdecimal()
@@ -198,7 +205,8 @@ class Said:
         joint = next((to for to in TO if self.text.lower().startswith(to)), "")
         bare = self.text[len(joint) :]
         # "Move it to the afternoon"
-        inside = (f"in {bare}",) if bare.lower().startswith("the ") else ()
+        counted = bool(Said(bare, self.now, self.lexicon).places)
+        inside = (f"in {bare}",) if bare.lower().startswith("the ") and not counted else ()
         # "Make it 20 minutes" is how long, and not when.
         lasts = any(part.constraint is Constraint.FOR for part in self._as_one_time(bare))
         tried = (*inside, bare, *(() if lasts else (f"at {bare}",)), f"for {bare}")
@@ -206,6 +214,10 @@ class Said:
         if len(found) > 1 and _lacks_preposition(found[0][1]):
             found = found[1:]
         return found[0][0] if found else ""
+
+    def is_bare(self, time: str) -> bool:
+        """Whether it has no preposition of its own where it is a new time: "seven", "to half past"."""
+        return time.lower().startswith(AT) and not self.text.lower().startswith(AT)
 
     def one_time(self) -> TimeRequirement | None:
         """Give the time that it is, whole; None where it is none, or more."""

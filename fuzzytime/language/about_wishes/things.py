@@ -3,10 +3,10 @@
 from dataclasses import replace
 from datetime import datetime
 
-from fuzzytime.language.about_wishes.about import AT_FIRST, About, AboutKind
+from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import later_by
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import LAST, Said
 from fuzzytime.language.grammar.lexicon import Lexicon
 
 COMMA = ","
@@ -16,6 +16,7 @@ INSTEAD_OF = ("instead", "of")
 FOR = "for"
 FIRST = "first"
 NO = "no"
+AND = "and"
 
 
 def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
@@ -54,7 +55,7 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
 
 def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     """Read what a line without a verb says of things that were, or might have been, asked for; else None."""
-    whole = without_exclamations(Said.of(text, now, lexicon)).without_thanks()
+    whole = _without_and(without_exclamations(Said.of(text, now, lexicon)).without_thanks())
     place = opening_correction(whole)
     said = without_exclamations(whole.behind(place)) if place else whole
     naming = whole.after("naming anew") or whole.after("meaning")
@@ -67,12 +68,8 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if denied is not None and denied.names and COMMA not in denied.forms and not denied.has_time:
         # "Not the carrots"
         return About(kind=AboutKind.DROP, names=denied.names, thing=denied.text)
-    if said.forms[-1:] == (FIRST,) and len(said.words) > 1:
-        # "The test first"
-        names = said.until(len(said.words) - 1).names
-        return About(kind=AboutKind.MOVE, names=names, time=AT_FIRST) if names else None
-    if said.forms[:1] == (FIRST,) and len(said.words) > 1 and not said.has_time:
-        return About(kind=AboutKind.MOVE, names=said.behind(1).names, time=AT_FIRST, certain=True)
+    if len(said.words) > 1 and (placed := _placed(said)) is not None:
+        return placed
     later = later_by(said)
     if later is not None and later[1].names:
         return replace(later[0], names=later[1].names, certain=True)
@@ -92,10 +89,30 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     return None
 
 
+def _without_and(said: Said) -> Said:
+    """Leave out what goes on in front of another thing: "and make it Ann"."""
+    return said.behind(1) if said.forms[:1] == (AND,) and said.behind(1).opens_with("naming anew") else said
+
+
+def _placed(said: Said) -> About | None:
+    """Read what is to come first, or last: "the test first", "first the test", "the salad last"."""
+    thing = said.until(len(said.words) - 1)
+    ways = {FIRST: AT_FIRST, LAST: AT_LAST}
+    time = ways.get(said.forms[-1], "")
+    if time and thing.names and not (time == AT_LAST and said.has_time):
+        return About(kind=AboutKind.MOVE, names=thing.names, thing=thing.text, time=time)
+    if said.forms[0] == FIRST and not time and not said.has_time:
+        return About(kind=AboutKind.MOVE, names=said.behind(1).names, time=AT_FIRST, certain=True)
+    return None
+
+
 def _one_of(said: Said) -> About | None:
     """Give which one words mean that name no thing, or whether all: "that one", "the second one", "both"."""
     if said.is_in("last"):
         return About(kind=AboutKind.MOVE, certain=True)
+    if said.label:
+        # "S1 at noon"
+        return About(kind=AboutKind.MOVE, names=frozenset({said.label}), certain=True)
     if said.is_in("the next"):
         return About(kind=AboutKind.MOVE, upcoming=True, certain=True)
     if said.is_in("other"):

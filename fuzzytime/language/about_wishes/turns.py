@@ -7,12 +7,17 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.named import is_several
 
 COMMA = ","
+ING = "ing"
 
 
 def turned(said: Said) -> About | None:
     """Read what is about what was said or done last; None where it may be a wish."""
     corrected = opening_correction(said)
     rest = said.behind(corrected)
+    kept = rest.after("retracting")
+    if kept is not None and (left := kept.behind(kept.forms[:1] == (COMMA,))).is_in("restoring"):
+        # "Never mind, leave it"
+        return About(kind=AboutKind.UNDO, text=left.text, certain=True)
     if rest.is_in("restoring"):
         # "Put it back", where something was dropped
         return About(kind=AboutKind.UNDO, text=rest.text, certain=corrected > 0)
@@ -22,6 +27,8 @@ def turned(said: Said) -> About | None:
     for kind, name in ((AboutKind.STOP, "stopping"), (AboutKind.REVERSE, "reversing")):
         if rest.is_in(name):
             return About(kind=kind, certain=True)
+    if (names := _stopped(rest)) is not None:
+        return About(kind=AboutKind.STOP, names=names)
     # "Not that one, the other one"
     kept = said.after("denying")
     if kept is not None and kept.words and kept.is_in("last"):
@@ -38,6 +45,13 @@ def _retracts(said: Said) -> bool:
     ends = (form for form in said.table("retracting") if said.forms[-len(form) :] == form)
     opening = len(said.words) - max(map(len, ends), default=len(said.words) + 1)
     return opening >= 0 and not said.until(opening).names
+
+
+def _stopped(said: Said) -> frozenset[str] | None:
+    """Give the words for what is to be done no longer: "stop stirring the soup"; None where none is."""
+    rest = said.after("no longer")
+    going_on = rest is not None and rest.is_one and rest.forms[0].endswith(ING) and not rest.has_time
+    return rest.names if rest is not None and going_on else None
 
 
 def several_in(said: Said) -> frozenset[str] | None:

@@ -4,9 +4,10 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.language.meaning.expressions import Edge, Said, Wall
 from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.meaning.times_of_day import Half, Part
+from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
 
@@ -54,6 +55,17 @@ def beside_meals(preposition: Preposition, meals: Meals) -> Said | None:
     if preposition.name not in {"before", "after"}:
         return None
     return _at_each(meals, Said(Wall(), preposition.constraint, preposition.name, edge=preposition.edge))
+
+
+@grammar.rule(
+    "said",
+    "after|once|when <meal> is|'s over|done|finished",
+    "as soon as <meal> is|'s over|done|finished",
+    weight=0.8,
+)
+def after_meal(meal: Part) -> Said | None:
+    """After dinner is over."""
+    return None if meal.place else Said(Wall(part=meal), Constraint.AFTER, "after", edge=Edge.END)
 
 
 def _at_each(meals: Meals, said: Said) -> Said:

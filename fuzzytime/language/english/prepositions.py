@@ -73,13 +73,15 @@ def when_it_is_about(hedge: str, wall: Wall) -> Said | None:
 
 @grammar.rule(
     "word",
-    "when|whenever|if|once you|ya|u get|have|find|got|'ve a|some|any|the? spare|free|quiet? <leisure>",
-    "when|whenever|if|once you've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
-    "when|whenever|if|once|as soon as you've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
-    "when|whenever|if|once you're|youre free|available|idle",
-    "when|whenever|if|once you are free|available|idle",
-    "when|whenever|if|once you get|come|can|manage round|around? to it|that",
-    "as soon as you get|have|find|got a|some|any|the? spare|free|quiet? <leisure>",
+    "when|whenever|if|once you|ya|u|i|we get|have|find|got|'ve a|some|any|the? spare|free|quiet? <leisure>",
+    "when|whenever|if|once you've|i've|we've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
+    "as soon as you've|i've|we've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
+    "when|whenever|if|once there's|theres a|some|any? spare|free|quiet? <leisure>",
+    "when|whenever|if|once there is a|some|any? spare|free|quiet? <leisure>",
+    "when|whenever|if|once you're|youre|i'm|im|we're free|available|idle",
+    "when|whenever|if|once you|we are free|available|idle",
+    "when|whenever|if|once you|i|we get|come|can|manage round|around? to it|that",
+    "as soon as you|i|we get|have|find|got a|some|any|the? spare|free|quiet? <leisure>",
     weight=0.2,
 )
 def when_you_have_time(_leisure: str | None = None) -> TimeWord:

@@ -18,7 +18,8 @@ class Cuts(Standing):
 
     def make(self, piece: Piece) -> bool:
         """Whether a reading is only a part of what is said."""
-        return self.runs_on(piece) or self._divides(piece) or self._opens_another(piece)
+        within = self._begins_clause(piece) or self._is_now_and_again(piece)
+        return within or self.runs_on(piece) or self._divides(piece) or self._opens_another(piece)
 
     def runs_on(self, piece: Piece) -> bool:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
@@ -113,3 +114,15 @@ class Cuts(Standing):
             # "When you have ten minutes left"
             return True
         return self.texts[piece.end - 1] in self.beside.restricting and self.texts[piece.end - 2] == ","
+
+    def _begins_clause(self, piece: Piece) -> bool:
+        """Whether its last words are those of a clause: "put it on | the second you hear the bell"."""
+        marker = tuple(self.texts[piece.end - 2 : piece.end])
+        closed = self.around.closed
+        told = self.around.follower(piece) in closed.first_and_second_person | closed.third_person
+        return told and marker[:1] == ("the",) and marker in self.lexicon.clauses
+
+    def _is_now_and_again(self, piece: Piece) -> bool:
+        """Whether it is now, and then once more: "water it now and then | again at dusk"."""
+        often = isinstance(piece.value.time, TimeWord) and piece.end - piece.start == 3
+        return often and self.texts[piece.start] == "now" and self.around.follower(piece) == "again"

@@ -37,6 +37,13 @@ class Dining:
         # "Come over for dinner"
         return timed or led == piece.start + 1 or not self._dines(led)
 
+    def is_subject(self, piece: Piece) -> bool:
+        """Whether it ends in a meal of which a clause says how it is: "before lunch | is served"."""
+        said = self.texts[piece.end : piece.end + 2]
+        being = self.around.closed.third_person_be | self.around.closed.past_be
+        led = (self.texts[piece.start],) in self.lexicon.clauses and self.around.is_meal(piece.end - 1)
+        return led and len(said) > 1 and said[0] in being and not self.around.timely(piece.end + 1)
+
     def _is_said_of_day(self, piece: Piece) -> bool:
         """Whether it ends in a part of a day that the meal is in: "cook pasta for dinner tonight"."""
         said = self.around.pieces(piece.end - 1)

@@ -30,6 +30,9 @@ LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
 
 
+SHORTEST_MOMENT, LONGEST_MOMENT = 3, 4
+"""Words from a preposition to the time that is described, at least and at most: "at the same old time"."""
+
 HALF = "day_half"
 """The category of halves of the day: "pm"."""
 
@@ -45,7 +48,7 @@ def leftovers(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> 
     """Give a remark for each stretch that looks like time and was not understood."""
     found = [
         Remark(RemarkKind.NOT_UNDERSTOOD, span, not_understood(scanned.text, span))
-        for span in _joined(scanned, sorted(set(_looking(scanned, explained, lexicon))))
+        for span in _joined(scanned, sorted(set(_looking(scanned, explained, lexicon))), lexicon)
     ]
     return [*found, *_clipped(scanned, explained, lexicon)]
 
@@ -78,6 +81,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     yield from counted_from_zero(scanned, explained, lexicon)
     yield from _halves(scanned, explained, lexicon)
     yield from _ones(scanned, explained, around)
+    yield from _moments(scanned, explained, around)
     for start, cell in enumerate(scanned.cells):
         for category in TELLING & cell.keys():
             for piece in cell[category].values():
@@ -190,6 +194,20 @@ def _ones(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> 
             yield from range(piece.start, piece.end)
 
 
+def _moments(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of a time of which it is not known when that is: "at the usual time"."""
+    closed = around.closed
+    for place, word in enumerate(scanned.words):
+        if word.text not in closed.named_moments or _meets(explained, word, word):
+            continue
+        for led in range(place - SHORTEST_MOMENT, max(-1, place - LONGEST_MOMENT - 1), -1):
+            described = around.texts[led + 1] in closed.noun_openers
+            binds = around.texts[led] in closed.prepositions_of_points | closed.prepositions_of_time
+            if binds and described and all(text.isalpha() for text in around.texts[led:place]):
+                yield from range(led, place + 1)
+                break
+
+
 def _binds(around: Surroundings, place: int) -> bool:
     """Whether a preposition that binds times, and an article, stand at a place."""
     return (
@@ -198,14 +216,15 @@ def _binds(around: Surroundings, place: int) -> bool:
     )
 
 
-def _joined(scanned: Scanned, places: Sequence[int]) -> Iterator[Span]:
+def _joined(scanned: Scanned, places: Sequence[int], lexicon: Lexicon) -> Iterator[Span]:
     """Join neighbours into stretches, with the number before them."""
     start = None
     for position, place in enumerate(places):
         if start is None:
             start = place
             before = scanned.words[place - 1] if place else None
-            if before is not None and (before.is_digits or "integer" in scanned.cells[place - 1]):
+            counts = scanned.words[place].text not in lexicon.closed.prepositions_of_points
+            if before is not None and counts and (before.is_digits or "integer" in scanned.cells[place - 1]):
                 start = place - 1
         if position + 1 == len(places) or places[position + 1] != place + 1:
             yield scanned.words[start].start, scanned.words[place].end

@@ -17,6 +17,9 @@ DEICTICS = frozenset(Which)
 ENDS = frozenset({".", ",", "!", "?", ";"})
 """Marks behind which a sentence, or a clause, is over."""
 
+LED = 4
+"""Words to the preposition before a day that is described: "on the first dry day"."""
+
 BOUND = frozenset({"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"})
 """Prepositions that make a day of what is named behind them."""
 
@@ -145,7 +148,7 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
         # "Year 4"
         return True
     called = around.before(piece)
-    led = around.texts[max(0, piece.start - 3) : piece.start - 1]
+    led = around.texts[max(0, piece.start - LED) : piece.start - 1]
     one = bool(led) and BOUND.isdisjoint(led)
     if piece.category == "unit" and called.isalpha() and (around.texts[piece.start].endswith("s") or one):
         # "Visiting hours", "it's trash day"; but "on boss day"

@@ -20,6 +20,7 @@ class Doing:
     for_days: Words
     by_then: Words
     by_the_day: Words
+    of_events: Words
     shutting: Words
     lit: Words
     running: Words

@@ -186,8 +186,59 @@ class _Composer:
     def _instruction(
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
-        sketch = awaiting(sketch)
-        anchors = Anchors(
+        """Ground a sketch: its requirements, how long it takes, whose length or time it tells."""
+        sketch, text = awaiting(sketch), self.draft.text
+        anchors = self._anchors_at(position, operations)
+        self.explained += sketch.heard
+        sketch, event, remarks = on_days_of_events(sketch, anchors, text)
+        self.remarks += remarks
+        times = self._times_of(sketch)
+        segment = sketch.part.segment
+        before = self._asked_before(position)
+        connected = anchored_by_connective(segment, text, before)
+        if before is None:
+            led = led_by_denial if position else led_by_nothing
+            self.remarks += led(segment, text)
+        requirements, remarks = required_of(sketch, times, anchors, connected, self.draft)
+        self.remarks += remarks
+        self.explained += [] if connected is None else [connected.span]
+        self.explained += [part.span for part in requirements if part.anchor is not None and part.anchor.each]
+        said = text[slice(*segment.span)].strip()
+        lengths = [one for one in times.found if one.duration is not None]
+        self.remarks += [*second_lengths(lengths), *second_repetitions(times.found)]
+        operation, requirements, duration = without_denial(
+            sketch.operation,
+            requirements,
+            lengths[0].duration if lengths else None,
+            connected,
+            f"{sketch.denial} {said}",
+            self.lexicon,
+            None if sketch.denial else self._right_before(position, before, said),
+        )
+        requirements, remarks = offered(requirements, operation, text)
+        self.remarks += remarks
+        requirements = due_when_needed(requirements, operation, said, self.lexicon)
+        told = length_of(operation, requirements, said, anchors)
+        self.remarks += [*unknown_length(told, segment.span), *sketch.remarks]
+        self.explained += [remark.span for remark in sketch.remarks]
+        return Instruction(
+            span=segment.span,
+            operation=operation,
+            requirements=tuple(requirements),
+            named=ground_all(sketch.named, text, self.moment).requirements,
+            duration=duration,
+            repeats=next((part.recurrence for part in requirements if part.recurrence is not None), None),
+            fuzzy_parameters=sketch.parameters,
+            length_of=told,
+            way=None if sketch.way is None else sketch.way.seconds,
+            time_of=None if told is not None else time_of(operation, requirements, said, anchors),
+            day_of=event,
+            alone=bool(lengths) and any(_leaves(aside, lengths[0]) for aside in self.draft.asides),
+        )
+
+    def _anchors_at(self, position: int, operations: Sequence[Operation | None]) -> Anchors:
+        """Give what finds the instructions that those at a position refer to."""
+        return Anchors(
             position,
             self.first,
             operations,
@@ -198,67 +249,24 @@ class _Composer:
             self.told,
             self.draft.now,
         )
-        self.explained += sketch.heard
-        sketch, event, remarks = on_days_of_events(sketch, anchors, self.draft.text)
-        self.remarks += remarks
-        times = ground_all(
-            sketch.phrases,
-            self.draft.text,
-            at_usual_hours(self.moment, sketch, self.draft.text, self.lexicon),
-        )
+
+    def _times_of(self, sketch: Sketch) -> Times:
+        """Ground the times of a sketch, with what is to be said and asked of them."""
+        moment = at_usual_hours(self.moment, sketch, self.draft.text, self.lexicon)
+        times = ground_all(sketch.phrases, self.draft.text, moment)
         if not sketch.doubted:
             # What is not planned is no clue to what else is meant.
             self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
-        segment = sketch.part.segment
-        before = self._asked_before(position)
-        connected = anchored_by_connective(segment, self.draft.text, before)
-        if before is None:
-            led = led_by_denial if position else led_by_nothing
-            self.remarks += led(segment, self.draft.text)
-        requirements, remarks = required_of(sketch, times, anchors, connected, self.draft)
-        self.remarks += remarks
-        self.explained += [] if connected is None else [connected.span]
-        self.explained += [part.span for part in requirements if part.anchor is not None and part.anchor.each]
-        said = self.draft.text[slice(*segment.span)].strip()
-        lengths = [one for one in times.found if one.duration is not None]
-        self.remarks += [*second_lengths(lengths), *second_repetitions(times.found)]
-        duration = lengths[0].duration if lengths else None
-        begun: Anchor | None = None
-        if before is not None and self.first < position == before + 1 and not sketch.denial:
-            lasts = self.made[-1].duration is not None
-            begun = Anchor(text=said, target=before, edge=Edge.START if lasts else Edge.END)
-        operation, requirements, duration = without_denial(
-            sketch.operation,
-            requirements,
-            duration,
-            connected,
-            f"{sketch.denial} {said}",
-            self.lexicon,
-            begun,
-        )
-        requirements, remarks = offered(requirements, operation, self.draft.text)
-        self.remarks += remarks
-        requirements = due_when_needed(requirements, operation, said, self.lexicon)
-        told = length_of(operation, requirements, said, anchors)
-        self.remarks += unknown_length(told, segment.span)
-        self.remarks += sketch.remarks
-        self.explained += [remark.span for remark in sketch.remarks]
-        return Instruction(
-            span=segment.span,
-            operation=operation,
-            requirements=tuple(requirements),
-            named=ground_all(sketch.named, self.draft.text, self.moment).requirements,
-            duration=duration,
-            repeats=next((part.recurrence for part in requirements if part.recurrence is not None), None),
-            fuzzy_parameters=sketch.parameters,
-            length_of=told,
-            way=None if sketch.way is None else sketch.way.seconds,
-            time_of=None if told is not None else time_of(operation, requirements, said, anchors),
-            day_of=event,
-            alone=bool(lengths) and any(_leaves(aside, lengths[0]) for aside in self.draft.asides),
-        )
+        return times
+
+    def _right_before(self, position: int, before: int | None, said: str) -> Anchor | None:
+        """Give what the same text asked for right before: its end, or its start where it goes on for long."""
+        if before is None or not self.first < position == before + 1:
+            return None
+        lasts = self.made[-1].duration is not None
+        return Anchor(text=said, target=before, edge=Edge.START if lasts else Edge.END)
 
     def _asked_before(self, position: int) -> int | None:
         """Give the instruction before that "then" follows: not what is not to be done; None without one."""

@@ -46,8 +46,8 @@ class JobSet(NamedTuple):
     ready: list[int]
 
     @classmethod
-    def of(cls, done: int, jobs: int, lags: Sequence[Lag]) -> "JobSet":
-        """Tell what lags bind to a set."""
+    def of(cls, done: int, durations: Sequence[int], lags: Sequence[Lag]) -> "JobSet":
+        """Tell what lags bind to a set of jobs of some durations."""
         crossing = [lag for lag in lags if (done >> lag.first ^ done >> lag.second) & 1]
         opened = sorted({lag.first if done >> lag.first & 1 else lag.second for lag in crossing})
         bonds = [
@@ -56,8 +56,13 @@ class JobSet(NamedTuple):
             else Bond(opened.index(lag.second), lag.first, -lag.high, -lag.low, must=True)
             for lag in crossing
         ]
-        outside = [job for job in range(jobs) if not done >> job & 1]
-        waiting = {lag.second for lag in lags if lag.low >= 0 and not done >> lag.first & 1}
+        outside = [job for job in range(len(durations)) if not done >> job & 1]
+        # What takes no time may start with another on one agent only if it comes first.
+        waiting = {
+            lag.second
+            for lag in lags
+            if (lag.low > 0 or (lag.low == 0 and durations[lag.second] > 0)) and not done >> lag.first & 1
+        }
         return cls(done, opened, bonds, outside, [job for job in outside if job not in waiting])
 
     def had_better_start_soon(self, job: int, lags: Sequence[Lag]) -> bool:

@@ -161,7 +161,7 @@ class Waiting:
 
     def _set(self, done: int) -> JobSet:
         if done not in self._sets:
-            self._sets[done] = JobSet.of(done, self._prices.size, self._lags)
+            self._sets[done] = JobSet.of(done, self._durations, self._lags)
         return self._sets[done]
 
     def _front(self, done: int, states: States, limit: float) -> _Front:

@@ -1,6 +1,7 @@
 """One file of word tables: its sections, and the entries gathered from them."""
 
 from collections.abc import Callable, Collection, Iterable
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,9 @@ SOURCE = "source"
 
 WORDS = "words"
 """The key of a list that has a source."""
+
+CHOICE = "|"
+"""Between words one of which is said."""
 
 Form = tuple[str, ...]
 
@@ -63,13 +67,12 @@ class Tables:
         return list(self._rows[section].values())
 
     def forms(self, node: Node, key: str) -> list[Form]:
-        """Give ways to say something, cut into words."""
+        """Give ways to say something, cut into words: "could|can you" is two of them."""
         found = []
         for text in self.reader.strings(node, key):
-            form = form_of(text)
-            if form:
-                found.append(form)
-            elif text.strip():
+            ways = [form_of(way) for way in _ways(text)]
+            found += [form for form in ways if form]
+            if text.strip() and not all(ways):
                 self.reader.mistake(node, key, NO_WORD)
         return found
 
@@ -146,6 +149,14 @@ class Tables:
     def single_words(self, section: str, key: str | None = None) -> frozenset[str]:
         """Give a section, or a list within it, of forms that are one word each."""
         return frozenset(form[0] for form in self.words(section, key))
+
+
+def _ways(text: str) -> Iterable[str]:
+    """Give the ways that a text with choices stands for: "could|can you" is two of them."""
+    if CHOICE not in text:
+        return (text,)
+    words = (word.split(CHOICE) if word != CHOICE else [word] for word in text.split())
+    return (" ".join(chosen) for chosen in product(*words))
 
 
 def numbers(tables: Tables, section: str) -> dict[str, int]:

@@ -42,7 +42,7 @@ def left_inside(clause: Clause, anchors: Anchors) -> int | None:
 
 
 def _leaves_something(place: int, anchors: Anchors, *, over: bool) -> bool:
-    """Whether an instruction leaves something somewhere, for a known while where it is to be ``over``."""
+    """Whether an instruction leaves something somewhere; where it is to be ``over``, for a known while."""
     operation = anchors.operation_at(place)
     if operation is None or not operation.is_asked or operation.lemma not in anchors.lexicon.doing.putting:
         return False

@@ -12,7 +12,7 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.told import Told
 from fuzzytime.language.sentence.trees.content_words import content_words, stems
-from fuzzytime.language.sentence.trees.named import is_several, may_be_it, names_person
+from fuzzytime.language.sentence.trees.named import is_event, is_several, may_be_it, names_person
 
 BE = "be"
 
@@ -69,6 +69,7 @@ class Mentions:
     _bare: dict[str, list[int]] = field(default_factory=dict)
     _by_way: dict[str, list[int]] = field(default_factory=dict)
     _things: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
+    _goods: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
     _people: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
 
     def add(self, operation: Operation | None) -> None:
@@ -81,7 +82,10 @@ class Mentions:
         if named is not None and names_person(named, self.lexicon):
             self._people[is_several(named, self.lexicon)].append(position)
         if may_be_it(operation, self.lexicon):
-            self._things[is_several(operation.object or "", self.lexicon)].append(position)
+            several = is_several(operation.object or "", self.lexicon)
+            self._things[several].append(position)
+            if not is_event(operation, self.lexicon):
+                self._goods[several].append(position)
         if operation.negated:
             return
         words = content_words(operation.object)
@@ -96,9 +100,13 @@ class Mentions:
         if not words | content_words(operation.place):
             self._bare.setdefault(operation.lemma, []).append(position)
 
-    def thing(self, before: int, *, several: bool, strictly: bool = False) -> str | None:
-        """Give the latest object that "it" or "them" may be, of either number unless ``strictly``."""
-        one, many = (positions[: bisect_left(positions, before)][-1:] for positions in self._things)
+    def thing(self, before: int, *, several: bool, strictly: bool = False, goods: bool = False) -> str | None:
+        """Give the latest object that "it" or "them" may be, of either number unless ``strictly``.
+
+        Where ``goods`` are meant, "handover at noon" is what something is done before, and no object of it.
+        """
+        things = self._goods if goods else self._things
+        one, many = (positions[: bisect_left(positions, before)][-1:] for positions in things)
         found = (many if several else one) or ([] if strictly else sorted(one + many)[-1:])
         operation = self.operations[found[0]] if found else None
         return None if operation is None else operation.object

@@ -199,6 +199,9 @@ def binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     if node.tag == "DT" and node.head < place and node.relation != "det":
         # "When you're done with that do the stairs"
         return False
+    if node.lower in lexicon.particles and tree.nodes[place - 1].lemma in lexicon.closed.lemmas_of_be:
+        # "When the film is over dim the lights"
+        return False
     # "If the parcel hasn't come"
     helps = node.relation in {"aux", "auxpass", "neg"} and node.head > place
     return helps or (node.tag in BINDING and not apart)

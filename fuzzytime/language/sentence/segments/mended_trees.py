@@ -3,7 +3,8 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.segments.mended_verbs import does_to_person, with_thing_done, with_verb
+from fuzzytime.language.sentence.trees.tree import Tree
 
 LEAST_DONE = 3
 """Words of "do ward 7"."""
@@ -25,10 +26,10 @@ def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     if not tree.nodes:
         return tree
     tree = _with_manner(_with_name_in_front(_with_numbered_things(tree, lexicon), lexicon))
-    tree = _does_to_person(tree, lexicon) or tree
+    tree = does_to_person(tree, lexicon) or tree
     mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
-    mended = mended or _orders_verb(tree, lexicon) or _lets_know(tree, lexicon) or _does_event(tree, lexicon)
-    return _with_list(_wants_done(mended or _does_compound(tree, lexicon) or tree))
+    mended = mended or _lets_know(tree, lexicon) or with_verb(tree, lexicon)
+    return _with_list(_wants_done(mended or tree))
 
 
 def _with_manner(tree: Tree) -> Tree:
@@ -49,7 +50,7 @@ def _does_numbered(tree: Tree, lexicon: Lexicon) -> Tree | None:
         return None
     if tree.nodes[1].lower not in lexicon.machines or tree.nodes[2].tag != "CD":
         return None
-    moved = _with_thing_done(tree, 1, LEAST_DONE)
+    moved = with_thing_done(tree, 1, LEAST_DONE)
     moved[2] = replace(moved[2], relation="nummod", head=1)
     return tree.with_nodes(moved)
 
@@ -63,50 +64,9 @@ def _does_named(tree: Tree) -> Tree | None:
     led = bool(subjects) and tree.nodes[root - 1] is tree.nodes[subjects[0]] and tree.nodes[1].tag == "DT"
     if not led or tree.nodes[0].head != root or tree.nodes[-1].text == "?" or tree.children(root, "dobj"):
         return None
-    moved = _with_thing_done(tree, root, root)
+    moved = with_thing_done(tree, root, root)
     moved[root - 1] = replace(moved[root - 1], relation="compound", head=root)
     return tree.with_nodes(moved)
-
-
-def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
-    """Give "press start" its verb, where what is pressed, or are several, was taken for it."""
-    if len(tree.nodes) < LET or tree.root != 1 or tree.nodes[0].relation not in {"aux", "compound"}:
-        return None
-    called = tree.nodes[1].may_act and tree.nodes[1].lower == tree.nodes[1].lemma
-    orders = called and tree.nodes[0].lower in lexicon.ordering
-    numbered = any(node.tag == "CD" and node.text.isalpha() for node in tree.nodes[LET:])
-    orders = orders or (not numbered and _orders_several(tree.nodes[0], tree.nodes[1], lexicon))
-    return tree.with_nodes(_with_thing_done(tree, 1, 1)) if orders else None
-
-
-def _does_event(tree: Tree, lexicon: Lexicon) -> Tree | None:
-    """Give "schedule a team call" its verb, where what happens was taken for what the first word does."""
-    root = tree.root
-    if root < LEAST_DONE - 1 or tree.children(root, "aux"):
-        return None
-    first, led, event = tree.nodes[0], tree.nodes[1], tree.nodes[root]
-    names = lexicon.happening | lexicon.taken | lexicon.events | lexicon.lasting
-    bare = first.tag == "VB" and first.relation == "nsubj" and first.head == root
-    if (
-        not bare
-        or led.tag != "DT"
-        or event.lower not in names
-        or tree.nodes[root - 1].tag not in {"NN", "JJ"}
-    ):
-        return None
-    moved = _with_thing_done(tree, root, root)
-    for place in range(1, root):
-        moved[place] = replace(moved[place], head=root)
-    moved[root - 1] = replace(moved[root - 1], relation="compound")
-    return tree.with_nodes(moved)
-
-
-def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:
-    """Whether something is done with several: "water plants", "feed chickens"; but "swim lessons" happen."""
-    done = lexicon.chores | lexicon.doing.by_the_day | lexicon.dosing | lexicon.ordering
-    timed = lexicon.happening | lexicon.taken | lexicon.events
-    bare = verb.tag == "NN" and verb.lower in done - lexicon.addressing
-    return bare and things.tag == "NNS" and timed.isdisjoint({things.lower, things.lemma})
 
 
 def _lets_know(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -153,35 +113,6 @@ def _with_name_in_front(tree: Tree, lexicon: Lexicon) -> Tree:
     return tree.with_nodes(nodes)
 
 
-def _does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
-    """Give "feed grandpa at ten" its verb, where who stands right behind was taken for it."""
-    if tree.root != 1 or not tree.nodes[1].is_verb:
-        return None
-    first, person = tree.nodes[:LET]
-    acts = first.may_act and first.lower == first.lemma and first.tag in NOUNS
-    if not acts or person.lower not in lexicon.persons | lexicon.animals or person.may_act:
-        return None
-    return None if first.lower in lexicon.persons else tree.with_nodes(_with_thing_done(tree, 1, 1))
-
-
-def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
-    """Give "review pull requests" its verb, where the second word was taken for it.
-
-    A noun in the singular and a bare verb do not agree; and who would be called has a name of its own.
-    """
-    if tree.root != 1 or len(tree.nodes) < LEAST_DONE:
-        return None
-    first, second, third = tree.nodes[:LEAST_DONE]
-    things = tree.children(1, "dobj")
-    bare = first.tag == "NN" and first.may_act and second.tag in {"VB", "VBP"} and third.tag in {"NN", "NNS"}
-    if not bare or first.lower in lexicon.persons | lexicon.workers or not things:
-        return None
-    nodes = [replace(node, head=0) if node.head == 1 else node for node in tree.nodes]
-    nodes[0] = replace(first, tag="VB", relation="ROOT", head=0)
-    nodes[1] = replace(second, tag="NN", relation="compound", head=things[0])
-    return tree.with_nodes(nodes)
-
-
 def _does_nth(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "prune the second rose" its thing, which was taken for what rose: behind a number it is one."""
     if len(tree.nodes) <= NTH:
@@ -190,7 +121,7 @@ def _does_nth(tree: Tree, lexicon: Lexicon) -> Tree | None:
     counted = led.tag == "DT" and number.lower in lexicon.ordinals and number.relation == "nsubj"
     if not counted or number.head != NTH or thing.tag != "VBD" or not first.may_act:
         return None
-    moved = _with_thing_done(tree, NTH, NTH)
+    moved = with_thing_done(tree, NTH, NTH)
     moved[1] = replace(led, head=NTH)
     moved[2] = replace(number, relation="amod", head=NTH)
     return tree.with_nodes(moved)
@@ -226,17 +157,6 @@ def _is_of_thing(tree: Tree, done: int) -> bool:
     subjects = tree.children(done, "nsubj", "nsubjpass")
     named = bool(subjects) and tree.nodes[subjects[0]].tag in NOUNS
     return named and not tree.children(done, "mark", "dobj")
-
-
-def _with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:
-    """Make the first word the verb, a thing its object, and what hung on that behind a word the verb's."""
-    moved = [
-        replace(node, head=0) if node.head == thing and place > last else node
-        for place, node in enumerate(tree.nodes)
-    ]
-    moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
-    moved[thing] = replace(moved[thing], tag="NN", relation="dobj", head=0)
-    return moved
 
 
 def _with_list(tree: Tree) -> Tree:

@@ -11,7 +11,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.sentence.segments.fronts import CARRIER, binds, is_bare, is_order
+from fuzzytime.language.sentence.segments.fronts import CARRIER, COMPLEMENTS, binds, is_bare, is_order
 from fuzzytime.language.sentence.segments.orders_in_front import denied_from
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
@@ -72,6 +72,7 @@ def run_on_orders(
             whole = _is_whole(one, lexicon, timed=False) and _has_object(one) and _tells(other)
         else:
             whole = _tells(one) if attempt.tells else _is_whole(one, lexicon, timed=attempt.timed)
+            whole = whole and (attempt.timed or not attempt.tells or _is_state(one, lexicon))
             whole = whole and _governs(other)
         if attempt.one not in cut and whole:
             cut[attempt.one] = attempt.start
@@ -88,7 +89,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         told = not tells and behind_time and here not in timed and _may_tell(tree, here, lexicon)
         if here in timed or not (told or _may_begin(tree, here, timed, lexicon)):
             continue
-        if tells and here - 1 not in timed:
+        if tells and here - 1 not in timed and not _may_be_state(tree, here, lexicon):
             # "The kids have to make their beds"
             continue
         led = next((place for place in range(here - 1, -1, -1) if place not in timed), 0)
@@ -138,6 +139,26 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     further = tree.nodes[place + 2 : place + 3]
     carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
     return led or (carried and further[0].tag in DETERMINERS)
+
+
+def _may_be_state(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether the words before a place may say how one is, or what one cannot: "i'm tired | let me sleep"."""
+    closed = lexicon.closed
+    before = tree.nodes[:place]
+    said = any(node.lemma in closed.lemmas_of_be or node.relation == "neg" for node in before[1:])
+    leads = (lexicon.letting | lexicon.causing | lexicon.doing.watching) - closed.lemmas_of_be
+    return place > LEAST and said and leads.isdisjoint(node.lemma for node in before)
+
+
+def _is_state(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether words say to their end how one is, or what one cannot."""
+    root = tree.root
+    helping = tree.children(root, "aux", "auxpass")
+    denied = tree.children(root, "neg") and any(tree.nodes[place].tag == "MD" for place in helping)
+    if tree.nodes[root].lemma in lexicon.closed.lemmas_of_be:
+        return bool(tree.children(root, *COMPLEMENTS))
+    being = any(tree.nodes[place].lemma in lexicon.closed.lemmas_of_be for place in helping)
+    return bool(denied) or being
 
 
 def _may_tell(tree: Tree, place: int, lexicon: Lexicon) -> bool:

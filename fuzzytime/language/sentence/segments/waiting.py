@@ -188,9 +188,9 @@ class Waiting:
         while places:
             leading = next((p for p in self.source.phrases if p.first == places[0]), None)
             # "On the 6th and 8th feed the hens"
-            joins = (
-                words[places[0]].text in {"and", "&", "or"} and places[0] + 1 in firsts and places[0] in ends
-            )
+            joint = words[places[0]].text if places[0] in ends else ""
+            # "No rush but descale the kettle"
+            joins = joint == "but" or (joint in {"and", "&", "or"} and places[0] + 1 in firsts)
             if leading is None and not joins and words[places[0]].text not in {",", ":", "-"}:
                 return words[places[0]].start - self.main
             end = leading.end if leading is not None else places[0] + 1

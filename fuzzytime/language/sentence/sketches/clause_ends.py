@@ -7,12 +7,16 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.segments.waiting import goes_on_behind
 from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.requirement import Constraint
 
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
 
 OR_ELAPSED = "elapsed.or_elapsed"
 """The rule of a length that is over, behind "or"."""
+
+LONGEST_STATE = 2
+"""Words of what something becomes at most: "until golden brown"."""
 
 ASKED = 4
 """Words from "ask" on, before "if", at most: who is asked is one of them."""
@@ -42,7 +46,7 @@ class ClauseEnds:
         That is a mark, "and" or "or" before a time or another clause, or what begins a condition.
         """
         text = self.words[place].text
-        if self._adds_condition(first, place) or self._is_asked(first, place):
+        if self._adds_condition(first, place) or self._is_asked(first, place) or self._lasts(first, place):
             return True
         if text == "," and (self._is_inside(place) or self._goes_on(place)):
             return False
@@ -56,6 +60,13 @@ class ClauseEnds:
         clause = longest_match(self.words, behind, self.lexicon.clauses)
         bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
         return bound or bool(clause and self.lexicon.clauses[clause])
+
+    def _lasts(self, first: int, place: int) -> bool:
+        """Whether a length begins behind what something becomes: "until doubled | about an hour"."""
+        said = [word.text for word in self.words[first:place]]
+        state = 0 < len(said) <= LONGEST_STATE and said[0] not in self.lexicon.closed.condition_openers
+        lengths = (phrase for phrase in self.phrases if phrase.first == place)
+        return state and any(phrase.said.constraint is Constraint.FOR for phrase in lengths)
 
     def _adds_condition(self, first: int, place: int) -> bool:
         """Whether another condition begins: "after the nap | if it's dry"; but "when you see if it is"."""

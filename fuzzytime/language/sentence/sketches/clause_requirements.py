@@ -137,6 +137,9 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
             about = anchors.done_with(condition.subject)
             if about is None and condition.subject in anchors.lexicon.closed.anaphors:
                 about = anchors.done_with_it(condition.subject)
+            if about is None and said.subject in anchors.lexicon.closed.anaphors:
+                # "Sand the shelf. First coat of paint once it's dust free": nothing was done with the paint.
+                about = anchors.done_with(_said_before(said.subject, anchors, sketch))
             condition = replace(condition, about=about, takes=takes)
     elif clause.kind == "while" and not condition.negated:
         condition = replace(condition, about=_under_way(said, condition, anchors), goes_on=True)
@@ -181,9 +184,7 @@ def _meant_by_pronoun(clause: Clause, anchors: Anchors, sketch: Sketch) -> str |
     """
     operation = sketch.operation
     if operation is not None and clause.span[0] < operation.span[0] and clause.condition is not None:
-        pronoun = replace(operation, object=clause.condition.subject)
-        own = anchors.own[: anchors.position - anchors.first]
-        earlier = resolved_object(pronoun, own, anchors.mentions, anchors.first)
+        earlier = _said_before(clause.condition.subject, anchors, sketch)
         before = anchors.operation_at(anchors.position - 1) if anchors.position else None
         if earlier is not None and (
             earlier.lower() not in anchors.lexicon.closed.anaphors or earlier == (before and before.object)
@@ -194,15 +195,21 @@ def _meant_by_pronoun(clause: Clause, anchors: Anchors, sketch: Sketch) -> str |
         return None
     if _are_others(clause, operation.object, anchors.lexicon):
         # "Feed the cows, then mop the barn while they are outside"
-        pronoun = replace(operation, object="them")
-        earlier = resolved_object(
-            pronoun, anchors.own[: anchors.position - anchors.first], anchors.mentions, anchors.first
-        )
+        earlier = _said_before("them", anchors, sketch)
         known = earlier is not None and earlier.lower() not in anchors.lexicon.closed.anaphors
         return earlier if known and is_several(earlier or "", anchors.lexicon) else None
     person = not anchors.lexicon.persons.isdisjoint((operation.object or "").lower().split())
     # "Move mum to the other room once it is clean"
     return operation.place if person and operation.place else operation.object
+
+
+def _said_before(pronoun: str | None, anchors: Anchors, sketch: Sketch) -> str | None:
+    """Give what a pronoun stands for among what was said before; itself where nothing fits."""
+    if sketch.operation is None:
+        return None
+    own = anchors.own[: anchors.position - anchors.first]
+    named = replace(sketch.operation, object=pronoun)
+    return resolved_object(named, own, anchors.mentions, anchors.first)
 
 
 def _are_others(clause: Clause, thing: str | None, lexicon: Lexicon) -> bool:

@@ -51,7 +51,11 @@ def resolved_object(
     for earlier in own:
         passed = _is_setting(earlier, lexicon) and not _is_changing(operation, lexicon)
         near.add(None if passed else earlier)
-    here, there = near.thing(len(own), several=several), mentions.thing(first, several=several)
+    # "Handover at noon", "print it before that" is of what was written for it.
+    said = ((near, len(own)), (mentions, first))
+    goods = operation.lemma not in lexicon.doing.of_events
+    goods = goods and any(one.thing(end, several=several, goods=True) for one, end in said)
+    here, there = (one.thing(end, several=several, goods=goods) for one, end in said)
     fitting = (
         thing for thing in (here, there) if thing is not None and is_several(thing, lexicon) is several
     )

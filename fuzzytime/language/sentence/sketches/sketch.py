@@ -5,23 +5,18 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Order, Remark, RemarkKind, Span, overlap
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, TimeWord
+from fuzzytime.language.instruction import Operation, Order, Remark, Span
+from fuzzytime.language.meaning.expressions import Duration, Phrase, TimeWord
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.clauses.times_of_events import AHEAD, OVER
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.same_doers import tells_more
 from fuzzytime.language.sentence.segments.waiting import Part
-from fuzzytime.language.sentence.sketches.deadlines_of_clauses import DEADLINE
-from fuzzytime.language.sentence.sketches.elsewhere import aim_of, elsewhere, is_of_subject, reason_of
-from fuzzytime.language.sentence.sketches.of_things import of_things
-from fuzzytime.language.sentence.sketches.retimed import by_that_day, is_there, on_that_day, put_off
-from fuzzytime.language.sentence.sketches.said_of_time import DATED, said_of_time
+from fuzzytime.language.sentence.sketches.own_times import own_times
+from fuzzytime.language.sentence.sketches.referred import referred
+from fuzzytime.language.sentence.sketches.said_of_time import SaidOfTime, said_of_time
 from fuzzytime.language.sentence.sketches.telling import (
-    of_something_else,
     of_which,
     telling_alone,
-    times_told,
     with_name,
     with_told,
 )
@@ -33,7 +28,6 @@ from fuzzytime.language.sentence.verbs.actions import (
 from fuzzytime.language.sentence.verbs.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.due_by_then import due_by_then
 from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
-from fuzzytime.language.sentence.verbs.moments import reference_of
 from fuzzytime.language.sentence.verbs.named_deeds import chores_at, deed_at
 from fuzzytime.language.sentence.verbs.named_moments import named_moment
 from fuzzytime.language.sentence.verbs.operations import Reader
@@ -43,9 +37,6 @@ from fuzzytime.requirement import Constraint, Reference
 
 if TYPE_CHECKING:
     from fuzzytime.skills import FuzzyParameter
-
-
-LEAVE = "leave"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -109,83 +100,53 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     first, end = part.segment.span
     phrases = [phrase for phrase in draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
     said = said_of_time(draft, part, phrases, lexicon)
-    kept, clauses, left_out, excepted = said.phrases, said.clauses, said.left_out, said.remarks
     named = Sketch(
         part=part,
-        phrases=tuple(kept),
-        clauses=tuple(clauses),
-        references=(None,) * len(kept),
-        operation=telling_alone(draft, part) or _happening(draft, part, kept, clauses, lexicon),
-        remarks=tuple(excepted),
+        phrases=tuple(said.phrases),
+        clauses=tuple(said.clauses),
+        references=(None,) * len(said.phrases),
+        operation=telling_alone(draft, part) or _happening(draft, part, said.phrases, said.clauses, lexicon),
+        remarks=tuple(said.remarks),
     )
     if named.operation is not None or part.segment.verbless:
         return named
-    meant = action_of(part.tree, lexicon, told=tells_more(part))
-    action = _untimed(part, meant, kept, lexicon)
-    if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
-        return named
+    action = _action_of(part, said, lexicon, timed=bool(phrases or said.clauses))
+    return named if action is None else _asked(draft, part, said, action, lexicon)
+
+
+def _action_of(part: Part, said: SaidOfTime, lexicon: Lexicon, *, timed: bool) -> Action | None:
+    """Give the verb that says what is to be done; None where none does."""
+    action = _untimed(part, action_of(part.tree, lexicon, told=tells_more(part)), said.phrases, lexicon)
+    if action is None or not (timed or not says_how_things_are(part.tree, action.place)):
+        return None
     verb = part.tree.nodes[action.place].start + part.offset
-    if any(clause.span[0] < verb < clause.span[1] for clause in clauses) and part.segment.connective:
-        # "…, then every two minutes until it thickens"
-        return named
-    things = of_things(part, kept, action)
-    others = elsewhere(part, kept, action, lexicon, told=bool(clauses))
-    things = [phrase for phrase in things if phrase not in others]
-    told = ((aim_of(part, kept, action), "what it is for"), (reason_of(part, kept, action), "why"))
-    aims = [(span, what) for span, what in told if span is not None]
-    of_aims = [phrase for phrase in kept if any(overlap(phrase.span, aim) for aim, _ in aims)]
-    for aim, what in aims:
-        others, things = ([p for p in found if not overlap(p.span, aim)] for found in (others, things))
-        kept = [phrase for phrase in kept if not overlap(phrase.span, aim)]
-        clauses = [clause for clause in clauses if not overlap(clause.span, aim)]
-        message = f"{draft.text[slice(*aim)]!r} is {what}, and not when to do it"
-        excepted.append(Remark(RemarkKind.POLICY, aim, message))
-    kept = [phrase for phrase in kept if phrase not in (*others, *things)]
-    heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
-    spans = (*heard, *left_out, *draft.unfinished, *(aim for aim, _ in aims), *(p.span for p in things))
-    reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
+    # "…, then every two minutes until it thickens"
+    in_clause = any(clause.span[0] < verb < clause.span[1] for clause in said.clauses)
+    return None if in_clause and part.segment.connective else action
+
+
+def _asked(draft: Draft, part: Part, said: SaidOfTime, action: Action, lexicon: Lexicon) -> Sketch:
+    """Sketch a part whose verb says what is to be done, with the times that are about that."""
+    times = own_times(draft, part, said, action, lexicon)
+    reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in times.covered])
     operation = with_told(draft, part, as_remembered(reader.operation(action)))
-    operation = of_which(draft.text, with_name(part, operation, action), things)
-    clauses = [
-        replace(clause, reference=_reference_at(part, clause.span, action, lexicon)) for clause in clauses
-    ]
-    a, b = operation.span
-    if not operation.negated:
-        kept = [by_that_day(phrase, clauses) for phrase in kept]
-    references = [_reference(part, phrase, action, lexicon, clauses) for phrase in kept]
-    if is_there(operation, lexicon):
-        kept = [on_that_day(phrase) for phrase in kept]
-    if not operation.negated and {operation.lemma, operation.phrase} & lexicon.moving:
-        kept = [put_off(phrase) for phrase in kept]
-    if _is_gone(operation, lexicon):
-        references = [None if one is Reference.THROUGHOUT else one for one in references]
-    if operation.stated:
-        # "The shop is closed between ten and eleven" is so all that time.
-        ranges = [isinstance(phrase.said.time, Range) for phrase in kept]
-        references = [None if spans else one for one, spans in zip(references, ranges, strict=True)]
+    operation = of_which(draft.text, with_name(part, operation, action), times.of_things)
+    phrases, clauses, references = referred(part, times, action, operation, lexicon)
+    span = operation.span
     return Sketch(
         part=part,
-        phrases=tuple(kept),
-        clauses=tuple(clauses),
-        references=tuple(references),
+        phrases=phrases,
+        clauses=clauses,
+        references=references,
         operation=replace(
             operation,
-            span=(a + part.offset, b + part.offset),
+            span=(span[0] + part.offset, span[1] + part.offset),
             addressee=part.segment.addressee or operation.addressee,
         ),
         parameters=parameters_of(reader, action),
-        named=tuple(sorted((*others, *things, *of_aims, *times_told(draft, part)), key=lambda p: p.span)),
-        remarks=(*excepted, *(of_something_else(draft.text, phrase) for phrase in (*others, *things))),
+        named=times.named,
+        remarks=times.remarks,
     )
-
-
-def _is_gone(operation: Operation, lexicon: Lexicon) -> bool:
-    """Whether "leave" is to go: "leave the house between seven and eight" is no "leave the lamp on"."""
-    if operation.phrase != LEAVE or operation.complement is not None:
-        return False
-    if operation.object is None:
-        return operation.place is not None and operation.place.lower().startswith(("for ", "to "))
-    return operation.place is None and operation.object.lower().split()[-1] in lexicon.beside.sites
 
 
 def order_of(draft: Draft, part: Part) -> Order | None:
@@ -266,32 +227,3 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexic
         verbs = (place for place in verbs if place > action.place)
     found = next(verbs, None) if spends or action.place in timed else None
     return action if found is None else replace(action, place=found)
-
-
-def _reference(
-    part: Part, phrase: Phrase, action: Action, lexicon: Lexicon, clauses: Sequence[Clause]
-) -> Reference | None:
-    """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
-    if phrase.rule in {DATED, DEADLINE}:
-        # What its clause is about starts or ends then, not what is to be done.
-        return action.reference
-    if any(clause.kind in OVER | AHEAD and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
-        # "Lock up when everyone has left on friday"
-        return action.reference
-    if action.reference is Reference.FINISH and is_of_subject(part, phrase, action):
-        # "Staff meeting at 3.30, should be done by half four"
-        return None
-    return _reference_at(part, phrase.span, action, lexicon)
-
-
-def _reference_at(part: Part, span: Span, action: Action, lexicon: Lexicon) -> Reference | None:
-    """Give which moment words in a stretch are about, by the verb nearest above them."""
-    first, end = (place - part.offset for place in span)
-    for place in part.tree.at(first, end):
-        for above in part.tree.above(place):
-            if above == action.place:
-                return action.reference
-            inside = first <= part.tree.nodes[above].start < end
-            if part.tree.nodes[above].is_verb and not inside:
-                return reference_of(part.tree, above, lexicon) or action.reference
-    return action.reference

@@ -27,6 +27,13 @@ def may_be_it(operation: Operation, lexicon: Lexicon) -> bool:
     return named and not _is_person(operation, lexicon)
 
 
+def is_event(operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether it is told when something is that goes on, and at which no thing is: "handover at noon"."""
+    words = [word.text for word in words_of(operation.object or "")]
+    timed = lexicon.happening | lexicon.events | lexicon.taken
+    return operation.stated and not timed.isdisjoint(words)
+
+
 def _is_person(operation: Operation, lexicon: Lexicon) -> bool:
     words = {word.text for word in words_of(operation.object or "")}
     return operation.lemma in lexicon.addressing or bool(words & lexicon.persons)

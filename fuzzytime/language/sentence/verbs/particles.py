@@ -65,15 +65,12 @@ class Particles(VerbWords):
         node = self.tree.nodes[place]
         # "On the way back"
         owned = self.tree.nodes[node.head].relation == "pobj"
+        above = list(self.tree.above(place))
+        if verb not in above:
+            return False
         # "Remind me to take it out", "tell Ann that the meeting is off"
-        own = (above for above in self.tree.above(place) if self.has_to(above) or self._is_told(above))
-        nearest = next(own, verb)
-        return (
-            nearest == verb
-            and verb in self.tree.above(place)
-            and node.tag in {"IN", "RP", "RB"}
-            and not owned
-        )
+        inner = any(self.has_to(p) or self._is_told(p) for p in above[: above.index(verb)])
+        return not inner and node.tag in {"IN", "RP", "RB"} and not owned
 
     def _is_told(self, verb: int) -> bool:
         """Whether a verb with who or what it is about tells something: "the meeting is off"."""

@@ -73,6 +73,6 @@ def _clauses(tree: Tree, verb: int) -> Iterator[SmallClause]:
 
 
 def gets_to_do(tree: Tree, verb: int, below: int) -> bool:
-    """Whether somebody is got to do something: "get Bob to mow the lawn"."""
+    """Whether somebody is got to do something: "get Bob to mow the lawn", "get the sprinklers going"."""
     named = any(verb < place < below for place in tree.children(below, *SUBJECTS))
-    return tree.nodes[verb].lemma == "get" and named and tree.nodes[below].tag == "VB"
+    return tree.nodes[verb].lemma == "get" and named and tree.nodes[below].tag in {"VB", "VBG"}

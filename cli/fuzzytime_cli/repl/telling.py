@@ -1,0 +1,105 @@
+"""What somebody tells to be so now: "the pan is hot" is a reading, "Bob is here" what was waited for."""
+
+from rich.text import Text
+
+from fuzzytime.language import Lexicon, Reading, content_words, news_in
+from fuzzytime.requirement import Condition, Constraint
+from fuzzytime_cli.render import plain
+from fuzzytime_cli.repl.changing import ctx
+from fuzzytime_cli.repl.conversation import context_of
+from fuzzytime_cli.repl.retiming import IDLE
+from fuzzytime_cli.repl.scene import Reply, Scene, waiting
+
+TOLD_OF = frozenset({"it", "they", "it's", "they're", "there"})
+"""First words of what is told of something that was spoken of."""
+
+YOU = "you"
+
+
+def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
+    """Take what is so now as a reading, or as what something waits for; None where nothing is told."""
+    said = words.strip().rstrip(".! ")
+    if said.endswith("?") or not _tells(scene, said, reading):
+        return None
+    condition = _condition(scene, said)
+    if condition is None:
+        return None
+    conversation = scene.conversation
+    context = context_of(conversation.given, scene.now).merged(
+        context_of(conversation.state.readings, scene.now)
+    )
+    told = conversation.interpreter.rulebook.told(condition, context)
+    if told is not None:
+        unit = f" {told.unit}" if told.unit else ""
+        text = told.signal if told.value is None else f"{told.signal}={told.value:g}{unit}"
+        reply = ctx(scene, text)
+        head = Text(plain(f"taken as :ctx {text}; :undo takes it back"))
+        return Reply((head, *reply.lines), changed=reply.changed)
+    if not _is_waited_for(scene, said):
+        return None
+    anew = f"{said} now"
+    return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
+
+
+def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
+    """Whether what looks like a wish tells what is, or was: "dinner's burnt", "you forgot the windows"."""
+    if len(reading.instructions) != 1 or reading.instructions[0].operation is None:
+        return False
+    operation = reading.instructions[0].operation
+    if operation.due is not None:
+        return (operation.object or "").endswith(("'s", "\u2019s"))
+    first = reading.tokens[0].text.lower() if reading.tokens else ""
+    asked = operation.stated or operation.negated or bool(reading.instructions[0].requirements)
+    verb = operation.verb.lower()
+    past = verb != operation.lemma or any(verb in forms for forms in lexicon.past.values())
+    return first == YOU and not asked and past
+
+
+def _tells(scene: Scene, said: str, reading: Reading) -> bool:
+    """Whether words tell what is so: they ask for nothing at any time, and are no news of what was told."""
+    if len(reading.instructions) != 1 or any(one.requirements for one in reading.instructions):
+        return False
+    lexicon = scene.conversation.interpreter.language.lexicon
+    first = said.split(maxsplit=1)[0].lower().replace("\u2019", "'") if said else ""
+    operation = reading.instructions[0].operation
+    # No order begins with "the" or "it".
+    if operation is not None and first not in TOLD_OF | lexicon.closed.noun_openers:
+        return False
+    happening = [one.operation for one in scene.plan.skills if one.stated and one.operation is not None]
+    return not any(
+        news.is_of(one, lexicon) for news in news_in(said, scene.now, lexicon) for one in happening
+    )
+
+
+def _condition(scene: Scene, said: str) -> Condition | None:
+    """Give what is told as what somebody may wait for; of "it" what is waited for."""
+    language = scene.conversation.interpreter.language
+    read = language.read(f"{IDLE} when {said}", now=scene.now)
+    found = [part.condition for one in read.instructions for part in one.requirements]
+    if len(found) != 1 or found[0] is None:
+        return None
+    if found[0].subject not in TOLD_OF:
+        return found[0]
+    alike = (one for one in _awaited(scene) if one.word is not None and one.word == found[0].word)
+    return next(alike, found[0])
+
+
+def _awaited(scene: Scene) -> list[Condition]:
+    """Give what skills that have not started wait for."""
+    return [
+        part.condition
+        for _, one in waiting(scene)
+        for part in one.requirements
+        if part.condition is not None and part.constraint is Constraint.WHEN
+    ]
+
+
+def _is_waited_for(scene: Scene, said: str) -> bool:
+    """Whether something waits for what these words say."""
+    named = content_words(said)
+    parts = (part for _, one in waiting(scene) for part in one.requirements)
+    return bool(named) and any(
+        named <= content_words(part.text)
+        for part in parts
+        if part.condition is not None or (part.anchor is not None and part.anchor.target is None)
+    )

@@ -1,0 +1,143 @@
+"""Orders whose tree takes another word for their verb, given it: "feed grandpa", "press start"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+
+LEAST_DONE = 3
+"""Words of "review pull requests"."""
+
+LET = 2
+"""Words of "press start"."""
+
+NOUNS = frozenset({"NN", "NNS", "NNP"})
+"""Tags of things, and of orders taken for one."""
+
+
+def with_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give an order whose tree has another word for its verb that verb; None where it has none."""
+    orders = (_orders_verb, _does_event, _does_led, _calls_person, _lists_order, _does_compound)
+    return next((mended for does in orders if (mended := does(tree, lexicon)) is not None), None)
+
+
+def does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "feed grandpa at ten" its verb, where who stands right behind was taken for it."""
+    if tree.root != 1 or not tree.nodes[1].is_verb:
+        return None
+    first, person = tree.nodes[:LET]
+    acts = first.may_act and first.lower == first.lemma and first.tag in NOUNS
+    if not acts or person.lower not in lexicon.persons | lexicon.animals or person.may_act:
+        return None
+    return None if first.lower in lexicon.persons else tree.with_nodes(with_thing_done(tree, 1, 1))
+
+
+def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "press start" its verb, where what is pressed, or are several, was taken for it."""
+    if len(tree.nodes) < LET or tree.root != 1 or tree.nodes[0].relation not in {"aux", "compound"}:
+        return None
+    called = tree.nodes[1].may_act and tree.nodes[1].lower == tree.nodes[1].lemma
+    orders = called and tree.nodes[0].lower in lexicon.ordering
+    numbered = any(node.tag == "CD" and node.text.isalpha() for node in tree.nodes[LET:])
+    orders = orders or (not numbered and _orders_several(tree.nodes[0], tree.nodes[1], lexicon))
+    return tree.with_nodes(with_thing_done(tree, 1, 1)) if orders else None
+
+
+def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:
+    """Whether something is done with several: "water plants", "feed chickens"; but "swim lessons" happen."""
+    done = lexicon.chores | lexicon.doing.by_the_day | lexicon.dosing | lexicon.ordering
+    timed = lexicon.happening | lexicon.taken | lexicon.events
+    bare = verb.tag == "NN" and verb.lower in done - lexicon.addressing
+    return bare and things.tag == "NNS" and timed.isdisjoint({things.lower, things.lemma})
+
+
+def _does_event(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "schedule a team call" its verb, where what happens was taken for what the first word does."""
+    root = tree.root
+    if root < LEAST_DONE - 1 or tree.children(root, "aux"):
+        return None
+    first, led, event = tree.nodes[0], tree.nodes[1], tree.nodes[root]
+    names = lexicon.happening | lexicon.taken | lexicon.events | lexicon.lasting
+    bare = first.tag == "VB" and first.relation == "nsubj" and first.head == root
+    if (
+        not bare
+        or led.tag != "DT"
+        or event.lower not in names
+        or tree.nodes[root - 1].tag not in {"NN", "JJ"}
+    ):
+        return None
+    moved = with_thing_done(tree, root, root)
+    for place in range(1, root):
+        moved[place] = replace(moved[place], head=root)
+    moved[root - 1] = replace(moved[root - 1], relation="compound")
+    return tree.with_nodes(moved)
+
+
+def _does_led(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "thaw the cells", "forward the minutes" its verb: no noun or adverb is followed by an article."""
+    root = tree.root
+    if root < LEAST_DONE - 1 or not tree.nodes[root].tag.startswith("NN"):
+        return None
+    first, led = tree.nodes[:LET]
+    bare = first.may_act and first.lower == first.lemma and first.tag in {"NN", "RB", "JJ"}
+    beside = first.head == root and first.relation in {"npadvmod", "advmod", "compound", "amod", "nmod"}
+    named = led.tag in DETERMINERS and led.head == root and lexicon.entries.keys().isdisjoint({first.lower})
+    if not bare or not beside or not named or first.lower in lexicon.places | lexicon.particles.keys():
+        return None
+    return tree.with_nodes(with_thing_done(tree, root, root))
+
+
+def _calls_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "facetime granny", "zoom aunt jo" its verb, where who is called was taken for it."""
+    root = tree.root
+    if not 0 < root < LEAST_DONE or tree.nodes[0].head != root or tree.nodes[0].relation != "compound":
+        return None
+    who = tree.nodes[1 : root + 1]
+    person = any(node.lower in lexicon.persons or node.text[0].isupper() for node in who)
+    calls = tree.nodes[0].lower in lexicon.addressing - lexicon.persons
+    return tree.with_nodes(with_thing_done(tree, root, root)) if calls and person else None
+
+
+def _lists_order(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "add mop the hall to my chores" its verb, which a tree takes for one that helps another."""
+    root, nodes = tree.root, list(tree.nodes)
+    things = tree.children(root, "dobj")
+    listed = root == 1 and nodes[0].lower in lexicon.beside.listing and nodes[0].relation == "aux"
+    if not listed or not things or not any(nodes[p].lower == "to" for p in tree.children(root, "prep")):
+        return None
+    behind = tree.children(root, "prep")
+    nodes = [replace(one, head=0) if place in behind else one for place, one in enumerate(nodes)]
+    nodes[0] = replace(nodes[0], tag="VB", relation="ROOT", head=0)
+    nodes[root] = replace(nodes[root], tag="NN", relation="compound", head=things[0])
+    nodes[things[0]] = replace(nodes[things[0]], relation="dobj", head=0)
+    return tree.with_nodes(nodes)
+
+
+def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "review pull requests" its verb, where the second word was taken for it.
+
+    A noun in the singular and a bare verb do not agree; and who would be called has a name of its own.
+    """
+    if tree.root != 1 or len(tree.nodes) < LEAST_DONE:
+        return None
+    first, second, third = tree.nodes[:LEAST_DONE]
+    things = tree.children(1, "dobj")
+    bare = first.tag == "NN" and first.may_act and second.tag in {"VB", "VBP"} and third.tag in {"NN", "NNS"}
+    if not bare or first.lower in lexicon.persons | lexicon.workers or not things:
+        return None
+    nodes = [replace(node, head=0) if node.head == 1 else node for node in tree.nodes]
+    nodes[0] = replace(first, tag="VB", relation="ROOT", head=0)
+    nodes[1] = replace(second, tag="NN", relation="compound", head=things[0])
+    return tree.with_nodes(nodes)
+
+
+def with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:
+    """Make the first word the verb, a thing its object, and what hung on that behind a word the verb's."""
+    moved = [
+        replace(node, head=0) if node.head == thing and place > last else node
+        for place, node in enumerate(tree.nodes)
+    ]
+    moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
+    moved[thing] = replace(moved[thing], tag="NN", relation="dobj", head=0)
+    return moved

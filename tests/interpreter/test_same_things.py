@@ -1,0 +1,55 @@
+"""What is done with one thing, where no words say when, is done in the order said."""
+
+import pytest
+
+from interpreter.telling import told
+
+pytestmark = pytest.mark.model
+
+
+def follows(*lines: str) -> list[tuple[int, int]]:
+    """Give which of some lines wait for which, because of the order said."""
+    return [(entry.first, entry.second) for entry in told(list(lines)).interpretation.order]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("peel the potatoes", "boil the potatoes"),
+        ("wash the van soon", "polish the van"),
+        ("iron the shirts by six pm", "fold the shirts"),
+        ("sand the door", "paint the door after the bell rings"),
+    ],
+)
+def test_a_thing_is_worked_on_in_the_order_said(lines: tuple[str, str]) -> None:
+    assert follows(*lines) == [(0, 1)]
+
+
+def test_others_may_come_between() -> None:
+    assert follows("peel the pears", "whip the cream", "slice the pears", "stew the pears") == [
+        (0, 2),
+        (2, 3),
+    ]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("serve the soup at seven pm", "heat the soup"),
+        ("paint the fence", "repair the fence at ten"),
+        ("air the room", "sweep the room by noon"),
+        ("water the roses every hour", "prune the roses"),
+        ("peel the potatoes", "boil the eggs"),
+        ("the cake is ready at six pm", "cut the cake"),
+        ("varnish the desk an hour after breakfast", "sand the desk"),
+    ],
+)
+def test_times_and_other_things_say_more_than_the_order(lines: tuple[str, str]) -> None:
+    assert follows(*lines) == []
+
+
+def test_two_agents_do_not_share_what_must_follow() -> None:
+    plan = told(["peel the potatoes", "boil the potatoes", "wash the spinach", "chop the spinach"], agents=2)
+    peeled, boiled, washed, chopped = plan.schedule.start_times
+    assert peeled + plan.skills[0].skill.duration <= boiled
+    assert washed + plan.skills[2].skill.duration <= chopped
