@@ -86,3 +86,19 @@ def test_a_line_behind_several_times_of_one_thing_goes_on_at_the_first() -> None
 def test_what_is_due_by_six_tomorrow_is_due_when_people_do_it(line: str, latest: str) -> None:
     made = told(["Tomorrow", line])
     assert any(f"is taken as {latest}" in problem.message for problem in made.problems)
+
+
+def test_what_is_called_a_truck_or_a_delivery_comes() -> None:
+    lines = [
+        "Check the formwork before the concrete arrives",
+        "Concrete truck 8:30",
+        "Compost delivery at 11",
+    ]
+    found = starts(told([*lines, "Spread it once it's here"]))
+    assert found["s1"] < found["s2"] == "08:30"
+    assert "11:00" <= found["s4"] < "11:30"
+
+
+def test_a_clause_behind_two_verbs_is_of_both() -> None:
+    found = starts(told(["Pour the slab at 10 am", "Level and float when the slab is poured"]))
+    assert "10:00" <= found["s2"] < found["s2.2"]

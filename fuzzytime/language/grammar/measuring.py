@@ -22,6 +22,8 @@ NEARLY = frozenset({"around", "about"})
 NEAR = 8
 """Words before a number that decide whether it is an amount."""
 
+COLON = ":"
+
 
 class Measures:
     """What is measured in a text."""
@@ -205,6 +207,9 @@ class Measures:
         # "Flight 6:40 am on friday" leaves then.
         bare = bare and self.lexicon.beside.of_hours.isdisjoint(self.texts[piece.start : piece.end])
         nouns = self.called_by_number if bare else self.lexicon.amount_nouns
+        if bare and COLON in self.texts[piece.start : piece.end]:
+            # "Concrete truck 8:30": no truck has a number of two parts.
+            nouns = nouns - self.lexicon.machines
         # "Turn it down a degree at ten": how much is said.
         told = not bare and self.texts[max(0, piece.start - 2) : piece.start - 1] in (["a"], ["one"])
         return piece.start > 0 and self.texts[piece.start - 1] in nouns and not told

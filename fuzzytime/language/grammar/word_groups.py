@@ -27,6 +27,7 @@ class ClosedClasses:
     of_units: Words
     distributives: Words
     each_of_several: Words
+    coming: Words
     marking_turns: Words
     deeds_like_the_past: Words
     universal_determiners: Words

@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.references.mentions import (
     BE,
     Mentions,
     comes,
+    comes_by_name,
     is_done_with,
     owners_in,
 )
@@ -141,7 +142,8 @@ class Anchors:
             leaving = doing.leaving
             goes = ((place, one.lemma) for place, one in self.just_before())
             return next((place for place, lemma in goes if lemma in leaving), None)
-        coming = (place for place, happening in self.just_before() if comes(happening, self.lexicon))
+        lexicon, told = self.lexicon, list(self.just_before())
+        coming = (place for place, one in told if comes(one, lexicon) or comes_by_name(one, lexicon))
         return next(coming, None)
 
     def just_before(self) -> Iterator[tuple[int, Operation]]:

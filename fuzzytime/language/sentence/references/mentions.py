@@ -33,6 +33,12 @@ def comes(happening: Operation, lexicon: Lexicon) -> bool:
     return happening.stated and happening.lemma in lexicon.doing.arriving
 
 
+def comes_by_name(happening: Operation, lexicon: Lexicon) -> bool:
+    """Whether what is told has the name of what comes: a delivery, a truck."""
+    last = (happening.object or "").lower().split()[-1:]
+    return happening.stated and happening.lemma == BE and not lexicon.closed.coming.isdisjoint(last)
+
+
 def waits_for(operation: Operation, happening: Operation, lexicon: Lexicon) -> bool:
     """Whether something can be done only when what comes is there: "the truck arrives at ten. Unload it"."""
     return comes(happening, lexicon) and not operation.stated and shares_thing(happening, operation)
