@@ -188,6 +188,20 @@ def test_what_is_too_late_for_another_is_not_as_good_as_what_is_not(
     assert schedule.satisfactions == (0.5, 0.9, 1.0)
 
 
+@pytest.mark.parametrize("solver", [None, HeldKarp(), Pauses(), Milp(), LocalSearch()])
+def test_what_must_only_not_come_late_may_come_at_any_time_before(solver: Solver | None) -> None:
+    serve, ring = (
+        FuzzySkill("serve", Rectangle(60, 90), 5.0),
+        FuzzySkill("ring", Trapezoid(0, 0, 0, 200), 5.0),
+    )
+    task = FuzzyTask((serve, ring), precedences=(Precedence(0, 1, -math.inf, 10.0),))
+    schedule = solve(task, solver=solver)
+    assert schedule.start_times == (60.0, 0.0)
+    late = replace(ring, satisfaction=Rectangle(120, 200))
+    rejected = solve(replace(task, skills=(serve, late)), solver=solver)
+    assert rejected.rejected == (False, True)
+
+
 def test_what_must_end_shortly_before_dinner_is_not_done_in_the_morning() -> None:
     # All but the roast may be done at any time of the day, and nothing is better than with all of them.
     day = Trapezoid(0, 0, 56000, 56000)

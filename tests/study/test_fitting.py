@@ -121,11 +121,22 @@ def test_figures_of_a_fit_belong_together() -> None:
         (TIMES, np.zeros(800), "0 everywhere"),
         (TIMES[:4], np.ones(4), "at least 5 samples, got 4"),
         (TIMES, np.ones(8), "as many values as times"),
+        (TIMES[::-1], np.ones(800), "must ascend"),
+        (np.append(TIMES[:-1], np.inf), np.ones(800), "must be finite"),
+        (TIMES, np.full(800, np.nan), r"must lie in \[0, 1\]"),
+        (TIMES, np.full(800, 1.2), r"must lie in \[0, 1\]"),
     ],
 )
 def test_what_cannot_be_fitted_is_refused(times: np.ndarray, values: np.ndarray, rule: str) -> None:
-    with pytest.raises(FuzzytimeError, match=rule):
-        fit(times, values, Model.TRAPEZOID)
+    for model in (Model.TRAPEZOID, Model.POLYNOMIAL) if times.size > 4 else (Model.TRAPEZOID,):
+        with pytest.raises(FuzzytimeError, match=rule):
+            fit(times, values, model)
+
+
+def test_a_constant_curve_is_fitted_badly_by_what_is_not_constant() -> None:
+    half, ones = np.full(800, 0.5), np.ones(800)
+    assert [fit(TIMES, half, model).poor for model in (Model.TRAPEZOID, Model.POLYNOMIAL)] == [True, False]
+    assert not fit(TIMES, ones, Model.TRAPEZOID).poor
 
 
 @pytest.mark.parametrize(

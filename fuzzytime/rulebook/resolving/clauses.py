@@ -2,7 +2,7 @@
 
 "When φ" is ψ(t) = min(⟦φ⟧(t), ℓ(t − t*)): t* is the first time at which the trace reaches 0.95 of its
 maximum, ℓ is 1 for ``core`` seconds and falls to 0 over ``fade`` seconds. "While φ" is the trace itself,
-"until φ" is 1 as long as it has not come true.
+"until φ" is 1 as long as it has not come true. What is true by all but a little counts as true.
 """
 
 import math

@@ -58,7 +58,7 @@ def problem_of(task: FuzzyTask, threshold: float) -> Problem:
             math.inf if late > floor else _over(skill.satisfaction, wanted),
             windows,
         )
-    return _bound_by_lags(task, [jobs[position] for position in range(len(jobs))], following, lanes)
+    return _bound_by_lags(task, [jobs[position] for position in range(len(jobs))], following, lanes, horizon)
 
 
 def _from_the_last(task: FuzzyTask) -> list[int]:
@@ -134,9 +134,15 @@ def horizon_of(task: FuzzyTask, floor: float) -> float:
         )
         kinks.extend(time for time in rises if math.isfinite(time))
     kinks.extend(entry.end for entry in task.busy if math.isfinite(entry.end))
-    lags = [max(abs(entry.minimum_lag), abs(entry.wished_lag or 0.0)) for entry in task.precedences]
+    lags = [max(map(abs, _finite_lags(entry)), default=0.0) for entry in task.precedences]
     work = [max(skill.duration, skill.time_until_done) for skill in task.skills]
     return max(kinks) + math.fsum(work) + math.fsum(lags)
+
+
+def _finite_lags(entry: Precedence) -> list[float]:
+    """Give the least lag, or the largest where there is no least one, and the wished one, as far as told."""
+    bound = entry.minimum_lag if entry.minimum_lag > -math.inf else entry.maximum_lag
+    return [lag for lag in (bound, entry.wished_lag or 0.0) if math.isfinite(lag)]
 
 
 def _over(function: SatisfactionFunction, wanted: tuple[Interval, ...]) -> float:
@@ -151,14 +157,20 @@ def _over(function: SatisfactionFunction, wanted: tuple[Interval, ...]) -> float
 
 
 def _bound_by_lags(
-    task: FuzzyTask, jobs: list[Job], following: Mapping[int, Sequence[Precedence]], lanes: tuple[Lane, ...]
+    task: FuzzyTask,
+    jobs: list[Job],
+    following: Mapping[int, Sequence[Precedence]],
+    lanes: tuple[Lane, ...],
+    horizon: float,
 ) -> Problem:
     """Narrow windows by what must come before, and set the jobs apart that have none."""
     lags: list[Lag] = []
     for first in reversed(_from_the_last(task)):
         before = jobs[first]
         for entry in following.get(first, ()):
-            low, high = before.elapsed + entry.minimum_lag, before.elapsed + entry.maximum_lag
+            # No two starts lie farther apart than the horizon.
+            low = max(before.elapsed + entry.minimum_lag, -horizon)
+            high = before.elapsed + entry.maximum_lag
             lags.append(Lag(first, entry.second, low, high))
             within = Interval(before.earliest + low, before.latest + high) if any(before.windows) else EMPTY
             jobs[entry.second] = _clipped(jobs[entry.second], within)

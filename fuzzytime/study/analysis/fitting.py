@@ -24,6 +24,7 @@ from fuzzytime.study.analysis.models import (
     Curve,
     Shape,
 )
+from fuzzytime.study.answers.subjective import SubjectiveSatisfaction
 
 STARTS = 3
 """Guesses that a fit starts from."""
@@ -46,6 +47,9 @@ UNSEEN = 0.95
 
 POOR = 0.9
 """Below this R² a function is said to fit badly: a tenth of what varies in the curve is not in it."""
+
+MISSED = 0.01
+"""Where nothing varies R² says nothing: a root mean square residual above this counts as a miss."""
 
 
 class Model(StrEnum):
@@ -93,8 +97,8 @@ class Fit:
 
     @property
     def poor(self) -> bool:
-        """Whether the function tells little of the curve; not where the curve is constant."""
-        return self.r_squared < POOR
+        """Whether the function tells little of the curve: of a constant one, where it misses it at all."""
+        return self.rmse > MISSED if np.isnan(self.r_squared) else self.r_squared < POOR
 
 
 def fit(
@@ -116,7 +120,8 @@ def fit(
     Raises
     ------
     FuzzytimeError
-        If the curve is 0 everywhere, or has no more samples than the model has parameters.
+        If times do not ascend, satisfactions are not in [0, 1], the curve is 0 everywhere, or it has no more
+        samples than the model has parameters.
 
     >>> found = fit([0, 60, 120, 180, 240, 300], [0, 0.5, 1, 1, 0.5, 0], Model.TRAPEZOID)
     >>> [round(corner) for corner in found.function.kinks]
@@ -125,6 +130,7 @@ def fit(
     at, curve = np.asarray(times, float), np.asarray(values, float)
     if at.ndim != 1 or at.shape != curve.shape:
         raise FuzzytimeError(f"a curve needs as many values as times, got {curve.shape} and {at.shape}")
+    SubjectiveSatisfaction(at, curve[None])  # It knows what times and satisfactions must be.
     needed = degree + 2 if model is Model.POLYNOMIAL else 5
     if at.size < needed:
         raise FuzzytimeError(f"fitting a {model} needs at least {needed} samples, got {at.size}")
