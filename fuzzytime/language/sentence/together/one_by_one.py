@@ -11,7 +11,7 @@ from itertools import pairwise
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind
-from fuzzytime.language.meaning.expressions import Duration, Phrase
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
@@ -26,6 +26,9 @@ def one_by_one(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketc
     """Let what is done with each of several last for all of them, and say so."""
     operation = sketch.operation
     if operation is None or not operation.is_asked:
+        return sketch
+    if any(isinstance(phrase.said.time, Repeat) for phrase in sketch.phrases):
+        # "Three sets, two minutes each, with a minute between sets" are turns.
         return sketch
     for place, phrase in enumerate(sketch.phrases):
         length = phrase.said.time
