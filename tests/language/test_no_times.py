@@ -100,6 +100,15 @@ def test_what_is_no_time_needs_no_remark(text: str) -> None:
         ("tell Ann to move the trip to June", "to June"),
         ("postpone the exam to may", "to may"),
         ("let the flat from May to August", "from May to August"),
+        ("read The Hobbit on Friday", "on Friday"),
+        ("watch The Crown at Christmas", "at Christmas"),
+        ("watch Born on the Fourth of July at 8", "at 8"),
+        ("watch Ann on the Fourth of July", "on the Fourth of July"),
+        ("play it on 3/4", "on 3/4"),
+        ("text the butler on Friday", "on Friday"),
+        ("call me at friday noon", "at friday noon"),
+        ("write to Ann in ten minutes about the flat", "in ten minutes"),
+        ("meet at 3 per our plan", "at 3"),
     ],
 )
 def test_a_time_beside_one_is_kept(text: str, time: str) -> None:
