@@ -70,6 +70,12 @@ def _several(words: list[Word], anchors: Anchors) -> list[Word]:
 def _turns(name: str, anchors: Anchors) -> tuple[int, ...]:
     """Give the instructions that a noun means, where they are several or one is repeated."""
     targets = every_one(Clause(BETWEEN, BETWEEN, (0, 0), (0, 0), object=name, is_event=True), anchors)
+    asked = {
+        one.lemma for place in targets if (one := anchors.operation_at(place)) is not None and one.is_asked
+    }
+    if len(asked) > 1:
+        # The plates are filled, sealed and read: between which of that is not said.
+        return ()
     again = any(anchors.told.is_repeated(target) for target in targets if target < anchors.position)
     return targets if len(targets) >= SEVERAL or again else ()
 
