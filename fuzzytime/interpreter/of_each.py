@@ -69,10 +69,14 @@ def of_each(
         return None
     targets = [target for target in said.anchor.each if target < len(before)]
     places = [(target, turn) for target in targets for turn in range(len(before[target]))]
-    begins = {place: _begins(skills[before[place[0]][place[1]]]) for place in places}
+    begins: dict[Place, float] = {}
+    latest = 0.0
+    for place in places:
+        # "First dive at nine", "second dive after the interval": without a time it is where it was said.
+        begins[place] = latest = _begins(skills[before[place[0]][place[1]]]) or latest
     return OfEach(said, tuple(sorted(places, key=begins.__getitem__)))
 
 
 def _begins(one: Interpreted) -> float:
-    """Give when a skill begins, as far as its own time tells."""
+    """Give when a skill begins, as far as its own time tells; 0 where it tells nothing."""
     return min(one.skill.named, default=max(0.0, one.skill.satisfaction.best.low))

@@ -36,6 +36,14 @@ def test_each_may_be_named_by_several_lines() -> None:
     }
 
 
+def test_one_without_a_time_comes_where_it_was_said() -> None:
+    lines = ["First dive at 9 am for 45 min", "Rest for an hour", "Second dive after the rest for 45 min"]
+    found = starts(told([*lines, "Call the roll after each dive"]))
+    assert found["s1"] == "09:00"
+    assert found["s3"] > found["s1"]
+    assert [found["s4"], found["s4.2"]] == ["09:45", "11:30"]
+
+
 def test_every_one_of_what_comes_is_waited_for() -> None:
     made = told(["Trucks at 8 am and 11 am", "Unload every truck, 40 min", "Sweep the dock between trucks"])
     found = starts(made)
