@@ -20,17 +20,19 @@ def of_things(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
 
     A time of its own says more than the order: "serve the soup at seven", "heat the soup".
     """
-    worked_on: list[tuple[frozenset[str], Step]] = []
+    worked_on: dict[str, list[tuple[frozenset[str], Step]]] = {}
     for position, one in enumerate(skills):
         thing = _thing_of(one)
         if not thing:
             continue
         step = Step(position, one)
+        rarest = min((worked_on.setdefault(word, []) for word in thing), key=len)
         # "Pick the first tray", "inspect the tray"
-        before = next((earlier for named, earlier in reversed(worked_on) if thing <= named), None)
+        before = next((earlier for named, earlier in reversed(rarest) if thing <= named), None)
         if before is not None and _leaves_open(before) and _is_open(step):
             yield before.precedence(step)
-        worked_on.append((thing, step))
+        for word in thing:
+            worked_on[word].append((thing, step))
 
 
 def _thing_of(one: Interpreted) -> frozenset[str]:

@@ -14,7 +14,6 @@ from fuzzytime.language.instruction import Operation
 JOINTS = frozenset({",", ".", ";", "!", "-", "and", "but", "then"})
 """What stands between what is let be and what is wished in its place."""
 
-
 TAKEN = frozenset(AboutKind) - {
     AboutKind.ANSWER,
     AboutKind.SUPPOSE,
