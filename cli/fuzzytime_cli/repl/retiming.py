@@ -58,7 +58,7 @@ def said_anew(scene: Scene, words: str) -> str | None:
 
 
 def same_anew(scene: Scene, anew: str) -> str | None:
-    """Give the command that gives what does the same with the same its words; None where nothing does.
+    """Give the command that words anew the instruction that asks for the same; None where none does.
 
     Raises
     ------

@@ -22,6 +22,9 @@ MOST_WORDS = 8
 OPENING = 2
 """Letters by which it is seen at once that no name begins with a word."""
 
+LEAST_JOINED = 4
+"""Letters of a word, at least, to which the article behind it may be joined: "idul" of "idul azha"."""
+
 INNER = frozenset(
     {"-", "'", "al", "ul", "el", "il", "an", "un", "en", "ar", "ur", "as", "us", "at", "ut", "ad", "e", "i"}
 )
@@ -43,7 +46,7 @@ def sound_of(text: str) -> str:
     """
     plain = unicodedata.normalize("NFKD", text)
     said = "".join(letter for letter in plain if letter.isascii() and letter.isalpha())
-    said = said.removesuffix("ul") if len(said) > len("idul") - 1 else said
+    said = said.removesuffix("ul") if len(said) >= LEAST_JOINED else said
     for written, sound in ALIKE:
         said = said.replace(written, sound)
     # An "h" is written or not, but at the beginning; a harsh one is, but at the end.
