@@ -354,3 +354,26 @@ def test_undo_behind_done_plans_anew_and_loses_nothing() -> None:
     assert "done: boil the rice" in talk.say("done")
     assert "taken as :edit 1 boil the rice" in talk.say("undo")
     assert talk.start("s2") == talk.now
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    "line", ["scratch that, feed the cat at seven pm", ":edit 1 feed the cat at seven pm"]
+)
+def test_another_wish_in_the_place_of_what_has_begun_in_part_is_planned(line: str) -> None:
+    talk = Talk()
+    talk.say("dust the shelf, sweep the floor, call Ann at six pm")
+    talk.wait(seconds=30)
+    assert "no longer running: dust the shelf" in talk.say(line)
+    assert talk.entries == ["feed the cat at seven pm"]
+    assert talk.start("s2").hour == 19
+
+
+@pytest.mark.model
+def test_what_is_left_of_what_has_begun_in_part_is_worded_anew() -> None:
+    talk = Talk()
+    talk.say("dust the shelf, sweep the floor, call Ann at six pm")
+    talk.wait(seconds=30)
+    answer = talk.say(":edit 1 dust the shelf, sweep the floor, call Ann at eight pm")
+    assert "running: s1 dust the shelf" in answer
+    assert talk.start("s1.3").hour == 20

@@ -66,7 +66,7 @@ def edit(scene: Scene, text: str) -> Reply:
         return Reply(edit=f":edit {number} {scene.conversation.state.entry(number).text}")
     words = rest.strip()
     anew = {"text": words, "given": scene.now, "moved_by": 0.0, "moved_to": None}
-    begun = begun_of(scene, number)
+    begun = begun_of(scene, number) or _left_out(scene, number, words)
     # What has started does not move: said anew it is another, and may start at another time.
     said_anew = State.with_changed if begun is None else State.with_another
     state = scene.conversation.state
@@ -79,6 +79,23 @@ def edit(scene: Scene, text: str) -> Reply:
 
     reply = step(scene, f":edit {number}", change)
     return reply if begun is None else replace(reply, lines=(*ended_line(scene, begun), *reply.lines))
+
+
+def _left_out(scene: Scene, number: int, words: str) -> Started | None:
+    """Give what has started of an instruction whose new words ask for it no more; None where there is none.
+
+    Of "dust the shelf, call Ann", where that is being dusted, "feed the cat" is another instruction.
+    """
+    conversation = scene.conversation
+    begun = [
+        one for one in conversation.store.started(conversation.name) if number_of(one.identifier) == number
+    ]
+    if not begun:
+        return None
+    given = [one.operation for one in scene.plan.skills]
+    read = conversation.interpreter.language.read(words, now=scene.now, given=given)
+    asked = {one.operation.name.lower() for one in read.instructions if one.operation is not None}
+    return next((one for one in reversed(begun) if one.name.lower() not in asked), None)
 
 
 def reworded(scene: Scene, number: int, text: str) -> Reply:
