@@ -203,9 +203,10 @@ class Borders:
             return True
         starts = range(max(piece.start + 1, piece.end - LONGEST_WISH), piece.end)
         ending = (said for start in starts for said in self.around.pieces(start) if said.end == piece.end)
-        # "Before the walk at six, at least | half an hour before"
+        # "Cook lunch roughly | an hour from now", "before the walk at six, at least | half an hour before"
         return any(
-            said.category.startswith("hedge") and (said.value == "about" or self.texts[said.start - 1] == ",")
+            said.category == "hedge"
+            or (said.category.startswith("hedge") and self.texts[said.start - 1] == ",")
             for said in ending
         )
 
