@@ -160,3 +160,19 @@ def test_otherwise_denies_the_condition_before_it() -> None:
     first, second = language().read("if the pan is hot flip it, otherwise heat the pan", now=NOW).instructions
     said = [i.requirements[0].condition for i in (first, second)]
     assert [condition is not None and condition.negated for condition in said] == [False, True]
+
+
+@pytest.mark.parametrize("text", ["I swept the yard", "we've watered the ferns"])
+def test_what_was_done_without_a_time_is_pointed_at(text: str) -> None:
+    assert [remark.message for remark in language().read(text, now=NOW).remarks] == [
+        f"{text!r} tells what was, and says nothing to do"
+    ]
+
+
+def test_whom_a_sentence_without_a_comma_asks_is_kept() -> None:
+    instructions = language().read("lucy dust the piano and bob mop up", now=NOW).instructions
+    assert [one.operation and one.operation.addressee for one in instructions] == ["lucy", "bob"]
+    reading = language().read("sarah could you feed the cat at noon", now=NOW)
+    assert [
+        one.operation and (one.operation.addressee, one.operation.stated) for one in reading.instructions
+    ] == [("sarah", False)]

@@ -70,6 +70,12 @@ def due(goal: Goal) -> Said | None:
     return said_of(_as_clock(goal), "by", Constraint.BEFORE, Edge.DUE)
 
 
+@grammar.rule("said", "due|deadline by|on|at? <goal>", weight=0.4)
+def due_behind_thing(goal: Goal) -> Said | None:
+    """(Create a task) due friday, (the report) due on the 15th."""
+    return due(goal)
+
+
 def _is_prepared_for(goal: Goal) -> bool:
     """Whether it is a weekend, or a feast, by whose first day something is done: "by passover"."""
     days = goal.time.days if isinstance(goal.time, Wall) and goal.time.part is None else None

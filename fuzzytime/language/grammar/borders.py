@@ -39,6 +39,9 @@ OFFERED_DAYS = frozenset({"offered_days.either_day", "offered_days.another_day"}
 
 CHANGED_LENGTH = "ranges.changed_length"
 """The rule of what gets another length: "from ten to fifteen minutes"."""
+DUE_BEHIND = "bounds.due_behind_thing"
+"""The rule of what is due: "create a task due friday"."""
+
 CONDITION = "if_it_is."
 """How names of the rules begin of conditions that the calendar decides."""
 
@@ -97,6 +100,7 @@ class Borders:
             or (piece.rule == CHANGED_LENGTH and not self.given.changes_length(piece))
             or self._is_from_the_past(piece)
             or self._is_asked(piece)
+            or self._is_only_told(piece)
             or self._counts_nothing(piece)
             or self._says_how_much(piece)
             or self._is_way(piece)
@@ -161,6 +165,13 @@ class Borders:
         ]
         opens = {*self.texts[piece.end + 1 : piece.end + 2]} & self.closed.condition_openers
         return asked or (self.around.follower(piece) == "and" and bool(opens) and piece.start > 0)
+
+    def _is_only_told(self, piece: Piece) -> bool:
+        """Whether it only tells when what is due comes: "the rent is due friday", "the truck due at two"."""
+        before = self.around.before(piece)
+        apart = before in {"", ",", ":"}
+        thing = before.isalpha() and before not in self.lexicon.function_words | self.closed.told_auxiliaries
+        return piece.rule == DUE_BEHIND and (before in self.closed.coming or not (thing or apart))
 
     def _is_from_the_past(self, piece: Piece) -> bool:
         """Whether it says of which time a thing is that was: "the report of last week at nine"."""

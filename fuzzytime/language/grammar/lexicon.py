@@ -123,8 +123,9 @@ class Lexicon:
         In what state something is for a while: "the bridge is closed until noon".
     happening
         What has a time without a verb: "dinner at seven".
-    persons, addressing, animals
-        Words for people, and verbs whose object is one: "it" stands for neither; what is "him" and "it".
+    persons, names, names_like_words, addressing, animals
+        Words for people, those of them that are given names, further names that are other words, too, and
+        verbs whose object is one: "it" stands for neither; what is "him" and "it".
     rescheduling, events
         Verbs that give another time to what has one, and what has one: "change the alarm to seven".
     machines
@@ -215,6 +216,8 @@ class Lexicon:
     frames: frozenset[str]
     standing: frozenset[str]
     persons: frozenset[str]
+    names: frozenset[str]
+    names_like_words: frozenset[str]
     animals: frozenset[str]
     machines: frozenset[str]
     workers: frozenset[str]

@@ -81,7 +81,7 @@ def _is_somebodys(tree: Tree, root: int) -> bool:
 
 def _is_person(node: Node, lexicon: Lexicon) -> bool:
     """Whether a word names somebody."""
-    return node.tag == "NNP" or node.lower in lexicon.persons
+    return node.tag == "NNP" or node.lower in lexicon.persons | lexicon.names_like_words
 
 
 def _leads_particle(tree: Tree, lexicon: Lexicon) -> bool:
