@@ -7,6 +7,7 @@ from itertools import islice
 
 from fuzzytime.interpreter.behind import Behind
 from fuzzytime.interpreter.each_turn import EachTurn
+from fuzzytime.interpreter.horizon import passed
 from fuzzytime.interpreter.how_long import HowLong
 from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
@@ -142,8 +143,7 @@ class Maker:
             if not is_day_of_another(own, places)
         ]
         function, named = self._moved(wish, self._joined(wish, offered), self._named(wish, offered))
-        never = (one[0].reason for one in offered if all(part.reason for part in one))
-        reason = next((reason for reason in never if reason), "")
+        reason, waits = self._why_never(wish, offered)
         if not reason and function.support.empty:
             reason = "what is said about its time contradicts itself"
         skill = self._skill(wish, operation.name if operation is not None else wish.text, function, duration)
@@ -166,6 +166,7 @@ class Maker:
             requirements=requirements,
             resolutions=tuple(resolutions) if requirements else (self.rulebook.untimed(),),
             reason=reason,
+            waits=waits,
         )
 
     def _resolved(
@@ -194,6 +195,18 @@ class Maker:
             part = either([one.satisfaction.shifted(self._origin(wish, one)) for one in alternatives])
             joined = both(joined, part)
         return joined
+
+    def _why_never(self, wish: Wish, offered: list[list[Resolution]]) -> tuple[str, bool]:
+        """Give why no time satisfies, and whether that is only as nobody has told yet what it waits for."""
+        never = [one for one in offered if all(part.reason for part in one)]
+        untold = [part.reason for one in never for part in one if part.untold]
+        for one in never:
+            if not any(part.untold for part in one):
+                return one[0].reason or "", False
+        left = self._joined(wish, [one for one in offered if one not in never]).support.high
+        if untold and left < 0:
+            return passed(-left), False
+        return next(iter(untold), None) or "", bool(untold)
 
     def _named(self, wish: Wish, offered: list[list[Resolution]]) -> tuple[float, ...]:
         """Give the start that was named, on the request's timeline, with its alternatives."""

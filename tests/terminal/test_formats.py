@@ -73,11 +73,13 @@ def test_pictures_and_pages_are_well_formed_and_load_nothing(kind: str, tmp_path
     assert "<script" not in text
 
 
-def test_what_is_rejected_has_no_bar_in_a_picture(tmp_path: Path) -> None:
-    wishes = ("-i", "Flip the pancakes when the pan is hot", "-i", "Stir the soup now")
+@pytest.mark.parametrize(("reading", "word"), [("150", "rejected"), (None, "waits")])
+def test_what_has_no_time_has_no_bar_in_a_picture(tmp_path: Path, reading: str | None, word: str) -> None:
+    wishes = ["-i", "Hang up the laundry when the washing machine is done", "-i", "Stir the soup now"]
+    wishes += ["--ctx", f"washer_power={reading}"] if reading else []
     document = minidom.parseString(written(tmp_path, "svg", *wishes))  # noqa: S318 - our own output
     words = [getattr(node.firstChild, "data", "") for node in document.getElementsByTagName("text")]
-    assert {"flip the pancakes", "rejected"} <= set(words)
+    assert {"hang up the laundry", word} <= set(words)
     bars = [node for node in document.getElementsByTagName("rect") if not _in_legend(node)]
     assert len(bars) == 1
 

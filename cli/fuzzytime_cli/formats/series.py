@@ -42,6 +42,11 @@ def shown(plan: Plan, rows: Mapping[int, tuple[int, ...]]) -> list[int]:
     return [position for position in plan.schedule.order if position not in hidden]
 
 
+def waiting(plan: Plan) -> range:
+    """Give the positions, among everything, of what has no time yet."""
+    return range(len(plan.skills), len(plan.everything))
+
+
 def clock_of(plan: Plan) -> Clock:
     """Choose how finely times are shown: seconds are noise where all takes minutes."""
     rejected = plan.schedule.rejected

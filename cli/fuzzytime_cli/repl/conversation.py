@@ -240,8 +240,8 @@ def moves(before: Plan | None, after: Plan, started: set[str]) -> list[Move]:
     if before is None:
         return []
     earlier, later = starts_of(before), starts_of(after)
-    known = {interpreted.identifier for interpreted in before.skills}
-    still = {interpreted.identifier for interpreted in after.skills}
+    known = {interpreted.identifier for interpreted in before.everything}
+    still = {interpreted.identifier for interpreted in after.everything}
     found = []
     for identifier in sorted(known & still - started, key=_by_number):
         old, new = earlier.get(identifier), later.get(identifier)

@@ -231,7 +231,7 @@ def next_left_out(scene: Scene, about: About) -> Reply | None:
     if not any(_repeats(one) for _, one in waiting(scene, entry.number)):
         return None
     schedule = scene.plan.schedule
-    places = [place for place, _ in waiting(scene, entry.number) if not schedule.rejected[place]]
+    places = [place for place, _ in waiting(scene, entry.number) if scene.plan.has_time(place)]
     days = sorted(scene.plan.instant(schedule.start_times[place]).date() for place in places)
     if days.count(days[0]) > 1:
         raise FuzzytimeError(
@@ -288,6 +288,6 @@ def _starts_within(scene: Scene, entry: Entry, first: datetime, end: datetime) -
     starts = (
         scene.plan.instant(schedule.start_times[place])
         for place, _ in waiting(scene, entry.number)
-        if not schedule.rejected[place]
+        if scene.plan.has_time(place)
     )
     return any(first <= start < end for start in starts)

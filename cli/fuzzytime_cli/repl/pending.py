@@ -25,7 +25,7 @@ def asked_late(scene: Scene, words: str) -> Pending | None:
     if words.lower().replace(".", "") not in HALVES or not entries:
         return None
     number = entries[-1].number if scene.told_last is None else scene.told_last
-    readings = (one.reading for one in scene.plan.skills if one.wish.identifier == f"s{number}")
+    readings = (one.reading for one in scene.plan.everything if one.wish.identifier == f"s{number}")
     asked = (one.questions[0] for one in readings if one is not None and one.questions)
     question = next(asked, None)
     return None if question is None else Pending(number, question)

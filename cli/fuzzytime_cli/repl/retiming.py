@@ -66,13 +66,13 @@ def same_anew(scene: Scene, anew: str) -> str | None:
         If the instruction asks for more than that.
     """
     language = scene.conversation.interpreter.language
-    reading = language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.skills])
+    reading = language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.everything])
     if len(reading.instructions) != 1:
         return None
     operation, times = reading.instructions[0].operation, reading.instructions[0].requirements
     if operation is None or not times:
         return None
-    same = [one for one in scene.plan.skills if one.reading and _is_same(one.operation, operation)]
+    same = [one for one in scene.plan.everything if one.reading and _is_same(one.operation, operation)]
     same.sort(key=lambda one: number_of(one.identifier) == scene.focus)
     if not same:
         return None
@@ -107,7 +107,7 @@ def wished_instead(scene: Scene, words: str) -> str | None:
     meant = entries_meant(scene, about)
     if len(meant) != 1:
         return None
-    old = [one.operation for one in scene.plan.skills if one.wish.identifier == meant[0].identifier]
+    old = [one.operation for one in scene.plan.everything if one.wish.identifier == meant[0].identifier]
     read = language.read(wish, now=scene.now, given=old).instructions
     asked = [one.operation for one in read if one.operation is not None]
     told = wish.split()[0].lower() in language.lexicon.closed.condition_openers
@@ -119,7 +119,7 @@ def wished_instead(scene: Scene, words: str) -> str | None:
 
 def without_thing(scene: Scene, entry: Entry, names: frozenset[str]) -> str:
     """Give an entry's words without one of several things that it is about; empty where it is about one."""
-    operations = (one.operation for one in scene.plan.skills if one.wish.identifier == entry.identifier)
+    operations = (one.operation for one in scene.plan.everything if one.wish.identifier == entry.identifier)
     for operation in operations:
         said = "" if operation is None else operation.object or ""
         things = [thing for thing in BETWEEN.split(said) if thing]
@@ -150,7 +150,7 @@ def with_time(scene: Scene, entry: Entry, about: About, own: Sequence[TimeRequir
     FuzzytimeError
         If it has several.
     """
-    mine = [one for one in scene.plan.skills if one.wish.identifier == entry.identifier]
+    mine = [one for one in scene.plan.everything if one.wish.identifier == entry.identifier]
     if len(mine) == 1 and mine[0].told_by:
         # "They are ten minutes late" has no time of its own to be replaced.
         return f"{mine[0].skill.name} {about.time} instead"
@@ -191,7 +191,7 @@ def days_on(scene: Scene, entry: Entry, days: int) -> str:
     starts = [
         scene.plan.instant(schedule.start_times[place])
         for place, _ in waiting(scene, entry.number)
-        if not schedule.rejected[place]
+        if scene.plan.has_time(place)
     ]
     if not starts:
         raise FuzzytimeError(f"instruction {entry.number} has no day: say it anew, with :edit")

@@ -246,7 +246,7 @@ class Turns:
         kept, last = [], None
         for words, entry in zip(said, trial.entries[-len(said) :], strict=True):
             faults = [one for one in made.problems if one.text == words and one.kind in UNREAD]
-            own = [one for one in made.skills if one.wish.identifier == entry.identifier]
+            own = [one for one in made.everything if one.wish.identifier == entry.identifier]
             if faults and not own:
                 lines += [line for problem in faults for line in problem_lines(problem, self.width)]
             else:
