@@ -76,6 +76,9 @@ def _called_at(
     if nodes[verb].text in MARKS or (asked and nodes[verb].tag == "TO"):
         # Behind "robot 2:", "tell robot 2 to", "tell robot 1 to sweep and robot 2 to"
         verb += 1
+    elif (nodes[verb].lower,) in lexicon.courtesies:
+        # "Anna please take the bus"
+        verb += 1
     called = " ".join(node.text for node in nodes[name : name + length])
     if place == name == 0 and _is_asked(nodes, verb, lexicon):
         return called, nodes[verb]

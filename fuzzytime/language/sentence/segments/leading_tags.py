@@ -12,6 +12,9 @@ TAG = re.compile(
 )
 """A mark in front of what is asked for, with the box before it."""
 
+BULLET = re.compile(r"^[ \t]*(?P<bullet>[*•])(?=[ \t]+\w)", re.MULTILINE)
+"""A mark of a list at the start of a line, which is no word of it."""
+
 LABEL = re.compile(rf"^\s*{BOX}(?P<label>[^\W\d][\w.]*(?:[ -]\w+)?)(?:[ \t]+-|:)[ \t]+(?=\w)", re.MULTILINE)
 """A word with a colon or a dash behind it, or two, before more on the same line."""
 
@@ -26,9 +29,10 @@ def leading_tags(text: str) -> list[Span]:
 
 
 def leading_labels(text: str, lexicon: Lexicon) -> list[Span]:
-    """Give the stretches of labels, which say nothing: "reminder: call the bank at nine"."""
-    found = (label for label in LABEL.finditer(text) if label["label"].lower() in lexicon.doing.labels)
-    return [(label.start("label"), label.end()) for label in found]
+    """Give the stretches of bullets and labels, which say nothing: "* reminder: call the bank at nine"."""
+    labels = (label for label in LABEL.finditer(text) if label["label"].lower() in lexicon.doing.labels)
+    bullets = [bullet.span("bullet") for bullet in BULLET.finditer(text)]
+    return bullets + [(label.start("label"), label.end()) for label in labels]
 
 
 def without_tags(text: str, tags: Sequence[Span]) -> str:
