@@ -363,3 +363,11 @@ def test_of_pasted_lines_one_that_is_too_long_is_said_and_the_others_kept() -> N
     answers = talk.paste("call mum at noon", "stir " * 1000, "set the table at one pm")
     assert any("characters" in answer for answer in answers)
     assert talk.entries == ["call mum at noon", "set the table at one pm"]
+
+
+def test_a_time_is_not_asked_about_where_the_other_is_in_the_dead_of_night() -> None:
+    talk = Talk()
+    told = talk.say("Call mum at 4:30")
+    assert "Which time" not in told
+    assert "taken as 16:30, not 04:30" in told
+    assert "taken as 2 (Thursday 04:30)" in talk.say("am")

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from rich.text import Text
 
-from fuzzytime.language import Question
+from fuzzytime.language import Policy, Question
 from fuzzytime_cli.repl.scene import Scene
 
 HALVES = frozenset({"am", "pm"})
@@ -29,6 +29,12 @@ def asked_late(scene: Scene, words: str) -> Pending | None:
     asked = (one.questions[0] for one in readings if one is not None and one.questions)
     question = next(asked, None)
     return None if question is None else Pending(number, question)
+
+
+def matters(question: Question, policy: Policy) -> bool:
+    """Whether a time that was not taken may be meant: six in the morning may, four in the morning hardly."""
+    others = (choice for place, choice in enumerate(question.choices) if place != question.chosen)
+    return any(policy.ahead_from <= choice.time() <= policy.plausible_to for choice in others)
 
 
 def question_lines(question: Question) -> list[Text | str]:

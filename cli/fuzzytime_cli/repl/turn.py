@@ -16,7 +16,7 @@ from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
-from fuzzytime_cli.repl.pending import Pending, asked_late, question_lines
+from fuzzytime_cli.repl.pending import Pending, asked_late, matters, question_lines
 from fuzzytime_cli.repl.scene import (
     UNREAD,
     AskedBackError,
@@ -259,8 +259,10 @@ class Turns:
         number = state.entries[-1].number
         reading = last.reading if last is not None and not last.told_by else None
         # What is told anew is taken for the time nearest to the old one.
-        if self.asks and len(said) == 1 and reading is not None and reading.questions:
-            self.pending = Pending(number, reading.questions[0])
+        if self.asks and len(said) == 1 and reading is not None:
+            policy = self.conversation.interpreter.language.policy
+            asked = (question for question in reading.questions if matters(question, policy))
+            self.pending = next((Pending(number, question) for question in asked), None)
         return Reply(tuple(lines), changed=True, focus=number)
 
     def _answer_in_words(self, words: str, pending: Pending, now: datetime) -> Reply | None:
