@@ -163,6 +163,7 @@ class Maker:
                 skill,
                 fuzzy_parameters=instruction.fuzzy_parameters,
                 parameters=_parameters(operation),
+                by_the_clock=bool(requirements) and not any(map(_is_told, requirements)),
             ).starting_near(*named),
             duration=duration,
             reading=reading,
@@ -274,6 +275,12 @@ class Maker:
         again = self._interpreted(wish, reading, instruction, (*before, *more))
         skill = replace(again.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
         return replace(again, skill=skill, duration=made.duration)
+
+
+def _is_told(requirement: TimeRequirement) -> bool:
+    """Whether a requirement names a moment, or something that tells when: "after nine", "once it is dry"."""
+    named = (requirement.t_spec, requirement.condition, requirement.anchor)
+    return named != (None, None, None)
 
 
 def _parameters(operation: Operation | None) -> dict[str, str]:
