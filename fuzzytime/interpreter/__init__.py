@@ -11,7 +11,7 @@ Understanding (``interpreter``)
     Repeated beside something else: ``inside``, ``behind``, ``each_turn``, ``of_each``, ``passing``,
     ``turns_in_bounds``.
     Done ``meanwhile``.
-    Who, and how far ahead: ``asked``, ``horizon``.
+    Who, and how far ahead: ``asked``, ``horizon``, ``waking_hours``.
 
 What binds skills
     References: ``references``, ``ties``, ``circles``; what cannot be done during another (``both_hands``).

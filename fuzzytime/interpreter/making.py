@@ -17,6 +17,7 @@ from fuzzytime.interpreter.of_each import OfEach
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.retold import from_to, going_to, occurrence, until_then, waiting_until
 from fuzzytime.interpreter.waits import with_waits, without_readings
+from fuzzytime.interpreter.waking_hours import within_hours
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
@@ -98,7 +99,10 @@ class Maker:
             rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
             times = islice(inside.times(repeated, recurrence, until), MAX_OCCURRENCES)
             return [self._interpreted(wish, reading, instruction, (*time, *rest)) for time in times]
-        windows = recurrence.windows(until)[:MAX_OCCURRENCES]
+        windows = recurrence.windows(until)
+        if self.request.horizon is None:
+            windows = within_hours(windows, recurrence, wish.given, -passed, self.lexicon.policy)
+        windows = windows[:MAX_OCCURRENCES]
         if not windows and self.request.horizon is None:
             # "Every monday" has one, however far away the monday is.
             windows = recurrence.windows(MAX_HORIZON - passed)[:1]
@@ -159,6 +163,7 @@ class Maker:
                 skill,
                 fuzzy_parameters=instruction.fuzzy_parameters,
                 parameters=_parameters(operation),
+                by_the_clock=bool(requirements) and not any(map(_is_told, requirements)),
             ).starting_near(*named),
             duration=duration,
             reading=reading,
@@ -270,6 +275,12 @@ class Maker:
         again = self._interpreted(wish, reading, instruction, (*before, *more))
         skill = replace(again.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
         return replace(again, skill=skill, duration=made.duration)
+
+
+def _is_told(requirement: TimeRequirement) -> bool:
+    """Whether a requirement names a moment, or something that tells when: "after nine", "once it is dry"."""
+    named = (requirement.t_spec, requirement.condition, requirement.anchor)
+    return named != (None, None, None)
 
 
 def _parameters(operation: Operation | None) -> dict[str, str]:

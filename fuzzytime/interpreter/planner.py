@@ -82,6 +82,7 @@ def task_of(interpretation: Interpretation, request: Request) -> FuzzyTask:
         request.agents,
         (*interpretation.precedences, *interpretation.order),
         tuple(busy for busy in request.busy if busy.start < over),
+        past_hour=60.0 * request.now.minute + request.now.second + request.now.microsecond / 1e6,
     )
 
 

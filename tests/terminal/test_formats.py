@@ -204,7 +204,11 @@ def test_seconds_are_shown_where_minutes_are_not_enough(tmp_path: Path) -> None:
     assert "s1 09:01 09:02" in minutes
     assert "s2 09:21 09:31" in minutes
     assert "s1 09:00:42 09:01:42" in table("Stir the soup now")
-    assert "s1 09:00:42 09:01:12" in table("Pour the coffee now", "Call mum in about 20 minutes")
+    later = "Call mum in about 20 minutes"
+    assert "s1 09:00:42 09:01:12" in table("Pour the coffee now")
+    assert "s1 09:01 09:01" in table("Pour the coffee now", later)
+    rows = table("Stir the soup for 20 seconds now", later).splitlines()
+    assert [row.split()[1:3] for row in rows[1:3]] == [["09:00:42", "09:01:02"], ["09:21", "09:31"]]
 
 
 def test_many_occurrences_that_go_as_asked_stand_in_one_row(tmp_path: Path) -> None:

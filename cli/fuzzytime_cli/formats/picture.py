@@ -10,7 +10,7 @@ from fuzzytime_cli.drawing.markup import element, picture, words
 from fuzzytime_cli.drawing.svg import path
 from fuzzytime_cli.drawing.ticks import ticks
 from fuzzytime_cli.formats.clock import date_of
-from fuzzytime_cli.formats.series import clock_of, folded, shown
+from fuzzytime_cli.formats.series import clock_at, clock_of, folded, shown
 from fuzzytime_cli.render import plain, width_of
 
 WIDTH, NAMES, RIGHT, LANE, TOP, BOTTOM = 820, 202, 76, 38, 26, 56
@@ -45,7 +45,7 @@ class _Picture:
         wishes = [window.high for window in windows if not window.empty and window.high < 2 * max(ends)]
         clock = clock_of(plan)
         self.starts = {
-            place: "" if plan.schedule.rejected[place] else clock.of(self.skills[place].start)
+            place: clock_at(plan, place, clock).of(self.skills[place].start) if plan.has_time(place) else ""
             for place in self.shown
         }
         self.left = NAMES + 16 + CHARACTER * max((len(text) for text in self.starts.values()), default=0)

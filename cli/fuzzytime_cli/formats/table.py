@@ -11,7 +11,7 @@ from fuzzytime.scheduling import Status
 from fuzzytime_cli.drawing.ticks import axis
 from fuzzytime_cli.formats.notes import note_lines
 from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, moved_words, waits_line
-from fuzzytime_cli.formats.series import clock_of, folded, shown, waiting
+from fuzzytime_cli.formats.series import clock_at, clock_of, folded, shown, waiting
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.formats.whole import how_near, whole
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
@@ -110,8 +110,8 @@ class PlanView:
         """Give when a skill starts and is done, by the clock; one that has no time does neither."""
         if not self.plan.has_time(position):
             return "–", "–"
-        specific = self.schedule.skills[position]
-        return self.clock.of(specific.start), self.clock.end_of(specific.start, specific.done)
+        specific, clock = self.schedule.skills[position], clock_at(self.plan, position, self.clock)
+        return clock.of(specific.start), clock.end_of(specific.start, specific.done)
 
     def doer(self, position: int) -> str:
         """Give the agent that does a skill; what has no time, or happens by itself, is nobody's."""
