@@ -160,10 +160,11 @@ def ending_on(wall: Wall) -> Said | None:
 
 @grammar.rule("said", "past the? <goal>", weight=0.15)
 def past_goal(goal: Goal) -> Said | None:
-    """Past the weekend, past tomorrow evening; but "past tuesday" is the last one."""
+    """Past the weekend, past tomorrow evening, past the 15th; but "past tuesday" is the last one."""
     time = goal.time
     days = time.days if isinstance(time, Wall) else None
     timed = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
+    timed = timed or (isinstance(days, Fields) and days.day is not None)
     if not (isinstance(time, Ending) or timed or isinstance(days, (Deictic, Relative))):
         return None
     return said_of(goal, "after", Constraint.AFTER, Edge.END)

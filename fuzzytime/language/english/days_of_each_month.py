@@ -119,6 +119,12 @@ def days_of_month(first: int, second: int | None = None) -> Repeat | None:
     return Repeat(walls=tuple(Wall(Fields(day=day)) for day in days))
 
 
+@grammar.rule("repeat", "every|each <ordinal>", weight=-0.3)
+def day_of_each_month(day: int) -> Repeat | None:
+    """Every 15th: of each month."""
+    return days_of_month(day)
+
+
 @grammar.rule(
     "repeat", "on? the? <ordinal> <series> of <repeat>", "on? the? last <series> of <repeat>", weight=0.2
 )

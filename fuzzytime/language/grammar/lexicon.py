@@ -248,7 +248,10 @@ class Lexicon:
 
     def pieces(self, words: Sequence[Word], start: int) -> Iterator[Piece]:
         """Give what the tables say of the words from one place on."""
+        following = {word.text for word in words[start + 1 : start + 3]}
         for entry in self.entries.get(words[start].text, ()):
+            if len(entry.words) > 1 and entry.words[1] not in following:
+                continue
             end = _matched(words, start, entry.words)
             if end and not (entry.category == "unit" and _ends_sentence(words, end)):
                 yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
