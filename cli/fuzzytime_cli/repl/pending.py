@@ -4,11 +4,9 @@ from dataclasses import dataclass
 
 from rich.text import Text
 
-from fuzzytime.language import Policy, Question
+from fuzzytime.interpreter import Plan, Problem
+from fuzzytime.language import HALF_OF_DAY_ADVICE, Policy, Question, Reading
 from fuzzytime_cli.repl.scene import Scene
-
-HALVES = frozenset({"am", "pm"})
-"""Which half of the day is meant, said alone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,22 +17,46 @@ class Pending:
     question: Question
 
 
+def question_of(reading: Reading, policy: Policy) -> Question | None:
+    """Give the first question of a reading of which more than one answer is likely; else None."""
+    return next((one for one in reading.questions if _is_open(one, policy)), None)
+
+
+def untold_notes(plan: Plan, policy: Policy, pending: Pending | None) -> frozenset[Problem]:
+    """Give the notes on which half of a day was taken that tell nothing new.
+
+    The other "two" is at night, and the table says when it is; or it is asked about.
+    """
+    asked = "" if pending is None else f"s{pending.entry}"
+    clear = {
+        (one.reading.text, question.span)
+        for one in plan.everything
+        if one.reading is not None
+        for question in one.reading.questions
+        if one.wish.identifier == asked or not _is_open(question, policy)
+    }
+    notes = (one for one in plan.problems if one.message.endswith(HALF_OF_DAY_ADVICE))
+    return frozenset(one for one in notes if (one.text, one.span) in clear)
+
+
+def _is_open(question: Question, policy: Policy) -> bool:
+    """Whether a time that was not taken may be meant: six in the morning may, four in the morning hardly."""
+    first, last = policy.ahead_from, policy.plausible_to
+    others = (choice for place, choice in enumerate(question.choices) if place != question.chosen)
+    return any(first <= choice.time() <= last for choice in others)
+
+
 def asked_late(scene: Scene, words: str) -> Pending | None:
     """Give the question of what was told last again, where somebody says "pm" only later; else None."""
     entries = scene.conversation.state.entries
-    if words.lower().replace(".", "") not in HALVES or not entries:
+    halves = scene.conversation.interpreter.language.lexicon.conversation["half of the day"]
+    if (words.lower().replace(".", ""),) not in halves or not entries:
         return None
     number = entries[-1].number if scene.told_last is None else scene.told_last
     readings = (one.reading for one in scene.plan.everything if one.wish.identifier == f"s{number}")
     asked = (one.questions[0] for one in readings if one is not None and one.questions)
     question = next(asked, None)
     return None if question is None else Pending(number, question)
-
-
-def matters(question: Question, policy: Policy) -> bool:
-    """Whether a time that was not taken may be meant: six in the morning may, four in the morning hardly."""
-    others = (choice for place, choice in enumerate(question.choices) if place != question.chosen)
-    return any(policy.ahead_from <= choice.time() <= policy.plausible_to for choice in others)
 
 
 def question_lines(question: Question) -> list[Text | str]:

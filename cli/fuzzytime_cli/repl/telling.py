@@ -10,14 +10,6 @@ from fuzzytime_cli.repl.conversation import context_of
 from fuzzytime_cli.repl.retiming import IDLE
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 
-TOLD_OF = frozenset({"it", "they", "it's", "they're", "there"})
-"""First words of what is told of something that was spoken of."""
-
-YOU = "you"
-
-THINGS = frozenset({"it", "he", "she", "that", "this"})
-"""First words of what tells how something is: no order begins with them."""
-
 
 def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
     """Take what is so now as a reading, or as what something waits for; None where nothing is told."""
@@ -57,7 +49,11 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     verb = operation.verb.lower()
     past = verb != operation.lemma or any(verb in forms for forms in lexicon.past.values())
     owed = any(token.text.lower() in lexicon.closed.verbs_of_obligation for token in reading.tokens)
-    return (first == YOU and past and not operation.stated) or (first in THINGS and not owed)
+    closed = lexicon.closed
+    if first in closed.second_person:
+        return past and not operation.stated
+    # No order begins with "she" or "that".
+    return first in closed.third_person_singular | closed.singular_anaphors and not owed
 
 
 def _tells(scene: Scene, said: str, reading: Reading) -> bool:
@@ -68,7 +64,7 @@ def _tells(scene: Scene, said: str, reading: Reading) -> bool:
     first = said.split(maxsplit=1)[0].lower().replace("\u2019", "'") if said else ""
     operation = reading.instructions[0].operation
     # No order begins with "the" or "it".
-    if operation is not None and first not in TOLD_OF | lexicon.closed.noun_openers:
+    if operation is not None and first not in _told_of(lexicon) | lexicon.closed.noun_openers:
         return False
     happening = [one.operation for one in scene.plan.everything if one.stated and one.operation is not None]
     return not any(
@@ -83,10 +79,15 @@ def _condition(scene: Scene, said: str) -> Condition | None:
     found = [part.condition for one in read.instructions for part in one.requirements]
     if len(found) != 1 or found[0] is None:
         return None
-    if found[0].subject not in TOLD_OF:
+    if found[0].subject not in _told_of(language.lexicon):
         return found[0]
     alike = (one for one in _awaited(scene) if one.word is not None and one.word == found[0].word)
     return next(alike, found[0])
+
+
+def _told_of(lexicon: Lexicon) -> frozenset[str]:
+    """Give the first words of what is told of something that was spoken of."""
+    return frozenset(form[0] for form in lexicon.conversation["told of"])
 
 
 def _awaited(scene: Scene) -> list[Condition]:

@@ -4,9 +4,6 @@ from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.sentence.trees.content_words import content_words
 
-CLOCK = frozenset({"time"})
-"""What "what's the time" asks for."""
-
 
 def question(said: Said) -> About | None:
     """Read a question about the plan; None where it is none."""
@@ -94,7 +91,7 @@ def _open(said: Said) -> About | None:
     if asking is None:
         return None
     rest = asking.names
-    if rest - _words(said, "filling") == CLOCK and said.after("what") is not None:
+    if rest - _words(said, "filling") == _words(said, "clock") and said.after("what") is not None:
         return About(kind=AboutKind.CLOCK, certain=True)
     plan, open_ = (_words(said, name) for name in ("plan", "open"))
     filling = _words(said, "filling")

@@ -238,7 +238,10 @@ _ROWS = {
         "said of me", "not done", "asking about", "holding", "besides", "asking next", "asking when",
         "all of it", "by itself", "preferring", "lengths", "a day on", "a day back",
         "a week on", "a week back", "agreeing", "of course", "the earlier", "the later", "choosing none",
-        "the next", "forgetting", "started",
+        "the next", "forgetting", "started", "asking for a while",
+        "how to", "done with", "told of", "half of the day", "towards", "behind swapping",
+        "in its place of", "going", "one", "clock", "parting", "asking for help", "asking for the list",
+        "quitting",
     ),
     "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "amounts"),
 }  # fmt: skip

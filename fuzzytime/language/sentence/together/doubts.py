@@ -163,7 +163,7 @@ def uncounted(text: str, part: Part, operation: Operation, lexicon: Lexicon) -> 
     acts = any(node.lower == operation.verb and node.may_act for node in part.tree.nodes)
     number = (operation.object or "").lower()
     if (number.isdigit() or number in lexicon.numbers) and (operation.lemma in lasting or not acts):
-        place = text.lower().find(number, operation.span[1])
+        place = text.lower().find(number, part.segment.span[0])
         span = (place, place + len(number))
         message = f"{text[slice(*span)]!r}: what it counts is not said, as in 'for {number} minutes'"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)

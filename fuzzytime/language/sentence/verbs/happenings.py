@@ -48,8 +48,9 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
         return True
     if _is_somebodys(tree, root) and any(_is_clock(p) or p.said.is_day for p in phrases):
         return True
-    if root and tree.nodes[root].lower in lexicon.closed.coming and any(map(_is_clock, phrases)):
-        # "Concrete truck 8:30"; but "load truck at nine"
+    coming = lexicon.closed.coming if root else lexicon.closed.coming - lexicon.alone
+    if tree.nodes[root].lower in coming and any(map(_is_clock, phrases)):
+        # "Taxi at seven", "concrete truck 8:30"; but "load truck at nine", and "train at six"
         return not any(node.may_act and node.tag != "JJ" for node in tree.nodes[:root])
     # "A table of twelve at 7:15": no verb has an "of" behind it.
     counted = root == 0 and any(tree.nodes[p].lower == OF for p in tree.children(root, "prep"))
