@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Range, Repeat, Wall
-from fuzzytime.language.sentence.trees.tags import SINGULAR, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.places import Places
 from fuzzytime.requirement import Constraint
@@ -15,7 +15,7 @@ DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg",
 
 OF = "of"
 NAMES = ("NN", "VBG", "CD")
-NAMING = frozenset({"NN", "NNS", "NNP", "NNPS", "JJ", "DT", "PRP$", "POS", "CD", "IN", "TO", "CC"})
+NAMING = frozenset({"NN", "NNS", "NNP", "NNPS", "JJ", "DT", "PRP$", "POS", "IN", "TO", "CC"})
 """Tags of the words of what is named, and of whom it is with, or where."""
 
 NOUN_TAGS = frozenset({"NN", "NNS"})
@@ -169,15 +169,19 @@ def given_new_time(
 def named_alone(tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: Lexicon) -> Operation | None:
     """Give what nouns name beside when it is, where nothing else was found: "oil change at six".
 
-    Their words may be verbs as well, so that this is asked last.
+    Their words may be verbs as well, so that this is asked last. "The dog at seven" goes on with a verb.
     """
     root = tree.root
     if not any(_is_clock(one) or _is_range(one) or one.said.is_day for one in phrases):
         return None
     words = [place for place, node in enumerate(tree.nodes) if node.text[0].isalnum()]
     said = [place for place in words if not names.timed(place)]
-    named = root in said and tree.nodes[root].tag.startswith("NN") and len(said) > 1
-    if not named or any(tree.nodes[place].tag not in NAMING for place in said):
+    named = root in said and tree.nodes[root].tag.startswith("NN") and bool(tree.children(root, "compound"))
+    if (
+        not named
+        or tree.nodes[said[0]].tag in DETERMINERS
+        or any(tree.nodes[place].tag not in NAMING for place in said)
+    ):
         return None
     whole = all(root == place or root in tree.above(place) for place in said)
     return happening_at(root, tree, phrases, names, lexicon) if whole else None
