@@ -133,7 +133,6 @@ class Stretch(_Single):
 
     count: int
     unit: Unit
-    business: bool = False
 
     @property
     def grain(self) -> Unit:

@@ -43,7 +43,6 @@ class Joined:
 class _Part:
     """One part: its formula, or None and why it is not understood; ``alike`` goes on with what was said."""
 
-    text: str
     formula: Formula | None
     subject: str
     denied: bool
@@ -96,7 +95,7 @@ class _Parts:
         denied = denies(piece)
         if event is not None:
             happened = Not(Happened(event)) if denied else Happened(event)
-            self.parts.append(_Part(piece, happened, "", denied, alike=False))
+            self.parts.append(_Part(happened, "", denied, alike=False))
             return
         own = any(
             within(way, piece)
@@ -110,7 +109,7 @@ class _Parts:
         atom, reason = self._atom(pieces, subject, self.parts[-1].variable if alike else None)
         formula = Not(atom) if atom is not None and denied else atom
         variable = atom.variable if atom is not None else None
-        self.parts.append(_Part(self._as_said(piece), formula, subject, denied, alike, reason, variable))
+        self.parts.append(_Part(formula, subject, denied, alike, reason, variable))
 
     def _atom(self, pieces: list[str], subject: str, before: str | None) -> tuple[Is | None, str]:
         """Find what a part says, or the next part behind it that says something: a term, or a number."""
