@@ -77,11 +77,6 @@ class Language:
             lexicon, shipped_grammar(), ParseCache(cache / "parses.sqlite") if cache is not None else None
         )
 
-    @property
-    def policy(self) -> Policy:
-        """What decides where words leave it open."""
-        return self.lexicon.policy
-
     def read(
         self, text: str, *, now: datetime | None = None, given: Sequence[Operation | None] = ()
     ) -> Reading:

@@ -136,7 +136,6 @@ class Stretch(_Single):
 
     count: int
     unit: Unit
-    business: bool = False
 
     @property
     def grain(self) -> Unit:
