@@ -212,6 +212,8 @@ def from_then_on(goal: Goal) -> Said:
     "<said> ,? or|and before that",
     "<said> ,? if not before|earlier|sooner",
     "<said> ,? no later",
+    "<said> ,? no|not later than that",
+    "<said> ,? and|but no|not later",
     weight=0.5,
 )
 def latest(said: Said) -> Said | None:

@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.cuts import Cuts
 from fuzzytime.language.grammar.dining import Dining
 from fuzzytime.language.grammar.doses import Doses
+from fuzzytime.language.grammar.due import tells_when_due
 from fuzzytime.language.grammar.events import Events
 from fuzzytime.language.grammar.given_times import GivenTimes
 from fuzzytime.language.grammar.lent import counts_one
@@ -39,9 +40,6 @@ OFFERED_DAYS = frozenset({"offered_days.either_day", "offered_days.another_day"}
 
 CHANGED_LENGTH = "ranges.changed_length"
 """The rule of what gets another length: "from ten to fifteen minutes"."""
-DUE_BEHIND = "bounds.due_behind_thing"
-"""The rule of what is due: "create a task due friday"."""
-
 CONDITION = "if_it_is."
 """How names of the rules begin of conditions that the calendar decides."""
 
@@ -100,10 +98,11 @@ class Borders:
             or (piece.rule == CHANGED_LENGTH and not self.given.changes_length(piece))
             or self._is_from_the_past(piece)
             or self._is_asked(piece)
-            or self._is_only_told(piece)
+            or tells_when_due(piece, self.texts, self.lexicon)
             or self._counts_nothing(piece)
             or self._says_how_much(piece)
             or self._is_way(piece)
+            or self.measures.counts_hundreds(piece)
         )
 
     def _is_state(self, piece: Piece) -> bool:
@@ -165,13 +164,6 @@ class Borders:
         ]
         opens = {*self.texts[piece.end + 1 : piece.end + 2]} & self.closed.condition_openers
         return asked or (self.around.follower(piece) == "and" and bool(opens) and piece.start > 0)
-
-    def _is_only_told(self, piece: Piece) -> bool:
-        """Whether it only tells when what is due comes: "the rent is due friday", "the truck due at two"."""
-        before = self.around.before(piece)
-        apart = before in {"", ",", ":"}
-        thing = before.isalpha() and before not in self.lexicon.function_words | self.closed.told_auxiliaries
-        return piece.rule == DUE_BEHIND and (before in self.closed.coming or not (thing or apart))
 
     def _is_from_the_past(self, piece: Piece) -> bool:
         """Whether it says of which time a thing is that was: "the report of last week at nine"."""

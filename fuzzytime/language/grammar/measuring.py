@@ -24,6 +24,11 @@ NEAR = 8
 
 COLON = ":"
 
+HOURS = "hours"
+
+STATED = frozenset({"when", "if"})
+"""Kinds of clauses that say what must be so."""
+
 
 class Measures:
     """What is measured in a text."""
@@ -87,6 +92,17 @@ class Measures:
             return False
         levels = before[verb] in self.beside.kept_at
         return levels or not self.beside.with_levels.isdisjoint(thing[-1:])
+
+    def counts_hundreds(self, piece: Piece) -> bool:
+        """Whether hundreds in it are how much there is: "when it's two hundred and five | inside"."""
+        hundreds = [p for p in range(piece.start, piece.end) if self.texts[p] in self.lexicon.magnitudes]
+        if not hundreds or HOURS in self.texts[piece.start : piece.end]:
+            # "When it's fourteen hundred hours"
+            return False
+        behind = self.texts[piece.end : piece.end + 1]
+        cut = hundreds[-1] == piece.end - 1 and behind == ["and"] and self.is_number(piece.end + 1)
+        stated = self.lexicon.clauses.get((self.texts[piece.start],)) in STATED
+        return stated or cut
 
     @property
     def _keeping(self) -> frozenset[str]:

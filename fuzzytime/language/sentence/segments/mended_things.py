@@ -28,10 +28,10 @@ def _with_people(tree: Tree) -> Tree:
     nodes = list(tree.nodes)
     for place, node in enumerate(nodes):
         if node.lower in tree.lexicon.persons and node.tag in DESCRIBING:
-            behind_verb = (
-                node.head == place - 1 and nodes[place - 1].is_verb and not tree.children(place - 1, "dobj")
-            )
-            nodes[place] = replace(node, tag="NNP", relation="dobj" if behind_verb else node.relation)
+            behind_verb = node.head == place - 1 and nodes[place - 1].is_verb
+            # "Wake oliver at seven am", where a tree has the last word for what is woken
+            relation = "dative" if tree.children(place - 1, "dobj") else "dobj"
+            nodes[place] = replace(node, tag="NNP", relation=relation if behind_verb else node.relation)
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
 
 
