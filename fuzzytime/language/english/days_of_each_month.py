@@ -64,9 +64,15 @@ def weekdays_of(places: tuple[int, ...], series: Calendar, outer: Calendar) -> R
     return Repeat(walls=_walls(places, series, outer))
 
 
-@grammar.rule("repeat", "<repeat> on the? <places inside> <weekday>", weight=0.6)
-def on_weekdays_of(repeat: Repeat, places: tuple[int, ...], weekday: int) -> Repeat | None:
-    """Every other month on the first and third monday."""
+@grammar.rule(
+    "repeat",
+    "<repeat> on the? <places inside> <weekday>",
+    "<repeat> on the? <place inside> <weekday>",
+    weight=0.6,
+)
+def on_weekdays_of(repeat: Repeat, said: int | tuple[int, ...], weekday: int) -> Repeat | None:
+    """Every other month on the first and third monday, every month on the last friday."""
+    places = said if isinstance(said, tuple) else (said,)
     return on_named_days(repeat, _walls(places, Fields(weekday=weekday), Cycle(Unit.MONTH)))
 
 

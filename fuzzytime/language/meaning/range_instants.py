@@ -29,7 +29,7 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
     UngroundedError
         If it would end before it starts.
     """
-    first, last = _at_middle(said.first), _at_middle(said.last)
+    first, last = at_middle(said.first), at_middle(said.last)
     if isinstance(first, Wall) and isinstance(last, Wall) and first.clock and last.clock:
         return _clock_range(clock, first, last)
     if (
@@ -56,8 +56,8 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
     return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
 
 
-def _at_middle(said: Time) -> Time:
-    """Give the middle day of what is said as an end: "from mid may to the middle of june"."""
+def at_middle(said: Time) -> Time:
+    """Give the middle day of what is said as a bound: "from mid may to the middle of june", "by mid may"."""
     share = said.days if isinstance(said, Wall) else None
     if not isinstance(said, Wall) or not isinstance(share, Share) or not 0 < share.low < share.high < 1:
         return said

@@ -27,7 +27,7 @@ from fuzzytime.language.meaning.grains import grain_of, zone_in
 from fuzzytime.language.meaning.instants import Instants
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.offered_days import on_each_day_offered
-from fuzzytime.language.meaning.range_instants import since
+from fuzzytime.language.meaning.range_instants import at_middle, since
 from fuzzytime.language.meaning.series import recurrence_that_comes
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
@@ -207,6 +207,7 @@ class _Grounder:
         ends = self.said.constraint is Constraint.BEFORE
         opens = ends and self.said.edge is Edge.START
         here = replace(self.moment.grounding(zone), lasting=lasting, ends=ends, opens=opens)
+        time = at_middle(time) if self.said.constraint in {Constraint.BEFORE, Constraint.AFTER} else time
         found = here.instants(time)
         if self.said.preposition == "since" and isinstance(time, Wall):
             found = since(here, time, found)
