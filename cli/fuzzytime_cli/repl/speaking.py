@@ -175,7 +175,9 @@ def _told(scene: Scene, words: str) -> Reply | None:
         anew = said_anew(scene, words)
         if anew is not None:
             return _run(scene, About(kind=AboutKind.MOVE), anew)
-        return leaning(scene, words, reading, _taken)
+        leant = leaning(scene, words, reading, _taken)
+        # What asks for something is no question: "could you feed the cat?"
+        return leant if leant is not None or wish else answering.asked_of(scene, words)
     reply = _done(scene, operation)
     if reply is None:
         raise FuzzytimeError(
