@@ -83,8 +83,7 @@ def asked_of(scene: Scene, words: str) -> Reply | None:
     asking = {word for table in tables for form in lexicon.questions[table] for word in form}
     filling = {word for form in lexicon.conversation["filling"] for word in form}
     names = content_words(words) - asking - filling
-    first = words.split(maxsplit=1)[0].lower()
-    asks = words.rstrip().endswith("?") or first in asking
+    asks = words.rstrip().endswith("?") or not asking.isdisjoint(words.lower().split()[:1])
     entry = entry_of(scene, names) if asks and names else None
     return (
         None
