@@ -135,7 +135,7 @@ def test_a_reading_moves_what_waits_for_it() -> None:
 def test_an_ambiguous_time_is_asked_about_once_and_a_number_answers() -> None:
     talk = Talk()
     asked = talk.say("Call mum at six")
-    assert "Type 1 for Wednesday 18:00 (taken), 2 for Thursday 06:00." in asked
+    assert "Type 1 for Wednesday 18:00 (taken), 2 for Thursday 06:00." in " ".join(asked.split())
     answered = talk.say("2")
     assert "Which time" not in answered
     assert talk.start("s1") == NINE.replace(hour=6) + timedelta(days=1)

@@ -203,3 +203,86 @@ def test_the_doctor_reads_the_tables_of_whoever_asks(tmp_path: Path) -> None:
     told = ran("doctor", folder=tmp_path, FUZZYTIME_CUSTOMS=str(own))
     assert "FAIL tables" in told.out
     assert told.code == 1
+
+
+@pytest.mark.model
+def test_keeping_takes_one_back_of_what_was_dropped() -> None:
+    talk = Talk()
+    talk.say("ring the plumber at half ten")
+    talk.say("ring the electrician at eleven")
+    talk.say("cancel everything this morning")
+    talk.say("no wait, keep the plumber")
+    assert talk.entries == ["ring the plumber at half ten"]
+
+
+@pytest.mark.model
+def test_and_with_a_time_alone_is_the_same_at_that_time_too() -> None:
+    talk = Talk()
+    talk.say("read to the kids at 8 pm")
+    talk.say("and at 7:30 pm")
+    assert talk.entries == ["read to the kids at 8 pm", "read to the kids at 7:30 pm"]
+
+
+@pytest.mark.model
+def test_what_is_repeated_is_left_out_on_days_that_repeat() -> None:
+    talk = Talk()
+    talk.say("read to the kids at 8 pm every day")
+    talk.say("not on fridays")
+    assert talk.entries == ["read to the kids at 8 pm every day except on fridays"]
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("line", "entry"),
+    [("reschedule for friday", "call Ann at one pm for friday"), ("I need it by three", "call Ann by three")],
+)
+def test_a_new_time_needs_no_thing(line: str, entry: str) -> None:
+    talk = Talk()
+    talk.say("call Ann at one pm")
+    talk.say(line)
+    assert talk.entries == [entry]
+
+
+@pytest.mark.model
+def test_what_was_asked_for_without_a_time_may_get_one() -> None:
+    talk = Talk()
+    talk.say("water the plants")
+    talk.say("water the plants at six pm")
+    assert talk.entries == ["water the plants at six pm"]
+    talk.say("water the plants again at eight pm")
+    assert len(talk.entries) == 2
+
+
+@pytest.mark.model
+def test_one_of_several_things_of_a_line_is_put_off_and_no_other() -> None:
+    talk = Talk()
+    talk.say("mow the lawn at ten, trim the hedge at eleven and sweep the path at one pm")
+    talk.say("postpone the hedge by an hour")
+    assert (talk.start("s1").hour, talk.start("s1.2").hour, talk.start("s1.3").hour) == (10, 12, 13)
+
+
+@pytest.mark.model
+def test_questions_name_days_of_the_plan_and_what_is_planned() -> None:
+    talk = Talk()
+    talk.say("Tom picks up Lena from school at half three")
+    assert "s1 Tom picks up Lena" in talk.say("who picks up lena?")
+    assert "nothing is planned then" in talk.say("what's the plan for tomorrow")
+    assert "s1 Tom picks up Lena" in talk.say("what time do I start then?")
+    assert "asks" in talk.say("who are you?")
+    assert len(talk.entries) == 1
+
+
+@pytest.mark.model
+@pytest.mark.parametrize("line", ["...", "?", "!", "skip it, ,", ", too tired", "and at", "s1.", "wait, not"])
+def test_what_says_nothing_is_answered(line: str) -> None:
+    talk = Talk()
+    assert talk.say(line)
+    assert talk.entries == []
+
+
+def test_a_file_needs_no_colon_and_what_is_ticked_off_is_said(tmp_path: Path) -> None:
+    talk = Talk()
+    assert "ticked off" in talk.say("- [x] order coffee")
+    assert talk.paste("- [x] feed the cat", "# for tonight")[0].startswith("ticked off")
+    assert "written" in talk.say(f"save {tmp_path / 'dinner.json'}")
+    assert talk.entries == []

@@ -6,7 +6,7 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import About, content_words, verb_forms
+from fuzzytime.language import About, AboutKind, content_words, verb_forms
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
@@ -76,6 +76,22 @@ def when(scene: Scene, about: About) -> Reply:
     if len(positions) > MOST:
         lines.append(Text(f"and {len(positions) - MOST} more times"))
     return _reply(scene, about, lines, positions)
+
+
+def asked_of(scene: Scene, words: str) -> Reply | None:
+    """Answer a question that is not understood, but names what is planned, with when that is; else None."""
+    lexicon = scene.conversation.interpreter.language.lexicon
+    tables = ("asking", "placing", "stating", "helping")
+    asking = {word for table in tables for form in lexicon.questions[table] for word in form}
+    filling = {word for form in lexicon.conversation["filling"] for word in form}
+    names = content_words(words) - asking - filling
+    asks = words.rstrip().endswith("?") or not asking.isdisjoint(words.lower().split()[:1])
+    entry = entry_of(scene, names) if asks and names else None
+    return (
+        None
+        if entry is None
+        else when(scene, About(kind=AboutKind.WHEN, names=frozenset({entry.identifier})))
+    )
 
 
 def lasting(scene: Scene, about: About) -> Reply:

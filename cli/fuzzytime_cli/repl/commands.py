@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import Lexicon
@@ -155,6 +156,9 @@ TRIED = tuple(
 SAID_AS = {"move": "edit", "takes": "duration", "late": "busy", "stop": "done", "except": "edit"}
 """The commands for what is said of wishes, where they are called otherwise."""
 
+FILED = ("save", "load")
+"""Commands that need no colon in front of the name of a file."""
+
 BARE = {"asking for help": ":help", "asking for the list": ":list", "quitting": ":quit"}
 """What people mean by words that they type to a prompt, by the tables of these words."""
 
@@ -162,6 +166,9 @@ BARE = {"asking for help": ":help", "asking for the list": ":list", "quitting": 
 def without_colon(words: str, lexicon: Lexicon) -> str:
     """Give the command that is meant by words that need no colon: "help"; else the words themselves."""
     form = tuple(words.lower().rstrip("?").split())
+    if len(form) == len(FILED) and form[0] in FILED and Path(words.split()[1]).suffix:
+        # "Save dinner.ics"
+        return f":{words}"
     found = (line for table, line in BARE.items() if form in lexicon.conversation[table])
     return next(found, words) if form else ":help"
 

@@ -224,11 +224,13 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
     """
     language = scene.conversation.interpreter.language
     (time,) = find_times(about.time, scene.now, language.lexicon).requirements[:1]
+    if time.recurrence is not None:
+        repeated = _repeated(scene, about)
+        return _without(scene, about, repeated[-1], about.time) if repeated else None
     if time.earliest is None or time.latest is None:
         return None
     first, end = (instant_after(scene.now, side) for side in (time.earliest, time.latest))
-    entries = [e for e in scene.conversation.state.entries if about.names <= words_of_entry(scene, e)]
-    repeated = [entry for entry in entries if any(_repeats(one) for _, one in waiting(scene, entry.number))]
+    entries, repeated = _named(scene, about), _repeated(scene, about)
     if repeated:
         spoken_of = [entry for entry in repeated if entry.number == scene.focus]
         entry = (spoken_of or repeated)[-1]
@@ -243,6 +245,16 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
         meant = frozenset({then[-1].identifier})
         return taken(scene, replace(about, kind=AboutKind.DROP, names=meant, time=""))
     raise FuzzytimeError("when then? Say: move it to tomorrow (or: cancel it)")
+
+
+def _named(scene: Scene, about: About) -> list[Entry]:
+    return [e for e in scene.conversation.state.entries if about.names <= words_of_entry(scene, e)]
+
+
+def _repeated(scene: Scene, about: About) -> list[Entry]:
+    """Give the entries that are named, and of something done again and again."""
+    named = _named(scene, about)
+    return [entry for entry in named if any(_repeats(one) for _, one in waiting(scene, entry.number))]
 
 
 def next_left_out(scene: Scene, about: About) -> Reply | None:

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import AT_FIRST, AT_ONCE, About, AboutKind, content_words
+from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.repl.naming import (
     bounds_of,
@@ -20,7 +21,7 @@ from fuzzytime_cli.repl.naming import (
 from fuzzytime_cli.repl.parts import swapped_parts, without_part
 from fuzzytime_cli.repl.progress import late, length_said, progress, unstarted
 from fuzzytime_cli.repl.retiming import days_on, with_time, without_thing
-from fuzzytime_cli.repl.scene import Scene
+from fuzzytime_cli.repl.scene import Scene, waiting
 from fuzzytime_cli.session import Entry
 
 ONE_AT_A_TIME = "one at a time, such as: move the call to six; or: push everything back by an hour"
@@ -93,7 +94,7 @@ def _changing(scene: Scene, about: About) -> str | None:
         case AboutKind.DROP:
             return _dropping(scene, about, meant)
         case AboutKind.DELAY:
-            return f":delay {numbers} {length_said(scene, about)}"
+            return _delaying(scene, about, meant)
         case _ if about.time == AT_FIRST and (other := _of_two(scene, meant[0])) is not None:
             # Two that have their times each take the other's: "do the second one first"
             return f":swap {other} {numbers}"
@@ -103,6 +104,31 @@ def _changing(scene: Scene, about: About) -> str | None:
             part = part_meant(scene, meant[0].number, about.names)
             return f":edit {numbers} {with_time(scene, meant[0], about, part=part)}"
     raise FuzzytimeError(ONE_AT_A_TIME)
+
+
+def _delaying(scene: Scene, about: About, meant: list[Entry]) -> str:
+    """Give the command that puts off what is meant: perhaps one of several things that a line asks for.
+
+    Raises
+    ------
+    FuzzytimeError
+        If that has started.
+    """
+    numbers, length = ",".join(str(entry.number) for entry in meant), length_said(scene, about)
+    part = part_meant(scene, meant[0].number, about.names) if len(meant) == 1 else None
+    if part is None:
+        return f":delay {numbers} {length}"
+    schedule = scene.plan.schedule
+    starts = [
+        scene.plan.instant(schedule.start_times[place])
+        for place, one in waiting(scene, meant[0].number)
+        if one.identifier == part and not schedule.rejected[place]
+    ]
+    if not starts:
+        raise FuzzytimeError(f"{part} has started, or is not planned: it is not put off")
+    then = instant_after(starts[0], parse_duration(length.lstrip("-")) * (-1 if length[0] == "-" else 1))
+    time = f"at {then:%H:%M} on {then:%Y-%m-%d}"
+    return f":edit {numbers} {with_time(scene, meant[0], replace(about, time=time), part=part)}"
 
 
 def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:

@@ -1,11 +1,13 @@
 """The question that was put: which of several times is meant."""
 
 from dataclasses import dataclass
+from datetime import timedelta
 
 from rich.text import Text
 
 from fuzzytime.interpreter import Plan, Problem
 from fuzzytime.language import HALF_OF_DAY_ADVICE, Policy, Question, Reading
+from fuzzytime_cli.render import wrapped
 from fuzzytime_cli.repl.scene import Scene
 
 
@@ -19,7 +21,7 @@ class Pending:
 
 def question_of(reading: Reading, policy: Policy) -> Question | None:
     """Give the first question of a reading of which more than one answer is likely; else None."""
-    return next((one for one in reading.questions if _is_open(one, policy)), None)
+    return next((one for one in reading.questions if _is_open(one, reading, policy)), None)
 
 
 def untold_notes(plan: Plan, policy: Policy, pending: Pending | None) -> frozenset[Problem]:
@@ -33,17 +35,19 @@ def untold_notes(plan: Plan, policy: Policy, pending: Pending | None) -> frozens
         for one in plan.everything
         if one.reading is not None
         for question in one.reading.questions
-        if one.wish.identifier == asked or not _is_open(question, policy)
+        if one.wish.identifier == asked or not _is_open(question, one.reading, policy)
     }
     notes = (one for one in plan.problems if one.message.endswith(HALF_OF_DAY_ADVICE))
     return frozenset(one for one in notes if (one.text, one.span) in clear)
 
 
-def _is_open(question: Question, policy: Policy) -> bool:
-    """Whether a time that was not taken may be meant: six in the morning may, four in the morning hardly."""
-    first, last = policy.ahead_from, policy.plausible_to
-    others = (choice for place, choice in enumerate(question.choices) if place != question.chosen)
-    return any(first <= choice.time() <= last for choice in others)
+def _is_open(question: Question, reading: Reading, policy: Policy) -> bool:
+    """Whether the time taken does not come soon, and people are up at one that was not taken."""
+    first, last, soon = policy.ahead_from, policy.plausible_to, timedelta(hours=policy.soon_hours)
+    chosen = question.choices[question.chosen]
+    comes_soon = reading.now is not None and reading.now <= chosen <= reading.now + soon
+    others = (choice for choice in question.choices if choice != chosen)
+    return not comes_soon and any(first <= choice.time() <= last for choice in others)
 
 
 def asked_late(scene: Scene, words: str) -> Pending | None:
@@ -59,10 +63,11 @@ def asked_late(scene: Scene, words: str) -> Pending | None:
     return None if question is None else Pending(number, question)
 
 
-def question_lines(question: Question) -> list[Text | str]:
+def question_lines(question: Question, width: int) -> list[Text | str]:
     """Put a question: which of several times is meant, and which one it is taken for."""
     choices = [
         f"{number} for {instant:%A %H:%M}" + (" (taken)" if number == question.chosen + 1 else "")
         for number, instant in enumerate(question.choices, 1)
     ]
-    return [Text(f"Which time did you mean? Type {', '.join(choices)}.", style="bold")]
+    asked = f"Which time did you mean? Type {', '.join(choices)}."
+    return [Text(line, style="bold") for line in wrapped(asked, width)]

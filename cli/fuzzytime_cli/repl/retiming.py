@@ -11,6 +11,7 @@ from fuzzytime.language import (
     About,
     AboutKind,
     Operation,
+    Reading,
     content_words,
     find_times,
     in_its_place,
@@ -21,7 +22,7 @@ from fuzzytime.language import (
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime_cli.repl.naming import entries_meant, starts_of_entry
 from fuzzytime_cli.repl.parts import with_time_of_part
-from fuzzytime_cli.repl.scene import Scene, number_of
+from fuzzytime_cli.repl.scene import Scene, number_of, waiting
 from fuzzytime_cli.session import Entry
 
 IDLE = "rest"
@@ -83,6 +84,37 @@ def same_anew(scene: Scene, anew: str) -> str | None:
         moved = About(kind=AboutKind.MOVE, time=times[0].text)
         anew = with_time(scene, scene.conversation.state.entry(number), moved, own)
     return f":edit {number} {anew}"
+
+
+def timed_now(scene: Scene, words: str, reading: Reading) -> str | None:
+    """Give the command that gives its time to what was asked for without one; None where nothing was.
+
+    Who asks to "trim the hedge", and then to "trim the hedge at four", means one and the same.
+    """
+    lexicon = scene.conversation.interpreter.language.lexicon
+    forms = lexicon.conversation["closing"] | lexicon.conversation["again"]
+    more = {form[0] for form in forms if len(form) == 1}
+    if len(reading.instructions) != 1 or not more.isdisjoint(words.lower().split()):
+        return None
+    operation, times = reading.instructions[0].operation, reading.instructions[0].requirements
+    if operation is None or not operation.object or not times:
+        return None
+    same = [one for _, one in waiting(scene) if _is_same(one.operation, operation)]
+    if len(same) == 1 and same[0].instruction is not None and not same[0].instruction.requirements:
+        number, time = number_of(same[0].identifier), " ".join(part.text for part in times)
+        entry = scene.conversation.state.entry(number)
+        return f":edit {number} {with_time_of_part(scene, entry, time, same[0].identifier)}"
+    # What may be done at any time is taken to have begun at once.
+    begun = {
+        number_of(one.identifier) for one in scene.conversation.running(scene.now) if one.end > scene.now
+    }
+    language = scene.conversation.interpreter.language
+    for entry in (entry for entry in scene.conversation.state.entries if entry.number in begun):
+        read = language.read(entry.text, now=entry.given).instructions
+        untimed = len(read) == 1 and not read[0].requirements
+        if not same and untimed and _is_same(read[0].operation, operation):
+            return f":edit {entry.number} {words}"
+    return None
 
 
 def wished_instead(scene: Scene, words: str) -> str | None:

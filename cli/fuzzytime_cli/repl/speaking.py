@@ -30,7 +30,7 @@ from fuzzytime_cli.repl.commands import command_of, how_to, what_if
 from fuzzytime_cli.repl.leaning import leaning, left_out, left_out_then, next_left_out, the_other
 from fuzzytime_cli.repl.meant import command_meant
 from fuzzytime_cli.repl.naming import LABEL, entries_meant, entry_of, label_meant, unknown
-from fuzzytime_cli.repl.retiming import said_anew, same_anew, wished_instead
+from fuzzytime_cli.repl.retiming import said_anew, same_anew, timed_now, wished_instead
 from fuzzytime_cli.repl.scene import Reply, Scene, whole_number
 from fuzzytime_cli.repl.telling import tells_what_is, told_state
 
@@ -172,10 +172,12 @@ def _told(scene: Scene, words: str) -> Reply | None:
         added = None if wish else added_time(words, scene.now, language.lexicon)
         if added is not None:
             return _taken(scene, added)
-        anew = said_anew(scene, words)
+        anew = said_anew(scene, words) or timed_now(scene, words, reading)
         if anew is not None:
             return _run(scene, About(kind=AboutKind.MOVE), anew)
-        return leaning(scene, words, reading, _taken)
+        leant = leaning(scene, words, reading, _taken)
+        # What asks for something is no question: "could you feed the cat?"
+        return leant if leant is not None or wish else answering.asked_of(scene, words)
     reply = _done(scene, operation)
     if reply is None:
         raise FuzzytimeError(

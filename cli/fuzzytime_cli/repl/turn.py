@@ -7,7 +7,7 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError, InstructionError
-from fuzzytime.interpreter import Plan, Problem
+from fuzzytime.interpreter import Plan, Problem, ProblemKind
 from fuzzytime.language import About, behind_an_answer, choice_meant, chooses_none, said_apart
 from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
@@ -122,7 +122,8 @@ class Turns:
                 reply = replace(reply, lines=(*reply.lines, *self._redrawn(now)))
             reply = replace(reply, lines=(*self._told_news(), *reply.lines))
             if self.pending is not None:
-                reply = replace(reply, lines=(*reply.lines, *question_lines(self.pending.question)))
+                asked = question_lines(self.pending.question, self.width)
+                reply = replace(reply, lines=(*reply.lines, *asked))
         except AskedBackError as error:
             self.asked = error.about
             return Reply((Text(plain(str(error)), style="red"),))
@@ -235,7 +236,8 @@ class Turns:
         policy = self.conversation.interpreter.language.policy
         told = self.told | untold_notes(made, policy, self.pending)
         untold = tuple(problem for problem in made.problems if problem not in told)
-        self.told = set(made.problems)
+        noted = {problem for problem in self.told if problem.kind is ProblemKind.NOTE}
+        self.told = noted | set(made.problems)
         view = PlanView(replace(made, problems=untold), self.width, unicode=self.unicode)
         lines += view.brief(news_of(before, made), lengths_of(before, made))
         lines += [line for problem in untold for line in problem_lines(problem, self.width)]

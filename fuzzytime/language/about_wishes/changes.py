@@ -289,6 +289,10 @@ def _delayed(said: Said) -> About | None:
 
 
 def _moved(said: Said) -> About | None:
+    wanted = said.after("wanted by")
+    if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
+        # "I need it by three"
+        return About(kind=AboutKind.MOVE, time=time, certain=True)
     delaying = said.after("delaying")
     if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
         return None
@@ -331,4 +335,7 @@ def _moved_at(said: Said, behind: str) -> About | None:
     first = found[0].span[0]
     thing = Said(behind[:first].rstrip(), said.now, said.lexicon)
     time = Said(behind[first:], said.now, said.lexicon).as_time()
-    return replace(_about(AboutKind.MOVE, thing), time=time) if time and thing.words else None
+    if not thing.words:
+        # "Reschedule for friday"
+        return About(kind=AboutKind.MOVE, time=time, certain=True) if time else None
+    return replace(_about(AboutKind.MOVE, thing), time=time) if time else None

@@ -71,6 +71,9 @@ def _as_day(text: str, said: Said) -> str:
     bare = text.strip()
     bare = bare[len(FOR) :] if bare.lower().startswith(FOR) else bare
     time = Said(bare, said.now, said.lexicon).one_time()
-    if time is None or time.constraint is not Constraint.BETWEEN or time.recurrence is not None:
+    if time is None:
         return ""
-    return bare
+    # "Not on fridays"
+    days = time.constraint is Constraint.EVERY and time.recurrence is not None
+    once = time.constraint is Constraint.BETWEEN and time.recurrence is None
+    return bare if days or once else ""

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.spelling import misspellings
+from fuzzytime.language.grammar.spelling import clipped, misspellings
 
 OPENING = (
     "dropping", "clearing", "swapping", "undoing", "redoing", "delaying", "stopping", "showing", "what",
@@ -36,7 +36,8 @@ def respelled(text: str, now: datetime, lexicon: Lexicon, is_verb: Callable[[str
 
 @lru_cache(maxsize=4)
 def _meant_by(opening: frozenset[str]) -> Mapping[str, str]:
-    return misspellings(sorted(opening), opening)
+    words = sorted(opening)
+    return {**clipped(words, opening), **misspellings(words, opening)}
 
 
 def _meant(lexicon: Lexicon) -> Mapping[str, str]:

@@ -47,6 +47,9 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         return None
     if opened and (more := continuing(rest.text, now, lexicon)) is not None and more.certain:
         return more
+    if opened and rest.has_time and rest.as_time() == rest.text:
+        # "And at half past seven"; but "and dinner at seven"
+        return About(kind=AboutKind.AGAIN, time=rest.text, certain=True)
     thing, time = rest.parted()
     named = bool(thing) and not is_of_all(Said(thing, now, lexicon))
     return About(kind=AboutKind.LIKE, thing=thing, time=time, text=follows) if named else None
@@ -64,6 +67,9 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if instead is not None:
         return instead
     denied = said.after("denying") if not place or said.forms[:1] == (NOT,) else None
+    if place and said.forms[:1] and said.forms[0] in lexicon.doing.keeping:
+        # "No wait, keep the plumber", where all was dropped
+        denied = said.behind(1)
     if denied is not None and denied.names and COMMA not in denied.forms and not denied.has_time:
         # "Not the carrots"
         return About(kind=AboutKind.DROP, names=denied.names, thing=denied.text, certain=place > 0)
