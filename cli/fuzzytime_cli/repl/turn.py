@@ -233,7 +233,7 @@ class Turns:
         lines = self._told_news()
         lines += [Text(line, style="yellow") for line in move_lines(before, made, started)]
         lines += running_lines(self.conversation, now)
-        policy = self.conversation.interpreter.language.policy
+        policy = self.conversation.interpreter.language.lexicon.policy
         told = self.told | untold_notes(made, policy, self.pending)
         untold = tuple(problem for problem in made.problems if problem not in told)
         noted = {problem for problem in self.told if problem.kind is ProblemKind.NOTE}
@@ -270,7 +270,7 @@ class Turns:
         number = state.entries[-1].number
         reading = last.reading if last is not None and not last.told_by else None
         # What is told anew is taken for the time nearest to the old one.
-        policy = self.conversation.interpreter.language.policy
+        policy = self.conversation.interpreter.language.lexicon.policy
         question = None if reading is None else question_of(reading, policy)
         if self.asks and len(said) == 1 and question is not None:
             self.pending = Pending(number, question)
