@@ -161,7 +161,7 @@ def test_a_first_line_above_hours_that_may_be_an_entry_is_no_title(line: str) ->
     assert not any("lines below it" in remark.message for remark in first.remarks)
 
 
-@pytest.mark.parametrize("line", ["Gala, Friday 80 guests", "Friday - band rehearsal", "Packing list Friday"])
+@pytest.mark.parametrize("line", ["Gala, Friday 80 guests", "Friday - kerb pour", "Packing list Friday"])
 def test_a_title_gives_its_day_beside_what_it_names(line: str) -> None:
     *_, mow = _times(line, "van at 10", "tea at 11", "out at 12", "mow the lawn")
     assert [part.earliest for part in mow] == [2 * DAY - 9 * 3600]
