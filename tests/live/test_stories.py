@@ -104,6 +104,27 @@ def test_an_occurrence_of_a_repetition_starts_once() -> None:
     assert all(later - earlier > 100 for earlier, later in itertools.pairwise(starts))
 
 
+@pytest.mark.parametrize(
+    ("wait", "words"),
+    [
+        ("Take the tents down once the dew is off", "the dew is off"),
+        ("Order the parts if the tray is ok", "The tray is ok."),
+    ],
+)
+def test_what_waits_starts_when_somebody_tells_that_it_may(wait: str, words: str) -> None:
+    story = told([wait, "Stir the soup now"], [{"say": words, "at_s": 600}])
+    assert story.one(Waits).id == "s1"
+    assert "s2" in story.starts
+    assert story.starts["s1"] == pytest.approx(600, abs=1)
+    assert story.one(Finished).unfinished == ()
+
+
+def test_what_nothing_waits_for_is_no_news() -> None:
+    story = told(["Take the tents down once the dew is off"], [{"say": "the tray is ok", "at_s": 600}])
+    assert story.one(Finished).unfinished == ("s1",)
+    assert "names nothing to do" in story.one(Trouble).message
+
+
 # -- readings -----------------------------------------------------------------------------------------------
 
 

@@ -24,7 +24,16 @@ NEXT_ROWS = 3
 
 _EIGHTHS = " ▏▎▍▌▋▊▉"
 _BAR = 10
-"""Seconds ahead from which on a plan of skills that take minutes is shown in minutes."""
+"""Columns of a bar."""
+
+FAR = 0.5
+"""Share of the time until all is over from which on the timeline does not begin now, but with the work."""
+
+HOURS_AHEAD = 6 * 3600.0
+"""Seconds that the work must lie ahead for that."""
+
+BEFORE = 0.1
+"""Share of what the timeline then shows that it begins before the work."""
 
 
 def bar(satisfaction: float, width: int = _BAR, *, unicode: bool = True) -> str:
@@ -226,7 +235,8 @@ class PlanView:
 
     def _timeline(self) -> Iterator[Text]:
         skills = self.schedule.skills
-        window = Window(0.0, self._end(), self.width - self.label_width - 2)
+        end = self._end()
+        window = Window(self._begin(end), end, self.width - self.label_width - 2)
         yield self._axis(window)
         for position in self.shown:
             specific, function = skills[position], self.plan.skills[position].skill.satisfaction
@@ -255,6 +265,12 @@ class PlanView:
         last = max((max(skills[place].done, skills[place].end) for place in planned), default=600.0)
         wishes = [self.plan.skills[place].skill.satisfaction.acceptable(0.02).high for place in self.shown]
         return max(60.0, 1.02 * max([last, *(wish for wish in wishes if wish < 2 * last)]))
+
+    def _begin(self, end: float) -> float:
+        """Give where the timeline begins: now, or a little before all work that is far ahead."""
+        starts = (self.schedule.start_times[place] for place in self.shown if self.plan.has_time(place))
+        first = min(starts, default=0.0)
+        return first - BEFORE * (end - first) if first > max(HOURS_AHEAD, FAR * end) else 0.0
 
     def _axis(self, window: Window) -> Text:
         span, now = (window.start, window.end), self.plan.request.now

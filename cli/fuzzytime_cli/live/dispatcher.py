@@ -19,6 +19,7 @@ from fuzzytime_cli.live.outlook import Outlook, Waiting
 from fuzzytime_cli.live.pace import JUST, Pace
 from fuzzytime_cli.live.planning import Planning
 from fuzzytime_cli.live.progress import Ends, Progress
+from fuzzytime_cli.told_states import as_news, is_waited_for, tells_a_state
 
 _SAME = 1e-6
 """Seconds between two moments that are one."""
@@ -147,7 +148,17 @@ class Dispatcher:
         except FuzzytimeError as error:
             yield told.Trouble(at=now, message=str(error), text=said.wish.text)
             return
-        yield from self._instructed(said.wish, now) if word is None else self._take(word, now)
+        yield from self._instructed(self._told(said.wish), now) if word is None else self._take(word, now)
+
+    def _told(self, wish: SpokenWish) -> SpokenWish:
+        """Take what somebody tells to be so, and something waits for, as what happens now."""
+        language = self.planning.interpreter.language
+        waiting = (one.interpreted for one in self.outlook.without_time)
+        if not is_waited_for(wish.text, waiting):
+            return wish
+        reading = language.read(wish.text, now=wish.given)
+        tells = tells_a_state(wish.text, reading, language.lexicon)
+        return replace(wish, text=as_news(wish.text)) if tells else wish
 
     def _instructed(self, wish: SpokenWish, now: float) -> Iterator[Event]:
         try:
