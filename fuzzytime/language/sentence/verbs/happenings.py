@@ -172,7 +172,10 @@ def named_alone(tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: L
     Their words may be verbs as well, so that this is asked last. "The dog at seven" goes on with a verb.
     """
     root = tree.root
-    if not any(_is_clock(p) or _is_range(p) or _is_repeated(p) or p.said.is_day for p in phrases):
+    # "Kerb pour on friday"; but "Friday - kerb pour" may be a title.
+    days = (phrase for phrase in phrases if phrase.said.is_day)
+    when = any(_is_clock(p) or _is_range(p) or _is_repeated(p) for p in phrases)
+    if not when and not any(phrase.said.preposition is not None for phrase in days):
         return None
     words = [place for place, node in enumerate(tree.nodes) if node.text[0].isalnum()]
     said = [place for place in words if not names.timed(place)]
