@@ -24,6 +24,7 @@ from fuzzytime_cli.live.events import (
     Start,
     Stopped,
     Trouble,
+    Waits,
 )
 from fuzzytime_cli.live.inbox import Stop
 from live.story import Json, NappingClock, told, wish
@@ -155,15 +156,16 @@ def test_readings_as_they_were_expected_change_nothing() -> None:
     assert len(story.all(Planned)) <= 2
 
 
-def test_a_sensor_that_dies_is_told_and_what_waits_for_it_is_rejected() -> None:
+def test_a_sensor_that_dies_is_told_and_what_waits_for_it_has_no_time() -> None:
     story = told(
         [FLIP, wish("Set the table in exactly fifteen minutes", "table")], pan(100, level=120, tau=300)
     )
     silent = story.one(Silent)
     assert (silent.signal, silent.read_s) == ("pan_temp", 100.0)
     assert silent.at == pytest.approx(100 + 300, abs=0.1)
-    assert "not enough readings of pan_temp" in story.of(Rejected, "flip")[-1].reason
+    assert "not enough readings of pan_temp" in story.of(Waits, "flip")[-1].reason
     assert "table" in story.starts
+    assert story.all(Finished)[-1].unfinished == ("flip",)
 
 
 def test_a_sensor_that_speaks_again_is_heard() -> None:

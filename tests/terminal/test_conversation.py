@@ -207,9 +207,10 @@ def test_a_start_that_comes_while_one_types_is_announced_with_the_next_turn() ->
 
 def test_a_rejected_skill_has_no_time_and_its_reason_is_said_once() -> None:
     talk = Talk()
-    answer = talk.say("Flip the pancakes when the pan is hot")
-    assert answer.count("not enough readings of pan_temp") == 1
-    (row,) = [line for line in answer.split("\n") if "flip the pancakes" in line and " 0.00 " in line]
+    talk.say(":ctx washer_power=400")
+    answer = talk.say("Hang up the laundry when the washing machine is done")
+    assert answer.count("never: washer_power stays at 400 W") == 1
+    (row,) = [line for line in answer.split("\n") if "hang up the laundry" in line and " 0.00 " in line]
     assert row.split()[:3] == ["s1", "–", "–"]
     assert [line for line in answer.split("\n") if line.startswith("s1") and "█" in line] == []
 
@@ -398,3 +399,11 @@ def test_of_pasted_lines_one_that_is_too_long_is_said_and_the_others_kept() -> N
     answers = talk.paste("call mum at noon", "stir " * 1000, "set the table at one pm")
     assert any("characters" in answer for answer in answers)
     assert talk.entries == ["call mum at noon", "set the table at one pm"]
+
+
+def test_a_time_is_not_asked_about_where_the_other_is_in_the_dead_of_night() -> None:
+    talk = Talk()
+    told = talk.say("Call mum at 4:30")
+    assert "Which time" not in told
+    assert talk.start("s1").hour == 16
+    assert "taken as 2 (Thursday 04:30)" in talk.say("am")

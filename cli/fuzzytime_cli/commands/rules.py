@@ -52,9 +52,9 @@ def show(
     """Show which rows and rules apply to words about time, and the satisfaction they give."""
     import os
 
-    from fuzzytime.interpreter import ProblemKind
+    from fuzzytime.interpreter import IN_THE_PLAN
     from fuzzytime_cli.assembly import Assembly
-    from fuzzytime_cli.commands.plan import is_fault, report_problem
+    from fuzzytime_cli.commands.plan import report_problem
     from fuzzytime_cli.explaining import rules_lines
     from fuzzytime_cli.faults import UsageError
     from fuzzytime_cli.render import Screen
@@ -65,10 +65,10 @@ def show(
     assembly = Assembly.of(moment, understanding, Solving())
     made = shown_plan(text, assembly, understanding)
     for problem in made.problems:
-        # Of what is rejected the lines below give the reason.
-        if is_fault(problem) and problem.kind is not ProblemKind.REJECTED:
+        # Of what has no time the lines below give the reason.
+        if problem.kind not in IN_THE_PLAN:
             report_problem(problem, "fuzzytime")
     screen = Screen.of(sys.stdout, dict(os.environ))
     screen.write(*rules_lines(made, screen.width, unicode=screen.unicode))
-    if not made.skills:
+    if not made.everything:
         raise typer.Exit(Exit.BAD_DATA)

@@ -93,7 +93,7 @@ class Dispatcher:
         """Give what was still to come; of what was never planned only the wishes have names."""
         if self.planning.plan is None:
             return tuple(wish.identifier for wish in self.planning.request.wishes)
-        return tuple(one.identifier for one in self.outlook.waiting)
+        return tuple(one.identifier for one in (*self.outlook.waiting, *self.outlook.untold.values()))
 
     def finished(self, now: float) -> told.Finished:
         """Tell what became of every skill."""
@@ -138,7 +138,7 @@ class Dispatcher:
         if self.outlook.reasons:
             # What is asked for, and not planned yet, has no name yet.
             yield from self.outlook.replan(now, self.ledger)
-        everything = (*self.outlook.waiting, *self.outlook.rejected.values())
+        everything = (*self.outlook.waiting, *self.outlook.without_time)
         running = [(one.identifier, one.name) for one in self.ledger.in_phase(Phase.RUNNING, Phase.RESTING)]
         waiting = [(one.identifier, one.name) for one in everything]
         lexicon = self.planning.interpreter.language.lexicon

@@ -38,10 +38,10 @@ def coming(scene: Scene) -> Reply:
     running = scene.conversation.running(scene.now)
     lines = running_lines(scene.conversation, scene.now)
     schedule = scene.plan.schedule
-    left = (place for place, _ in waiting(scene) if not schedule.rejected[place])
+    left = (place for place, _ in waiting(scene) if scene.plan.has_time(place))
     planned = sorted(left, key=lambda place: (schedule.start_times[place], place))[:1]
     lines += [_start(scene, position) for position in planned]
-    meant = [scene.plan.skills[position].identifier for position in planned]
+    meant = [scene.plan.everything[position].identifier for position in planned]
     meant += [one.identifier for one in running]
     return Reply(tuple(lines), focus=number_of(meant[0])) if lines else said(NOTHING)
 
@@ -56,7 +56,7 @@ def on_time(scene: Scene) -> Reply:
     over = _over(scene)
     if not late:
         return replace(over, lines=(Text("yes: everything that is planned has its time"), *over.lines))
-    said_of = [f"  {scene.plan.skills[place].identifier} {plain(words)}" for place, words in late[:MOST]]
+    said_of = [f"  {scene.plan.everything[place].identifier} {plain(words)}" for place, words in late[:MOST]]
     lines = [line for words in said_of for line in wrapped(words, scene.width, 6)]
     focus = _focus(scene, [place for place, _ in late])
     return Reply((Text("not all of it:"), *lines, *over.lines), focus=focus)
@@ -68,7 +68,9 @@ def when(scene: Scene, about: About) -> Reply:
         return _over(scene)
     positions = _positions(scene, about.names)
     schedule = scene.plan.schedule
-    positions.sort(key=lambda position: (schedule.rejected[position], schedule.start_times[position]))
+    timed = [position for position in positions if scene.plan.has_time(position)]
+    timed.sort(key=lambda position: schedule.start_times[position])
+    positions = [*timed, *(position for position in positions if position not in timed)]
     lines = _going_on(scene, about)
     lines += [_start(scene, position) for position in positions[:MOST]]
     if len(positions) > MOST:
@@ -97,7 +99,7 @@ def lasting(scene: Scene, about: About) -> Reply:
     positions = _positions(scene, about.names)
     lines = _going_on(scene, about)
     for position in positions[:MOST]:
-        interpreted = scene.plan.skills[position]
+        interpreted = scene.plan.everything[position]
         skill = interpreted.skill
         whole = format_duration(skill.time_until_done)
         by_itself = 0.0 < skill.duration < skill.time_until_done
@@ -132,7 +134,7 @@ def did(scene: Scene, about: About) -> Reply:
 def beside(scene: Scene, about: About) -> Reply:
     """Say what comes before something, or behind it."""
     schedule, positions = scene.plan.schedule, _positions(scene, about.names)
-    left = [place for place, _ in waiting(scene) if not schedule.rejected[place]]
+    left = [place for place, _ in waiting(scene) if scene.plan.has_time(place)]
     running = running_one(scene, about.names) if about.names else None
     # "After the cake", which is in the oven, what is done with it then comes.
     named = [place for place in positions if place in left and running is None]
@@ -177,9 +179,9 @@ def why(scene: Scene, about: About) -> Reply:
         if entry is not None:
             position_of(scene, str(entry.number))  # what is running, or over, says so
         return _nothing(about.names)
-    name = scene.plan.skills[positions[0]].identifier
+    name = scene.plan.everything[positions[0]].identifier
     sentences = [*why_sentences(scene.plan, positions[0]), f":why {name} shows words, rules and curve."]
-    heading = f"{plain(name)} {plain(scene.plan.skills[positions[0]].skill.name)}"
+    heading = f"{plain(name)} {plain(scene.plan.everything[positions[0]].skill.name)}"
     lines = [line for sentence in sentences for line in wrapped(f"  {sentence}", scene.width, 6)]
     return Reply((Text(heading, style="bold"), *lines), focus=_focus(scene, positions))
 
@@ -195,7 +197,7 @@ def _nothing(names: frozenset[str]) -> Reply:
 
 
 def _focus(scene: Scene, positions: list[int]) -> int | None:
-    return number_of(scene.plan.skills[positions[0]].identifier) if positions else None
+    return number_of(scene.plan.everything[positions[0]].identifier) if positions else None
 
 
 def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
@@ -229,7 +231,7 @@ def _over(scene: Scene) -> Reply:
     ends = [
         scene.plan.instant(one.done)
         for position, one in enumerate(schedule.skills)
-        if not schedule.rejected[position]
+        if scene.plan.has_time(position)
     ]
     ends += [one.done for one in scene.conversation.running(scene.now)]
     if not ends:
@@ -238,8 +240,10 @@ def _over(scene: Scene) -> Reply:
 
 
 def _start(scene: Scene, position: int) -> Text:
-    interpreted, schedule = scene.plan.skills[position], scene.plan.schedule
+    interpreted, schedule = scene.plan.everything[position], scene.plan.schedule
     name = f"{plain(interpreted.identifier)} {plain(interpreted.skill.name)}"
+    if position >= len(scene.plan.skills):
+        return Text(f"{name}: waits: {plain(interpreted.reason)}")
     if schedule.rejected[position]:
         return Text(f"{name}: rejected (:why {plain(interpreted.identifier)} tells)")
     instant, done = (

@@ -76,7 +76,7 @@ def room(scene: Scene, about: About) -> Reply:
     if about.names:
         entry = entry_of(scene, about.names) or unknown(about.names)
         schedule = scene.plan.schedule
-        mine = [place for place, _ in waiting(scene, entry.number) if not schedule.rejected[place]]
+        mine = [place for place, _ in waiting(scene, entry.number) if scene.plan.has_time(place)]
         if not mine:
             raise FuzzytimeError("when that is, is not planned")
         instants = [scene.plan.instant(schedule.start_times[place]) for place in mine]
@@ -119,7 +119,7 @@ def _as_far_as(scene: Scene, end: datetime) -> Scene:
     ahead = seconds_between(scene.now, end)
     repeated = any(
         part.recurrence is not None
-        for one in scene.plan.skills
+        for one in scene.plan.everything
         if one.instruction is not None
         for part in one.instruction.requirements
     )
@@ -180,7 +180,7 @@ def _all(scene: Scene) -> Iterator[Taken]:
         if one.end > scene.now
     ]
     for place, one in waiting(scene):
-        if not schedule.rejected[place]:
+        if scene.plan.has_time(place):
             planned = schedule.skills[place]
             # What one attends keeps nobody's hands, and yet who speaks.
             over = planned.done if one.stated else planned.end
@@ -196,7 +196,7 @@ def _length_of(scene: Scene, thing: str) -> tuple[timedelta, bool]:
         trial = scene.conversation.state.with_entries([text], scene.now)
         made = scene.conversation.understood(scene.now, trial)
         name = trial.entries[-1].identifier
-        own = [one for one in made.skills if one.wish.identifier == name and one.skill.duration > 0]
+        own = [one for one in made.everything if one.wish.identifier == name and one.skill.duration > 0]
         if own:
             return timedelta(seconds=own[-1].skill.duration), own[-1].duration.assumed
     return SHORTEST, True

@@ -116,7 +116,7 @@ def plot(scene: Scene, text: str) -> Reply:
         replace_file(path, plan_svg(scene.plan))
         return said(f"written: {path}")
     position = position_of(scene, which)
-    interpreted = scene.plan.skills[position]
+    interpreted = scene.plan.everything[position]
     chart = chart_of(interpreted, scene.plan, position)
     if file.strip():
         path = Path(file.strip()).expanduser()

@@ -147,7 +147,7 @@ def _of_two(scene: Scene, entry: Entry) -> int | None:
     left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
     timed = all(
         one.requirements and all(part.anchor is None for part in one.requirements)
-        for one in scene.plan.skills
+        for one in scene.plan.everything
     )
     others = [one.number for one in left if one is not entry and one.number != entry.number]
     return others[0] if timed and len(others) == 1 else None

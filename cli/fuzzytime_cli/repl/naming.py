@@ -42,7 +42,7 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
         return next(spoken_of, None) or next(iter(entries), None)
     # "The guests" are what comes, before they are what others wait for.
     happening = {
-        one.wish.identifier: content_words(one.skill.name) for one in scene.plan.skills if one.stated
+        one.wish.identifier: content_words(one.skill.name) for one in scene.plan.everything if one.stated
     }
     comes = (e for e in entries if names <= happening.get(e.identifier, frozenset()))
     # What is done with it is meant before what only comes after it: "the nap", and "park after the nap".
@@ -79,7 +79,7 @@ def _parts(scene: Scene) -> list[str]:
 
 def _things_of(scene: Scene, entry: Entry) -> frozenset[str]:
     """Give the words that an entry itself says of what is done, and not of when."""
-    skills = (one for one in scene.plan.skills if one.wish.identifier == entry.identifier)
+    skills = (one for one in scene.plan.everything if one.wish.identifier == entry.identifier)
     return content_words(entry.text) & frozenset[str]().union(
         *(content_words(one.skill.name) for one in skills)
     )
@@ -120,7 +120,7 @@ def entries_meant(scene: Scene, about: About) -> list[Entry]:
     entry = entry_of(scene, about.names)
     if entry is None or not about.several:
         return [] if entry is None else [entry]
-    asked = [one for one in scene.plan.skills if not one.stated]
+    asked = [one for one in scene.plan.everything if not one.stated]
     named = {one.wish.identifier for one in asked if about.names <= content_words(one.skill.name)}
     # "The guests" are those who come, and not what waits for them.
     return [one for one in left if one.identifier in named] if entry.identifier in named else [entry]
@@ -138,7 +138,7 @@ def _next_of(scene: Scene) -> list[Entry]:
     starts = [
         (schedule.start_times[place], one.wish.identifier)
         for place, one in waiting(scene)
-        if not schedule.rejected[place]
+        if scene.plan.has_time(place)
     ]
     if not starts:
         raise FuzzytimeError("nothing starts next (:list shows what is asked for)")
@@ -172,14 +172,14 @@ def starts_of_entry(scene: Scene, entry: Entry) -> list[datetime]:
     return [
         scene.plan.instant(schedule.start_times[place])
         for place, _ in waiting(scene, entry.number)
-        if not schedule.rejected[place]
+        if scene.plan.has_time(place)
     ]
 
 
 def words_of_entry(scene: Scene, entry: Entry) -> frozenset[str]:
     """Give the words that name what an entry asks for: its things, and its verbs as nouns too."""
     lexicon = scene.conversation.interpreter.language.lexicon
-    skills = [one for one in scene.plan.skills if one.wish.identifier == entry.identifier]
+    skills = [one for one in scene.plan.everything if one.wish.identifier == entry.identifier]
     verbs = (one.operation.lemma for one in skills if one.operation is not None)
     nouns = frozenset(
         noun
@@ -219,7 +219,7 @@ def identifier_meant(scene: Scene, text: str) -> str:
 
 def called(scene: Scene, number: int) -> str | None:
     """Give the identifier of an instruction's first skill in the plan; None where none is planned."""
-    found = (one.identifier for one in scene.plan.skills if one.wish.identifier == f"s{number}")
+    found = (one.identifier for one in scene.plan.everything if one.wish.identifier == f"s{number}")
     return next(found, None)
 
 

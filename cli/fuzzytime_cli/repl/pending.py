@@ -32,7 +32,7 @@ def untold_notes(plan: Plan, policy: Policy, pending: Pending | None) -> frozens
     asked = "" if pending is None else f"s{pending.entry}"
     clear = {
         (one.reading.text, question.span)
-        for one in plan.skills
+        for one in plan.everything
         if one.reading is not None
         for question in one.reading.questions
         if one.wish.identifier == asked or not _is_open(question, one.reading, policy)
@@ -42,11 +42,12 @@ def untold_notes(plan: Plan, policy: Policy, pending: Pending | None) -> frozens
 
 
 def _is_open(question: Question, reading: Reading, policy: Policy) -> bool:
-    """Whether people are up at each of the times that may be meant, and none of them comes soon."""
+    """Whether the time taken does not come soon, and people are up at one that was not taken."""
     first, last, soon = policy.ahead_from, policy.plausible_to, timedelta(hours=policy.soon_hours)
     chosen = question.choices[question.chosen]
     comes_soon = reading.now is not None and reading.now <= chosen <= reading.now + soon
-    return not comes_soon and all(first <= choice.time() <= last for choice in question.choices)
+    others = (choice for choice in question.choices if choice != chosen)
+    return not comes_soon and any(first <= choice.time() <= last for choice in others)
 
 
 def asked_late(scene: Scene, words: str) -> Pending | None:
@@ -56,7 +57,7 @@ def asked_late(scene: Scene, words: str) -> Pending | None:
     if (words.lower().replace(".", ""),) not in halves or not entries:
         return None
     number = entries[-1].number if scene.told_last is None else scene.told_last
-    readings = (one.reading for one in scene.plan.skills if one.wish.identifier == f"s{number}")
+    readings = (one.reading for one in scene.plan.everything if one.wish.identifier == f"s{number}")
     asked = (one.questions[0] for one in readings if one is not None and one.questions)
     question = next(asked, None)
     return None if question is None else Pending(number, question)

@@ -65,13 +65,13 @@ def same_anew(scene: Scene, anew: str) -> str | None:
         If the instruction asks for more than that.
     """
     language = scene.conversation.interpreter.language
-    reading = language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.skills])
+    reading = language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.everything])
     if len(reading.instructions) != 1:
         return None
     operation, times = reading.instructions[0].operation, reading.instructions[0].requirements
     if operation is None or not times:
         return None
-    same = [one for one in scene.plan.skills if one.reading and _is_same(one.operation, operation)]
+    same = [one for one in scene.plan.everything if one.reading and _is_same(one.operation, operation)]
     same.sort(key=lambda one: number_of(one.identifier) == scene.focus)
     if not same:
         return None
@@ -137,7 +137,7 @@ def wished_instead(scene: Scene, words: str) -> str | None:
     meant = entries_meant(scene, about)
     if len(meant) != 1:
         return None
-    old = [one.operation for one in scene.plan.skills if one.wish.identifier == meant[0].identifier]
+    old = [one.operation for one in scene.plan.everything if one.wish.identifier == meant[0].identifier]
     read = language.read(wish, now=scene.now, given=old).instructions
     asked = [one.operation for one in read if one.operation is not None]
     told = wish.split()[0].lower() in language.lexicon.closed.condition_openers
@@ -190,7 +190,7 @@ def with_time(
     """
     if part is not None:
         return with_time_of_part(scene, entry, about.time, part)
-    mine = [one for one in scene.plan.skills if one.wish.identifier == entry.identifier]
+    mine = [one for one in scene.plan.everything if one.wish.identifier == entry.identifier]
     if len(mine) == 1 and mine[0].told_by:
         # "They are ten minutes late" has no time of its own to be replaced.
         return f"{mine[0].skill.name} {about.time} instead"

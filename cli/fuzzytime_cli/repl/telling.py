@@ -66,7 +66,7 @@ def _tells(scene: Scene, said: str, reading: Reading) -> bool:
     # No order begins with "the" or "it".
     if operation is not None and first not in _told_of(lexicon) | lexicon.closed.noun_openers:
         return False
-    happening = [one.operation for one in scene.plan.skills if one.stated and one.operation is not None]
+    happening = [one.operation for one in scene.plan.everything if one.stated and one.operation is not None]
     return not any(
         news.is_of(one, lexicon) for news in news_in(said, scene.now, lexicon) for one in happening
     )

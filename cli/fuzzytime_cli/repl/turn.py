@@ -233,7 +233,7 @@ class Turns:
         lines = self._told_news()
         lines += [Text(line, style="yellow") for line in move_lines(before, made, started)]
         lines += running_lines(self.conversation, now)
-        policy = self.conversation.interpreter.language.policy
+        policy = self.conversation.interpreter.language.lexicon.policy
         told = self.told | untold_notes(made, policy, self.pending)
         untold = tuple(problem for problem in made.problems if problem not in told)
         noted = {problem for problem in self.told if problem.kind is ProblemKind.NOTE}
@@ -257,7 +257,7 @@ class Turns:
         kept, last = [], None
         for words, entry in zip(said, trial.entries[-len(said) :], strict=True):
             faults = [one for one in made.problems if one.text == words and one.kind in UNREAD]
-            own = [one for one in made.skills if one.wish.identifier == entry.identifier]
+            own = [one for one in made.everything if one.wish.identifier == entry.identifier]
             if faults and not own:
                 lines += [line for problem in faults for line in problem_lines(problem, self.width)]
             else:
@@ -270,7 +270,7 @@ class Turns:
         number = state.entries[-1].number
         reading = last.reading if last is not None and not last.told_by else None
         # What is told anew is taken for the time nearest to the old one.
-        policy = self.conversation.interpreter.language.policy
+        policy = self.conversation.interpreter.language.lexicon.policy
         question = None if reading is None else question_of(reading, policy)
         if self.asks and len(said) == 1 and question is not None:
             self.pending = Pending(number, question)

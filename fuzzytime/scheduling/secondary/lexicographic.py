@@ -21,9 +21,9 @@ from fuzzytime.scheduling.secondary.clusters import with_clusters_moved
 from fuzzytime.scheduling.secondary.distances import at_distances, wished_distances
 from fuzzytime.scheduling.secondary.objectives import Arrangement, Objective
 from fuzzytime.scheduling.solver import Draft, draft_of
-from fuzzytime.scheduling.timing.chains import Block, round_blocks
+from fuzzytime.scheduling.timing.chains import Block, by_the_clock, round_blocks
 from fuzzytime.scheduling.timing.settle import lanes_of_agents, nearest, sequences, settled
-from fuzzytime.skills import FuzzySkill, FuzzyTask
+from fuzzytime.skills import FuzzyTask
 
 AT_AN_END = 1e-6
 """Seconds: a start so near to the end of the starts that are as good is that end, but for rounding."""
@@ -98,7 +98,7 @@ def rearranged(
         bounds = objective.bounds(Arrangement(mine, tuple(starts.tolist()), tuple(agents.tolist()), reach))
         equal = _bounded(_as_good(wishing, starts, agents, lanes), starts, bounds)
     everything, everyone = draft.starts.copy(), draft.agents.copy()
-    everything[placed], everyone[placed] = _rounded(first, task.skills, starts, agents), agents
+    everything[placed], everyone[placed] = _rounded(first, task, starts, agents), agents
     return draft_of(problem, everything, everyone, draft.lower_cost)
 
 
@@ -181,10 +181,12 @@ def _exchanged(problem: Problem, best: Draft, watch: Stopwatch) -> Draft:
     return best
 
 
-def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, agents: Ints) -> Floats:
-    """Move what goes on without a pause to the roundest time near by, unless it is where it was named."""
-    if problem.lags:
-        return starts
+def _rounded(problem: Problem, task: FuzzyTask, starts: Floats, agents: Ints) -> Floats:
+    """Move what goes on without a pause to the roundest time near by, unless it is where it was named.
+
+    What lags bind to others stays where it is.
+    """
+    bound = {job for lag in problem.lags for job in (lag.first, lag.second)}
     rounded = starts.copy()
     for agent, row in sequences(problem, starts, agents).items():
         lane = lanes_of_agents(problem)[agent]
@@ -201,11 +203,16 @@ def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, age
             offset = block.offsets[-1] + jobs[place - 1].duration if follows_on else 0.0
             block.members.append(place)
             block.offsets.append(offset)
-            named = any(abs(time - start) <= NAMED for time in skills[job.position].named)
-            low, high = (start, start) if named else (window.low, window.high)
+            named = any(abs(time - start) <= NAMED for time in task.skills[job.position].named)
+            stays = named or row[place] in bound
+            low, high = (start, start) if stays else (window.low, window.high)
             block.low, block.high = max(block.low, low - offset), min(block.high, high - offset)
             free = start + job.duration
         round_blocks(jobs, blocks)
+        following = [*(block.start for block in blocks[1:]), math.inf]
+        for block, after in zip(blocks, following, strict=False):
+            if task.skills[jobs[block.members[0]].position].by_the_clock:
+                by_the_clock(jobs, block, after, task.past_hour)
         for block in blocks:
             if block.low <= block.start <= block.high:
                 members = [row[place] for place in block.members]

@@ -132,15 +132,16 @@ def unused_words(
     text: str, part: Part, operation: Operation, heard: Sequence[Span], lexicon: Lexicon
 ) -> Iterator[Remark]:
     """Point at names and numbers of an instruction that neither its operation nor a time holds."""
-    beside = lexicon.beside
+    beside, why = lexicon.beside, _reasons(part.tree, lexicon)
     held = {word.text for word in words_of(f"{operation.name} {operation.addressee or ''}")}
     known = held | {word.removesuffix("'s") for word in held}
-    known |= lexicon.persons | lexicon.machines | lexicon.addresses | beside.nothing
+    known |= (lexicon.persons - lexicon.names) | lexicon.machines | lexicon.addresses | beside.nothing
     left = [
         place
         for place, node in enumerate(part.tree.nodes)
         if (node.tag.startswith(NAMES) or node.lower in beside.marking_order or _says_how(node, lexicon))
         and node.text[0].isalnum()
+        and place not in why
         and not any(word.text in known for word in words_of(node.text))
         and not any(a <= node.start + part.offset < b for a, b in heard)
     ]
@@ -148,6 +149,12 @@ def unused_words(
         last = next(place for place in left if place >= first and place + 1 not in left)
         span = (part.tree.nodes[first].start + part.offset, part.tree.nodes[last].end + part.offset)
         yield Remark(RemarkKind.POLICY, span, f"{text[slice(*span)]!r} is not used")
+
+
+def _reasons(tree: Tree, lexicon: Lexicon) -> frozenset[int]:
+    """Give the words that only say why: "cook the rice at six because Ann comes"."""
+    marks = (node for node in tree.nodes if node.lower in lexicon.closed.subordinators_of_reason)
+    return frozenset(p for mark in marks if mark.relation == "mark" for p in tree.below(mark.head))
 
 
 def uncounted(text: str, part: Part, operation: Operation, lexicon: Lexicon) -> Iterator[Remark]:
