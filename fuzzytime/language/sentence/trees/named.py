@@ -35,15 +35,19 @@ def is_event(operation: Operation, lexicon: Lexicon) -> bool:
 
 
 def _is_person(operation: Operation, lexicon: Lexicon) -> bool:
-    words = {word.text for word in words_of(operation.object or "")}
-    return operation.lemma in lexicon.addressing or bool(words & lexicon.persons)
+    # "The meeting with Tom" is no person.
+    named = _named_itself(operation.object or "", lexicon)
+    return operation.lemma in lexicon.addressing or not lexicon.persons.isdisjoint(named)
 
 
 def is_several(thing: str, lexicon: Lexicon) -> bool:
     """Say whether a noun looks like a plural: by what stands before "of" or another preposition."""
+    named = _named_itself(thing, lexicon)
+    return "and" in (word.text for word in words_of(thing)) or singular(named[-1]) != named[-1]
+
+
+def _named_itself(thing: str, lexicon: Lexicon) -> list[str]:
+    """Give the words of a noun before a preposition that tells more of it: "the meeting | with Tom"."""
     words = [word.text for word in words_of(thing)]
-    end = next(
-        (place for place, word in enumerate(words) if place and word in lexicon.closed.prepositions_of_nouns),
-        len(words),
-    )
-    return "and" in words or singular(words[end - 1]) != words[end - 1]
+    inside = (place for place, word in enumerate(words) if word in lexicon.closed.prepositions_of_nouns)
+    return words[: next((place for place in inside if place), len(words))]
