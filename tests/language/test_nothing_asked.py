@@ -187,3 +187,17 @@ def test_whom_a_sentence_without_a_comma_asks_is_kept() -> None:
     assert [
         one.operation and (one.operation.addressee, one.operation.stated) for one in reading.instructions
     ] == [("sarah", False)]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Cook dinner for seven", ["for seven"]),
+        ("Cook dinner for seven at six", []),
+        ("Make lunch for 30", []),
+        ("Cook dinner for Ann", []),
+    ],
+)
+def test_a_number_that_may_be_the_hour_is_said_to_count(text: str, said: list[str]) -> None:
+    remarks = language().read(text, now=NOW).remarks
+    assert [text[slice(*r.span)] for r in remarks if "how many it is for" in r.message] == said

@@ -10,5 +10,5 @@ Days and lengths
     ``mornings``, ``day_by_day``, ``days_left_out``, ``each_week``, ``opening_hours``,
     ``days_on``, ``lengths``, ``waited``, ``consequences``, ``reasons_told``.
 What is none
-    ``orders_again``, ``doubts`` (``what_was``), ``denials``, ``naming``, ``how_often``.
+    ``orders_again``, ``doubts`` (``what_was``, ``how_many``), ``denials``, ``naming``, ``how_often``.
 """
