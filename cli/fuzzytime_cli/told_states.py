@@ -5,8 +5,10 @@ from collections.abc import Iterable
 from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import Lexicon, Reading, content_words
 
-TOLD_OF = frozenset({"it", "they", "it's", "they're", "there"})
-"""First words of what is told of something that was spoken of."""
+
+def told_of(lexicon: Lexicon) -> frozenset[str]:
+    """Give the first words of what is told of something that was spoken of."""
+    return frozenset(form[0] for form in lexicon.conversation["told of"])
 
 
 def tells_a_state(said: str, reading: Reading, lexicon: Lexicon) -> bool:
@@ -16,7 +18,7 @@ def tells_a_state(said: str, reading: Reading, lexicon: Lexicon) -> bool:
     first = said.split(maxsplit=1)[0].lower().replace("\u2019", "'") if said else ""
     asks = any(one.operation is not None for one in reading.instructions)
     # No order begins with "the" or "it".
-    return not asks or first in TOLD_OF | lexicon.closed.noun_openers
+    return not asks or first in told_of(lexicon) | lexicon.closed.noun_openers
 
 
 def is_waited_for(said: str, skills: Iterable[Interpreted]) -> bool:

@@ -30,10 +30,6 @@ def events_of(text: str) -> list[Json]:
     return events
 
 
-def types_of(events: list[Json]) -> list[str]:
-    return [event["type"] for event in events]
-
-
 def run(*arguments: str, folder: Path, stdin: bytes = b"") -> Ran:
     return ran("run", *NOW, *arguments, folder=folder, stdin=stdin)
 

@@ -23,20 +23,16 @@ def check(
     ] = None,
 ) -> None:
     """Check rule tables and customs: every mistake at once, with file, line and column."""
-    from fuzzytime.language import check_customs, is_word_table
-    from fuzzytime.rulebook import check as check_tables
     from fuzzytime_cli.assembly import Assembly, require_file
+    from fuzzytime_cli.checks import table_mistakes
     from fuzzytime_cli.faults import report
     from fuzzytime_cli.render import plain
 
     assembly = Assembly.of(Moment(), Understanding(), Solving())
-    chosen = tuple(files or (*assembly.rule_files(), *assembly.customs_files()))
+    chosen = tuple(files or assembly.table_files())
     for path in chosen:
         require_file(path, "table")
-    # A pipe can be read but once: it is taken for rules.
-    customs = [path for path in chosen if path.is_file() and is_word_table(path)]
-    rules = [path for path in chosen if path not in customs]
-    mistakes = (*check_tables(rules), *check_customs(customs))
+    mistakes = table_mistakes(chosen)
     if mistakes:
         report("\n".join(map(str, mistakes)))
         report(f"{len(mistakes)} mistake{'s' * (len(mistakes) > 1)}")

@@ -1,6 +1,6 @@
 """The plan as a person sees it: a table, a timeline, what is proved, and what each loss is due to."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from rich.text import Text
@@ -16,6 +16,12 @@ from fuzzytime_cli.formats.series import clock_at, clock_of, folded, shown, wait
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.formats.whole import how_near, whole
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
+
+MOST_ROWS = 14
+"""Rows of a table that is shown whole after each change."""
+
+NEXT_ROWS = 3
+"""What starts next, of a longer one."""
 
 _EIGHTHS = " ▏▎▍▌▋▊▉"
 _BAR = 10
@@ -86,7 +92,7 @@ class PlanView:
             return [Text("Nothing to plan."), *note_lines(self.plan, self.labels)]
         timeline = [Text(), *self._timeline()] if self.plan.skills else []
         return [
-            *self._table(),
+            *self._table(self.listed),
             *timeline,
             Text(),
             *wrapped_text(self._summary(), self.width),
@@ -97,6 +103,26 @@ class PlanView:
             ),
             *(line for note in note_lines(self.plan, self.labels) for line in wrapped_text(note, self.width)),
         ]
+
+    def brief(self, news: Collection[int], lengths: Collection[int]) -> list[Text]:
+        """Give the table alone, with what is lost by what is news, and the ``lengths`` that are assumed.
+
+        Of a long table only what is news is shown, and what starts next.
+        """
+        if not self.plan.everything:
+            return [Text("Nothing is planned."), *note_lines(self.plan, self.labels, lengths)]
+        rows = self.listed
+        if len(rows) > MOST_ROWS:
+            rows = [place for n, place in enumerate(rows) if n < NEXT_ROWS or place in news]
+        lines = self._table(rows)
+        if len(rows) < len(self.listed):
+            lines.append(Text(f"… and {len(self.listed) - len(rows)} more (:list shows all)", style="dim"))
+        proved = self.schedule.certificate.status is Status.OPTIMAL
+        below = [] if proved else [(self._summary(), 0)]
+        below += [(loss, self.label_width + 1) for loss in self._losses(news)]
+        below += [(line, self.label_width + 1) for line in self._waiting(news)]
+        below += [(note, 0) for note in note_lines(self.plan, self.labels, lengths)]
+        return lines + [part for line, indent in below for part in wrapped_text(line, self.width, indent)]
 
     def sentences(self) -> list[str]:
         """Give what is proved, and why each loss, as plain sentences."""
@@ -139,9 +165,8 @@ class PlanView:
 
     # -- the table ------------------------------------------------------------------------------------------
 
-    def _columns(self) -> _Columns:
+    def _columns(self, positions: Sequence[int]) -> _Columns:
         """Share the width: bar and asked words give way first, then the end, then the name is cut."""
-        positions = self.listed
         time, longest_end = (
             max(5, *map(width_of, moments)) for moments in zip(*map(self.times, positions), strict=True)
         )
@@ -157,8 +182,8 @@ class PlanView:
         name = min(longest_name, rest - (asked + 1 if asked else 0))
         return _Columns(time, end, agent, max(4, name), bar_width, asked)
 
-    def _table(self) -> list[Text]:
-        columns = self._columns()
+    def _table(self, positions: Sequence[int]) -> list[Text]:
+        columns = self._columns(positions)
         cells = [fitted("", self.label_width), fitted("start", columns.time)]
         cells += [fitted("end", columns.end)] if columns.end else []
         cells += ["by"] if columns.agent else []
@@ -167,7 +192,7 @@ class PlanView:
         cells += ["asked"] if columns.asked else []
         heading = Text(" ".join(cells).rstrip(), style="bold")
         rows = [heading]
-        for position in self.listed:
+        for position in positions:
             rows.append(self._row(position, columns))
             if position in self.folded:
                 rows.append(self._further(self.folded[position], columns))
@@ -285,14 +310,18 @@ class PlanView:
             case Status.INFEASIBLE:
                 return clash_sentence(self.plan)
 
-    def _waiting(self) -> Iterator[Text]:
+    def _waiting(self, among: Collection[int] | None = None) -> Iterator[Text]:
         """Say what each skill without a time waits for."""
         for position in waiting(self.plan):
+            if among is not None and position not in among:
+                continue
             label = fitted(self.labels[position], self.label_width)
             yield Text(f"{label} ", style="dim").append(waits_line(self.plan, position), "not dim")
 
-    def _losses(self) -> Iterator[Text]:
+    def _losses(self, among: Collection[int] | None = None) -> Iterator[Text]:
         for position, sentence in loss_lines(self.plan, self.seconds):
+            if among is not None and position not in among:
+                continue
             if position is None:
                 yield Text(sentence, style="dim")
                 continue

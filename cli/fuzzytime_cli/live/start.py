@@ -91,13 +91,7 @@ def run(
 ) -> Exit:
     """Carry out a request in time, telling what happens on standard output."""
     inbox = Inbox()
-    executor: Executor = Nobody()
-    if settings.command is not None:
-        executor = (
-            Rehearsal(settings.command, request.now)
-            if settings.speed is None
-            else Programs(settings.command, request.now, inbox)
-        )
+    executor = _executor(request, settings, inbox)
     display = _display(request, output_format)
     listener = Listener(request.now, interpreter.rulebook.signals)
     with _stoppable(inbox) as stopped, _listening(inbox, listener, settings):
@@ -127,6 +121,15 @@ def run(
     if not ended:
         return Exit.INTERRUPT
     return _exit_of(dispatcher)
+
+
+def _executor(request: Request, settings: Settings, inbox: Inbox) -> Executor:
+    """Give whoever does the skills: a simulation only says what would be done."""
+    if settings.command is None:
+        return Nobody()
+    if settings.speed is None:
+        return Rehearsal(settings.command, request.now)
+    return Programs(settings.command, request.now, inbox)
 
 
 def _exit_of(dispatcher: Dispatcher) -> Exit:

@@ -6,7 +6,7 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import About, content_words, verb_forms
+from fuzzytime.language import About, AboutKind, content_words, verb_forms
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
@@ -23,9 +23,6 @@ from fuzzytime_cli.repl.scene import (
 
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
-
-SETTING_OFF = frozenset({"set", "off", "out"})
-"""Words that ask for going somewhere, whatever that is called."""
 
 SOON = 90.0
 """Seconds below which it is said to the second how long it is until a start."""
@@ -79,6 +76,22 @@ def when(scene: Scene, about: About) -> Reply:
     if len(positions) > MOST:
         lines.append(Text(f"and {len(positions) - MOST} more times"))
     return _reply(scene, about, lines, positions)
+
+
+def asked_of(scene: Scene, words: str) -> Reply | None:
+    """Answer a question that is not understood, but names what is planned, with when that is; else None."""
+    lexicon = scene.conversation.interpreter.language.lexicon
+    tables = ("asking", "placing", "stating", "helping")
+    asking = {word for table in tables for form in lexicon.questions[table] for word in form}
+    filling = {word for form in lexicon.conversation["filling"] for word in form}
+    names = content_words(words) - asking - filling
+    asks = words.rstrip().endswith("?") or not asking.isdisjoint(words.lower().split()[:1])
+    entry = entry_of(scene, names) if asks and names else None
+    return (
+        None
+        if entry is None
+        else when(scene, About(kind=AboutKind.WHEN, names=frozenset({entry.identifier})))
+    )
 
 
 def lasting(scene: Scene, about: About) -> Reply:
@@ -143,10 +156,12 @@ def beside(scene: Scene, about: About) -> Reply:
 def _going_on(scene: Scene, about: About) -> list[Text]:
     """Say of what is running and named until when it is."""
     clock = Clock(scene.now, with_seconds=True)
+    entry = None if about.names else entry_of(scene, about.names)
+    names = about.names if entry is None else {entry.identifier}
     return [
         Text(f"{plain(one.identifier)} {plain(one.name)}: running, until {clock.at(one.done)}")
         for one in scene.conversation.running(scene.now)
-        if about.names and about.names <= content_words(one.name) | {f"s{number_of(one.identifier)}"}
+        if names and names <= content_words(one.name) | {f"s{number_of(one.identifier)}", one.identifier}
     ]
 
 
@@ -155,7 +170,7 @@ def why(scene: Scene, about: About) -> Reply:
     from fuzzytime_cli.formats.reasons import why_sentences
 
     positions = _positions(scene, about.names)
-    begun = running_one(scene, about.names) if about.names and not positions else None
+    begun = None if positions else running_one(scene, about.names)
     if begun is not None:
         name = f"{plain(begun.identifier)} {plain(begun.name)}"
         return said(f"{name} has started, and is running until {_at(scene, begun.done)}")
@@ -187,8 +202,9 @@ def _focus(scene: Scene, positions: list[int]) -> int | None:
 
 def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
     """Give the places of waiting skills that all of some words name; without words of what was spoken of."""
-    leaving = scene.conversation.interpreter.language.lexicon.doing.leaving
-    if names and names <= leaving | SETTING_OFF:
+    lexicon = scene.conversation.interpreter.language.lexicon
+    leaving = lexicon.doing.leaving
+    if names and names <= leaving.union(*lexicon.conversation["going"]):
         # "When do I have to leave?"
         going = ((place, one.operation) for place, one in waiting(scene))
         return [place for place, operation in going if operation is not None and operation.lemma in leaving]

@@ -17,6 +17,7 @@ from fuzzytime_cli.repl.scene import (
     Reply,
     Scene,
     begun_of,
+    begun_parts,
     ended_line,
     got,
     identifier_of,
@@ -86,10 +87,7 @@ def _left_out(scene: Scene, number: int, words: str) -> Started | None:
 
     Of "dust the shelf, call Ann", where that is being dusted, "feed the cat" is another instruction.
     """
-    conversation = scene.conversation
-    begun = [
-        one for one in conversation.store.started(conversation.name) if number_of(one.identifier) == number
-    ]
+    conversation, begun = scene.conversation, begun_parts(scene, number)
     if not begun:
         return None
     given = [one.operation for one in scene.plan.everything]

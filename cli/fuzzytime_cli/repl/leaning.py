@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from datetime import datetime, timedelta
+from datetime import timedelta
 
 from rich.text import Text
 
@@ -29,7 +29,7 @@ from fuzzytime.requirement import Constraint
 from fuzzytime.times import instant_after
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import changing
-from fuzzytime_cli.repl.naming import entries_meant, entry_of, unknown, words_of_entry
+from fuzzytime_cli.repl.naming import entries_meant, entry_of, starts_of_entry, unknown, words_of_entry
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.session import Entry
 
@@ -69,10 +69,12 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
     if about.kind is AboutKind.OTHER:
         return the_other(scene, about, taken)
     known = entry_of(scene, about.names) if about.names else None
+    if about.kind is AboutKind.DROP and known is None:
+        return _kept_after_all(scene, about, taken)
     if about.certain:
         return taken(scene, about) if known is not None or not about.names else None
     if about.kind is AboutKind.DROP:
-        return taken(scene, about) if known is not None else None
+        return taken(scene, about)
     told = any(one.operation is not None for one in reading.instructions)
     if known is not None and not (told and not about.corrects):
         return taken(scene, replace(about, corrects=False))
@@ -151,6 +153,26 @@ def _instead(scene: Scene, about: About, taken: Taken) -> Reply | None:
     return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
 
 
+def _kept_after_all(scene: Scene, about: About, taken: Taken) -> Reply | None:
+    """Leave out one of several that were dropped just before: "clear my afternoon", "wait, not the kids"."""
+    last = scene.taken
+    if last is None or last.kind is not AboutKind.DROP or scene.tried is not None:
+        return None
+    undone, before = _without_last(scene)
+    kept = entry_of(before, about.names)
+    if kept is None:
+        changing.redo(scene, "")
+        return None
+    again = replace(last, names=about.names)
+    if not last.everything:
+        left = [entry.identifier for entry in entries_meant(before, last) if entry.number != kept.number]
+        if len(left) != 1:
+            return undone if not left else None
+        again = About(kind=AboutKind.DROP, names=frozenset(left))
+    reply = taken(before, again)
+    return None if reply is None else replace(reply, lines=(*undone.lines, *reply.lines))
+
+
 def _before(scene: Scene, about: About) -> tuple[Reply, Scene] | None:
     """Take back what was done last, if it may have been meant of another thing; give the scene before it."""
     if scene.taken is None or scene.taken.kind not in REDIRECTED or scene.tried is not None:
@@ -161,9 +183,13 @@ def _before(scene: Scene, about: About) -> tuple[Reply, Scene] | None:
         return None
     if about.thing and entry_of(scene, meant) is None:
         return None
+    return _without_last(scene)
+
+
+def _without_last(scene: Scene) -> tuple[Reply, Scene]:
+    """Take back what was done last; give the answer to that, and the scene before it."""
     undone = changing.undo(scene, "")
-    plan = scene.conversation.plan(scene.now, previous=scene.plan)
-    return undone, replace(scene, plan=plan)
+    return undone, replace(scene, plan=scene.conversation.plan(scene.now, previous=scene.plan))
 
 
 def the_other(scene: Scene, about: About, taken: Taken) -> Reply | None:
@@ -198,17 +224,19 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
     """
     language = scene.conversation.interpreter.language
     (time,) = find_times(about.time, scene.now, language.lexicon).requirements[:1]
+    if time.recurrence is not None:
+        repeated = _repeated(scene, about)
+        return _without(scene, about, repeated[-1], about.time) if repeated else None
     if time.earliest is None or time.latest is None:
         return None
     first, end = (instant_after(scene.now, side) for side in (time.earliest, time.latest))
-    entries = [e for e in scene.conversation.state.entries if about.names <= words_of_entry(scene, e)]
-    repeated = [entry for entry in entries if any(_repeats(one) for _, one in waiting(scene, entry.number))]
+    entries, repeated = _named(scene, about), _repeated(scene, about)
     if repeated:
         spoken_of = [entry for entry in repeated if entry.number == scene.focus]
         entry = (spoken_of or repeated)[-1]
         one_day = end - first <= DAY + timedelta(hours=1)
         return _without(scene, about, entry, f"on {first:%Y-%m-%d}" if one_day else about.time)
-    then = [entry for entry in entries if _starts_within(scene, entry, first, end)]
+    then = [e for e in entries if any(first <= start < end for start in starts_of_entry(scene, e))]
     if not about.certain and not (entries and about.names):
         return None
     if not then:
@@ -217,6 +245,16 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
         meant = frozenset({then[-1].identifier})
         return taken(scene, replace(about, kind=AboutKind.DROP, names=meant, time=""))
     raise FuzzytimeError("when then? Say: move it to tomorrow (or: cancel it)")
+
+
+def _named(scene: Scene, about: About) -> list[Entry]:
+    return [e for e in scene.conversation.state.entries if about.names <= words_of_entry(scene, e)]
+
+
+def _repeated(scene: Scene, about: About) -> list[Entry]:
+    """Give the entries that are named, and of something done again and again."""
+    named = _named(scene, about)
+    return [entry for entry in named if any(_repeats(one) for _, one in waiting(scene, entry.number))]
 
 
 def next_left_out(scene: Scene, about: About) -> Reply | None:
@@ -230,9 +268,7 @@ def next_left_out(scene: Scene, about: About) -> Reply | None:
     (entry,) = entries_meant(scene, about)
     if not any(_repeats(one) for _, one in waiting(scene, entry.number)):
         return None
-    schedule = scene.plan.schedule
-    places = [place for place, _ in waiting(scene, entry.number) if scene.plan.has_time(place)]
-    days = sorted(scene.plan.instant(schedule.start_times[place]).date() for place in places)
+    days = sorted(start.date() for start in starts_of_entry(scene, entry))
     if days.count(days[0]) > 1:
         raise FuzzytimeError(
             f"one of several on a day cannot be left out: cancel all of {entry.text!r}, or say it anew"
@@ -281,13 +317,3 @@ def _repeats(one: Interpreted) -> bool:
     return one.instruction is not None and any(
         part.constraint is Constraint.EVERY for part in one.instruction.requirements
     )
-
-
-def _starts_within(scene: Scene, entry: Entry, first: datetime, end: datetime) -> bool:
-    schedule = scene.plan.schedule
-    starts = (
-        scene.plan.instant(schedule.start_times[place])
-        for place, _ in waiting(scene, entry.number)
-        if scene.plan.has_time(place)
-    )
-    return any(first <= start < end for start in starts)

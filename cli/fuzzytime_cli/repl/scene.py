@@ -174,10 +174,13 @@ def running_lines(conversation: Conversation, now: datetime) -> list[Text]:
 
 def begun_of(scene: Scene, number: int) -> Started | None:
     """Give the skill of an instruction that has started, the last if several have; None if one has not."""
-    if waiting(scene, number):
-        return None
+    return None if waiting(scene, number) else next(reversed(begun_parts(scene, number)), None)
+
+
+def begun_parts(scene: Scene, number: int) -> list[Started]:
+    """Give what has started of an instruction, the latest last."""
     begun = scene.conversation.store.started(scene.conversation.name)
-    return next((one for one in reversed(begun) if number_of(one.identifier) == number), None)
+    return [one for one in begun if number_of(one.identifier) == number]
 
 
 def waiting(scene: Scene, number: int | None = None) -> list[tuple[int, Interpreted]]:

@@ -9,12 +9,7 @@ from fuzzytime_cli.repl.changing import ctx
 from fuzzytime_cli.repl.conversation import context_of
 from fuzzytime_cli.repl.retiming import IDLE
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
-from fuzzytime_cli.told_states import TOLD_OF, as_news, is_waited_for, tells_a_state
-
-YOU = "you"
-
-THINGS = frozenset({"it", "he", "she", "that", "this"})
-"""First words of what tells how something is: no order begins with them."""
+from fuzzytime_cli.told_states import as_news, is_waited_for, tells_a_state, told_of
 
 
 def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
@@ -55,7 +50,11 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     verb = operation.verb.lower()
     past = verb != operation.lemma or any(verb in forms for forms in lexicon.past.values())
     owed = any(token.text.lower() in lexicon.closed.verbs_of_obligation for token in reading.tokens)
-    return (first == YOU and past and not operation.stated) or (first in THINGS and not owed)
+    closed = lexicon.closed
+    if first in closed.second_person:
+        return past and not operation.stated
+    # No order begins with "she" or "that".
+    return first in closed.third_person_singular | closed.singular_anaphors and not owed
 
 
 def _tells(scene: Scene, said: str, reading: Reading) -> bool:
@@ -76,7 +75,7 @@ def _condition(scene: Scene, said: str) -> Condition | None:
     found = [part.condition for one in read.instructions for part in one.requirements]
     if len(found) != 1 or found[0] is None:
         return None
-    if found[0].subject not in TOLD_OF:
+    if found[0].subject not in told_of(language.lexicon):
         return found[0]
     alike = (one for one in _awaited(scene) if one.word is not None and one.word == found[0].word)
     return next(alike, found[0])

@@ -70,6 +70,12 @@ def due(goal: Goal) -> Said | None:
     return said_of(_as_clock(goal), "by", Constraint.BEFORE, Edge.DUE)
 
 
+@grammar.rule("said", "due|deadline by|on|at? <goal>", weight=0.4)
+def due_behind_thing(goal: Goal) -> Said | None:
+    """(Create a task) due friday, (the report) due on the 15th."""
+    return due(goal)
+
+
 def _is_prepared_for(goal: Goal) -> bool:
     """Whether it is a weekend, or a feast, by whose first day something is done: "by passover"."""
     days = goal.time.days if isinstance(goal.time, Wall) and goal.time.part is None else None
@@ -154,10 +160,11 @@ def ending_on(wall: Wall) -> Said | None:
 
 @grammar.rule("said", "past the? <goal>", weight=0.15)
 def past_goal(goal: Goal) -> Said | None:
-    """Past the weekend, past tomorrow evening; but "past tuesday" is the last one."""
+    """Past the weekend, past tomorrow evening, past the 15th; but "past tuesday" is the last one."""
     time = goal.time
     days = time.days if isinstance(time, Wall) else None
     timed = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
+    timed = timed or (isinstance(days, Fields) and days.day is not None)
     if not (isinstance(time, Ending) or timed or isinstance(days, (Deictic, Relative))):
         return None
     return said_of(goal, "after", Constraint.AFTER, Edge.END)
@@ -205,6 +212,8 @@ def from_then_on(goal: Goal) -> Said:
     "<said> ,? or|and before that",
     "<said> ,? if not before|earlier|sooner",
     "<said> ,? no later",
+    "<said> ,? no|not later than that",
+    "<said> ,? and|but no|not later",
     weight=0.5,
 )
 def latest(said: Said) -> Said | None:

@@ -82,8 +82,8 @@ class Naming(Standing):
 
     def _is_called(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether something is called by a clock time, or by two numbers that look like one."""
-        if said.preposition in {None, "of"} and self.around.cites(piece.start):
-            # As in "Read John 3:16".
+        if said.preposition in {None, "of"} and not said.hedges and self.around.cites(piece.start):
+            # As in "Read John 3:16"; but "prepare the slide sixish".
             return True
         if wall.days is not None or wall.clock is None:
             return False

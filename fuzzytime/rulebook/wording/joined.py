@@ -45,7 +45,6 @@ class Joined:
 class _Part:
     """One part: its formula, or None and ``why``; ``alike`` goes on with what was said."""
 
-    text: str
     formula: Formula | None
     subject: str
     denied: bool
@@ -99,7 +98,7 @@ class _Parts:
         denied = denies(piece)
         if event is not None:
             happened = Not(Happened(event)) if denied else Happened(event)
-            self.parts.append(_Part(piece, happened, "", denied, alike=False))
+            self.parts.append(_Part(happened, "", denied, alike=False))
             return
         own = any(
             within(way, piece)
@@ -113,7 +112,7 @@ class _Parts:
         found = self._atom(pieces, subject, self.parts[-1].variable if alike else None)
         formula = Not(found.atom) if found.atom is not None and denied else found.atom
         variable = found.atom.variable if found.atom is not None else None
-        self.parts.append(_Part(self._as_said(piece), formula, subject, denied, alike, found, variable))
+        self.parts.append(_Part(formula, subject, denied, alike, found, variable))
 
     def _atom(self, pieces: list[str], subject: str, before: str | None) -> Threshold:
         """Find what a part says, or the next part behind it that says something: a term, or a number."""

@@ -28,7 +28,10 @@ def does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
         return None
     first, person = tree.nodes[:LET]
     acts = first.may_act and first.lower == first.lemma and first.tag in NOUNS
-    if not acts or person.lower not in lexicon.persons | lexicon.animals or person.may_act:
+    known = person.lower in lexicon.persons | lexicon.animals and not person.may_act
+    # "Ping frank at nine"
+    called = first.lower in lexicon.addressing and person.lower in lexicon.names_like_words
+    if not acts or not (known or called):
         return None
     return None if first.lower in lexicon.persons else tree.with_nodes(with_thing_done(tree, 1, 1))
 
@@ -91,10 +94,12 @@ def _does_led(tree: Tree, lexicon: Lexicon) -> Tree | None:
 def _calls_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "facetime granny", "zoom aunt jo" its verb, where who is called was taken for it."""
     root = tree.root
-    if not 0 < root < LEAST_DONE or tree.nodes[0].head != root or tree.nodes[0].relation != "compound":
+    beside = tree.nodes[0].head == root and tree.nodes[0].relation in {"compound", "nsubj"}
+    if not 0 < root < LEAST_DONE or not beside or tree.nodes[root].is_verb:
         return None
     who = tree.nodes[1 : root + 1]
-    person = any(node.lower in lexicon.persons or node.text[0].isupper() for node in who)
+    names = lexicon.persons | lexicon.names_like_words
+    person = any(node.lower in names or node.text[0].isupper() for node in who)
     # "Text rob at six"; but "text message", "phone call"
     things = lexicon.taken | lexicon.happening | lexicon.events | lexicon.doing.letters
     person = person or (who[-1].may_act and who[-1].lower not in things)

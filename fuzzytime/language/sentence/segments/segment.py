@@ -49,11 +49,6 @@ class Segment:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
         return self.doer is None and text[slice(*self.connective_span)].lower() in {"and", ","}
 
-    @property
-    def empty(self) -> bool:
-        """Whether nothing is left."""
-        return self.span[0] >= self.span[1]
-
 
 def segments_of(
     text: str,
