@@ -6,11 +6,6 @@ from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import Lexicon, Reading, content_words
 
 
-def told_of(lexicon: Lexicon) -> frozenset[str]:
-    """Give the first words of what is told of something that was spoken of."""
-    return frozenset(form[0] for form in lexicon.conversation["told of"])
-
-
 def tells_a_state(said: str, reading: Reading, lexicon: Lexicon) -> bool:
     """Whether words tell what is so: they ask for nothing at any time."""
     if len(reading.instructions) > 1 or any(one.requirements for one in reading.instructions):
@@ -35,3 +30,8 @@ def is_waited_for(said: str, skills: Iterable[Interpreted]) -> bool:
 def as_news(said: str) -> str:
     """Put a state that was told as what happens now."""
     return f"{said.strip().rstrip('.! ')} now"
+
+
+def told_of(lexicon: Lexicon) -> frozenset[str]:
+    """Give the first words of what is told of something that was spoken of."""
+    return frozenset(form[0] for form in lexicon.conversation["told of"])

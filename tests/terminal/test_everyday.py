@@ -268,6 +268,7 @@ def test_questions_name_days_of_the_plan_and_what_is_planned() -> None:
     assert "s1 Tom picks up Lena" in talk.say("who picks up lena?")
     assert "nothing is planned then" in talk.say("what's the plan for tomorrow")
     assert "s1 Tom picks up Lena" in talk.say("what time do I start then?")
+    assert "s1 Tom picks up Lena" in talk.say("what should I do first?")
     assert "asks" in talk.say("who are you?")
     assert len(talk.entries) == 1
 

@@ -20,7 +20,7 @@ UNTIMED = "no words about time: any time from now on satisfies"
 
 
 def explanation_lines(
-    plan: Plan, position: int, width: int, *, unicode: bool = True, text_shown: bool = False
+    plan: Plan, position: int, width: int, *, unicode: bool, text_shown: bool = False
 ) -> list[str]:
     """Explain one skill of a plan, from its words to its start.
 
@@ -79,7 +79,7 @@ def reading_lines(reading: Reading, width: int) -> list[str]:
     ]
 
 
-def rules_lines(plan: Plan, width: int, *, unicode: bool = True) -> list[str]:
+def rules_lines(plan: Plan, width: int, *, unicode: bool) -> list[str]:
     """Give rows, rules and ψ of the skills of a plan; of a repetition those of its first occurrence."""
     lines = []
     clock = Clock(plan.request.now, with_seconds=bool(plan.request.now.second))

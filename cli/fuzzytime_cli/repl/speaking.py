@@ -27,7 +27,8 @@ from fuzzytime.language.sentence.trees.model import is_verb
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, gaps, looking
 from fuzzytime_cli.repl.commands import command_of, how_to, what_if
-from fuzzytime_cli.repl.leaning import leaning, left_out, left_out_then, next_left_out, the_other
+from fuzzytime_cli.repl.leaning import leaning, the_other
+from fuzzytime_cli.repl.leaving_out import left_out, left_out_then, next_left_out
 from fuzzytime_cli.repl.meant import command_meant
 from fuzzytime_cli.repl.naming import LABEL, entries_meant, entry_of, label_meant, unknown
 from fuzzytime_cli.repl.retiming import said_anew, same_anew, timed_now, wished_instead

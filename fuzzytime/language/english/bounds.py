@@ -6,6 +6,7 @@ from fuzzytime.language.english.clocks import number
 from fuzzytime.language.english.counted import coming_deadline
 from fuzzytime.language.english.feasts import feast_in
 from fuzzytime.language.english.prepositions import said_of
+from fuzzytime.language.english.ranges import between
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
@@ -253,6 +254,18 @@ def earliest(said: Said) -> Said | None:
 def any_but(said: Said) -> Said | None:
     """Any day but friday, anytime except lunchtime."""
     return None if said.denied or isinstance(said.time, TimeWord) else replace(said, denied=True)
+
+
+@grammar.rule(
+    "said",
+    "any|some time ,? but|except|excluding|bar|save for|from? <clock> to|- <clock>",
+    "anytime|whenever ,? but|except|excluding|bar|save for|from? <clock> to|- <clock>",
+    weight=2.4,
+)
+def any_but_hours(first: Clock, last: Clock) -> Said | None:
+    """Any time except 12 to 2."""
+    hours = between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
+    return None if hours is None else any_but(hours)
 
 
 @grammar.rule("said", "apart|aside from on|at|in? <said>", weight=0.5)

@@ -30,7 +30,9 @@ class Naming(Standing):
         if said.preposition is None and wall.clock is not None and self.around.is_owned(piece):
             # "Cancel my three o'clock", "move tomorrow's ten o'clock"
             return True
-        if wall.clock is not None and self._is_called(piece, said, wall):
+        if (wall.clock is not None and self._is_called(piece, said, wall)) or self.around.is_of_several(
+            piece.start
+        ):
             return True
         if (said.preposition is None or wall.clock is not None) and self._is_next_in_row(piece, wall):
             return True

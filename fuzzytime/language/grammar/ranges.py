@@ -54,7 +54,7 @@ class Ranges(Standing):
             # "Keep it above 15 until the end of april"
             return False
         if ends and all(end.bare or end.weak for end in ends):
-            between = said.preposition == "between" and self._binds(piece)
+            between = said.preposition == "between" and (said.denied or self._binds(piece))
             # "Book a room from the 10th to the 12th", "let the flat from may to august"
             dated = all(isinstance(end.days, Fields) for end in ends)
             return between and (dated or not self.measures.measured(piece)) and self.around.may_end(piece)

@@ -261,6 +261,11 @@ class Surroundings(LookedUp):
         bound = self.texts[piece.start] in self.closed.prepositions_of_time | self.beside.binding_ranges
         return bound or ({*self.texts[: piece.start - 1][-1:]} <= self.lexicon.addressing and piece.start > 1)
 
+    def is_of_several(self, place: int) -> bool:
+        """Whether a part of the day there is named by whose it is: "parents' evening"."""
+        *_, owners, mark = ("", "", *self.texts[:place])
+        return mark == "'" and owners.endswith("s") and self.is_part(place)
+
     def cites(self, place: int) -> bool:
         """Whether two numbers with a colon are of a text, or a ratio: "John 3:16"; but "call John 3:16"."""
         before = self.texts[max(0, place - 3) : place]

@@ -139,6 +139,16 @@ def with_event_names(tree: Tree, timed: AbstractSet[int]) -> Tree:
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
 
 
+def with_her(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "turn her two-hourly" who is turned, whom a tree takes for an owner: nobody owns a time."""
+    nodes = list(tree.nodes)
+    for place in range(1, len(nodes) - 1):
+        node, before = nodes[place], nodes[place - 1]
+        if node.tag == "PRP$" and node.relation == "poss" and place + 1 in timed and before.is_verb:
+            nodes[place] = replace(node, tag="PRP", relation="dobj", head=place - 1)
+    return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
 def with_object_of_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "remind me later to call tim" who is called, whom a tree has for a measure of the reminding."""
     root = tree.root

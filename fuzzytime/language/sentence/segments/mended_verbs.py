@@ -18,7 +18,7 @@ NOUNS = frozenset({"NN", "NNS", "NNP"})
 
 def with_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give an order whose tree has another word for its verb that verb; None where it has none."""
-    orders = (_orders_verb, _does_event, _does_led, _calls_person, _lists_order, _does_compound)
+    orders = (_orders_verb, _does_event, _does_led, _calls_person, _lists_order, _does_compound, _goes_to_do)
     return next((mended for does in orders if (mended := does(tree, lexicon)) is not None), None)
 
 
@@ -137,6 +137,21 @@ def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
     nodes = [replace(node, head=0) if node.head == 1 else node for node in tree.nodes]
     nodes[0] = replace(first, tag="VB", relation="ROOT", head=0)
     nodes[1] = replace(second, tag="NN", relation="compound", head=things[0])
+    return tree.with_nodes(nodes)
+
+
+def _goes_to_do(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "go feed the cat" what is to be done, beside which "go" and "come" say nothing more."""
+    if tree.root != 0 or len(tree.nodes) < LEAST_DONE or tree.nodes[0].lemma not in lexicon.doing.trying:
+        return None
+    done = tree.nodes[1]
+    # "Go mist the ferns": no noun is followed by an article
+    bare = done.tag == "VB" or (done.tag in NOUNS and done.may_act and tree.nodes[2].tag in DETERMINERS)
+    if not bare or done.head != 0 or tree.children(1, "aux", "mark", "det"):
+        return None
+    nodes = [replace(node, head=1) if node.head == 0 else node for node in tree.nodes]
+    nodes[0] = replace(nodes[0], relation="aux")
+    nodes[1] = replace(nodes[1], tag="VB", relation="ROOT")
     return tree.with_nodes(nodes)
 
 

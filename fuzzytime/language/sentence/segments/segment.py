@@ -55,7 +55,7 @@ def segments_of(
     words: Sequence[Word],
     phrases: Sequence[Phrase],
     lexicon: Lexicon,
-    taken_back: Sequence[Span] = (),
+    taken_back: Sequence[Span],
 ) -> list[Segment]:
     """Cut a text at what always ends an instruction: full stops and connectives, outside of times.
 

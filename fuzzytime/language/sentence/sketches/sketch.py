@@ -139,7 +139,7 @@ def _action_of(part: Part, said: SaidOfTime, lexicon: Lexicon, *, timed: bool) -
     verb = part.tree.nodes[action.place].start + part.offset
     # "…, then every two minutes until it thickens"
     in_clause = any(clause.span[0] < verb < clause.span[1] for clause in said.clauses)
-    return None if in_clause and part.segment.connective else action
+    return None if in_clause else action
 
 
 def _asked(draft: Draft, part: Part, said: SaidOfTime, action: Action, lexicon: Lexicon) -> Sketch:

@@ -64,7 +64,7 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     listed = listed or (named and any(_is_clock(one) or _is_at_part(one) for one in phrases))
     # "Status page update every 30 minutes", "backups every night"
     behind = {node.lower for node in tree.nodes[root + 1 : root + 2]} & lexicon.closed.universal_determiners
-    repeated = bool(behind) and any(isinstance(phrase.said.time, Repeat) for phrase in phrases)
+    repeated = bool(behind) and any(map(_is_repeated, phrases))
     single = tree.nodes[root].tag in NOUN_TAGS and _is_noun(tree, root)
     listed = listed or (repeated and (single or _is_of_nouns(tree, root, lexicon)))
     return listed or (tree.nodes[root].tag in SINGULAR and any(map(_is_range, phrases)))
@@ -172,7 +172,10 @@ def named_alone(tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: L
     Their words may be verbs as well, so that this is asked last. "The dog at seven" goes on with a verb.
     """
     root = tree.root
-    if not any(_is_clock(one) or _is_range(one) or one.said.is_day for one in phrases):
+    # "Kerb pour on friday"; but "Friday - kerb pour" may be a title.
+    days = (phrase for phrase in phrases if phrase.said.is_day)
+    when = any(_is_clock(p) or _is_range(p) or _is_repeated(p) for p in phrases)
+    if not when and not any(phrase.said.preposition is not None for phrase in days):
         return None
     words = [place for place, node in enumerate(tree.nodes) if node.text[0].isalnum()]
     said = [place for place in words if not names.timed(place)]
@@ -192,6 +195,11 @@ def _is_clock_alone(phrase: Phrase) -> bool:
     time = phrase.said.time
     clocked = isinstance(time, Wall) and time.clock is not None and not time.clock.bare
     return clocked and phrase.said.preposition is None and phrase.said.constraint is None
+
+
+def _is_repeated(phrase: Phrase) -> bool:
+    """Whether it comes again and again: "every monday at nine"."""
+    return isinstance(phrase.said.time, Repeat)
 
 
 def _is_typed(phrase: Phrase) -> bool:
