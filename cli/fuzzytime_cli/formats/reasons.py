@@ -2,8 +2,7 @@
 
 from collections.abc import Sequence
 
-from fuzzytime.interpreter import Interpreted, Moved, Plan
-from fuzzytime.requirement import asked_words
+from fuzzytime.interpreter import Plan
 from fuzzytime.satisfaction import Either, Interval
 from fuzzytime.scheduling import (
     Alternative,
@@ -17,7 +16,7 @@ from fuzzytime.scheduling import (
     explain,
 )
 from fuzzytime.skills import Busy
-from fuzzytime.times import format_duration
+from fuzzytime_cli.formats.asked import asked_of_time, waits_sentences
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.whole import SHOWN, how_near, is_same, product_of
 from fuzzytime_cli.render import plain
@@ -153,11 +152,6 @@ def name_of(plan: Plan, position: int) -> str:
     return f"{name} ({plain(interpreted.identifier)})" if shared else name
 
 
-def moved_words(moved: Moved | None) -> str:
-    """Give by how much a wish was moved, as a signed time; empty where it was not."""
-    return "" if moved is None else f"{'+' if moved.by >= 0 else ''}{format_duration(moved.by)}"
-
-
 def listed(names: Sequence[str]) -> str:
     """Join names as a sentence does: a, b and c."""
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
@@ -166,7 +160,7 @@ def listed(names: Sequence[str]) -> str:
 def why_sentences(plan: Plan, position: int) -> list[str]:
     """Explain one start as a person would: what was asked, who took it, what a minute would cost."""
     if position >= len(plan.skills):
-        return _waits(plan.everything[position])
+        return waits_sentences(plan.everything[position])
     (why,) = explain(plan.schedule, [position])
     sentences = [_asked(why, plan), _got(why, plan)]
     if why.alternative is not None and why.lost >= SHOWN:
@@ -176,34 +170,9 @@ def why_sentences(plan: Plan, position: int) -> list[str]:
     return [sentence for sentence in sentences if sentence]
 
 
-def _waits(interpreted: Interpreted) -> list[str]:
-    """Say what is missing of the time of a skill that has none yet."""
-    return [
-        f"{_words(interpreted)}.",
-        f"It waits: {plain(interpreted.reason)}.",
-        "It is planned once that is told; until then it counts neither for nor against the plan.",
-    ]
-
-
-def _words(interpreted: Interpreted) -> str:
-    """Say what was asked of its time."""
-    if interpreted.requirements:
-        words = plain(asked_words(interpreted.requirements))
-        asked = f"It asked for “{words}”"
-    elif interpreted.in_order:
-        asked = "Nothing was said about its time but its place in the order"
-    elif interpreted.instruction is not None:
-        asked = "Nothing was said about its time"
-    else:
-        asked = "Its satisfaction was given as a curve"
-    if interpreted.wish.moved is not None:
-        asked += f", and it was moved by {moved_words(interpreted.wish.moved)}"
-    return asked
-
-
 def _asked(why: Why, plan: Plan) -> str:
     """Say what was asked, and which starts would be best if nothing else were to be done."""
-    asked = _words(plan.skills[why.position])
+    asked = asked_of_time(plan.skills[why.position])
     if why.best.starts.empty:
         return f"{asked}, and {_limit(why, plan)}."
     span = ", or ".join(_span(starts, plan) for starts in _as_good(why, plan))

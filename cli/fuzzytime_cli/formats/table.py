@@ -9,8 +9,9 @@ from fuzzytime.interpreter import Plan
 from fuzzytime.requirement import asked_words
 from fuzzytime.scheduling import Status
 from fuzzytime_cli.drawing.ticks import axis
+from fuzzytime_cli.formats.asked import moved_words
 from fuzzytime_cli.formats.notes import note_lines
-from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, moved_words, waits_line
+from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, waits_line
 from fuzzytime_cli.formats.series import clock_at, clock_of, folded, shown, waiting
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.formats.whole import how_near, whole
