@@ -158,7 +158,20 @@ def _governing(tree: Tree) -> int | None:
     if verb is None:
         return None
     root = order_before(tree, verb)
-    return None if _only_is(tree, root) else root
+    return None if _only_is(tree, root) or _keeps_on(tree, root) else root
+
+
+def _keeps_on(tree: Tree, root: int) -> bool:
+    """Whether it tells what happens again and again: "I keep losing my keys"; but "I will keep it on"."""
+    closed = tree.lexicon.closed
+    told = any(tree.nodes[p].lower in closed.first_and_third_person for p in tree.children(root, *SUBJECTS))
+    again = any(tree.nodes[p].tag == "VBG" for p in tree.children(root, "xcomp"))
+    return (
+        told
+        and again
+        and tree.nodes[root].lemma in tree.lexicon.doing.keeping
+        and not tree.children(root, "aux")
+    )
 
 
 def _only_is(tree: Tree, root: int) -> bool:
