@@ -7,8 +7,11 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+NEW = 0o644
+"""What a file that was not there may be used for, as far as the umask lets it."""
 
-def replace_file(path: Path, text: str | Iterable[str], mode: int = 0o644) -> None:
+
+def replace_file(path: Path, text: str | Iterable[str]) -> None:
     """Write a text, or its pieces one after the other, beside the file, then put it durably in its place.
 
     Raises
@@ -22,7 +25,7 @@ def replace_file(path: Path, text: str | Iterable[str], mode: int = 0o644) -> No
         if target.exists() and not target.is_file():  # /dev/stdout, a FIFO
             target.write_text("".join(pieces), encoding="utf-8")
         else:
-            _put_in_place(target, pieces, mode)
+            _put_in_place(target, pieces)
 
 
 @contextmanager
@@ -34,7 +37,7 @@ def about_file(path: Path) -> Iterator[None]:
         raise OSError(error.errno, error.strerror, str(path)) from error
 
 
-def _put_in_place(target: Path, pieces: Iterable[str], mode: int) -> None:
+def _put_in_place(target: Path, pieces: Iterable[str]) -> None:
     descriptor, beside = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
     try:
         with open(descriptor, "w", encoding="utf-8", newline="") as stream:  # noqa: PTH123 - a descriptor
@@ -43,7 +46,7 @@ def _put_in_place(target: Path, pieces: Iterable[str], mode: int) -> None:
             os.fsync(stream.fileno())
         umask = os.umask(0)
         os.umask(umask)
-        Path(beside).chmod(target.stat().st_mode & 0o777 if target.exists() else mode & ~umask)
+        Path(beside).chmod(target.stat().st_mode & 0o777 if target.exists() else NEW & ~umask)
         Path(beside).replace(target)
     except BaseException:
         Path(beside).unlink(missing_ok=True)

@@ -169,7 +169,7 @@ class Tally:
         return self.unread + self.not_understood > 0
 
 
-def readable(reply: Reply, width: int | None = None) -> list[str]:
+def readable(reply: Reply, width: int | None) -> list[str]:
     """Give an answer as lines for a person: what is asked for, when, and what was not understood."""
     said = reply.answer
     lines = [f"{said['text']}"]

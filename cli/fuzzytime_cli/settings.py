@@ -134,9 +134,7 @@ def user_file(environment: Mapping[str, str]) -> Path:
     return user_config_path("fuzzytime") / "config.yaml"
 
 
-def load_settings(
-    flags: Mapping[str, Value], environment: Mapping[str, str], folder: Path | None = None
-) -> Settings:
+def load_settings(flags: Mapping[str, Value], environment: Mapping[str, str]) -> Settings:
     """Put the layers together; a flag of None was not given.
 
     Raises
@@ -146,7 +144,7 @@ def load_settings(
         Or if a settings file does, with every mistake in it.
     """
     values = {name: Setting(name, kind.default, "default") for name, kind in KINDS.items()}
-    for path in (user_file(environment), (folder or Path.cwd()) / PROJECT_FILE):
+    for path in (user_file(environment), Path.cwd() / PROJECT_FILE):
         with as_config():
             values |= _file_settings(path)
     _check_names(environment)

@@ -37,7 +37,7 @@ UNKNOWN = re.compile(r"^No such command (?!.*Did you mean)", re.DOTALL)
 """What the libraries say of more than a command takes, and of none."""
 
 
-def usage_line(error: TyperException, arguments: Sequence[str] = ()) -> str:
+def usage_line(error: TyperException, arguments: Sequence[str]) -> str:
     """Say what is wrong with a command line, and which help tells more; what is no mistake gets that help."""
     if error.message.startswith("Usage:"):
         return error.message

@@ -67,7 +67,7 @@ class Forecast:
     low, high
         The signal's range, in which every curve stays.
     components
-        Their weights add to 1. A single curve is certain.
+        Their weights add to 1.
     """
 
     start: float
@@ -80,11 +80,6 @@ class Forecast:
         """Give a component's curves, of shape (curves, k), at times after the last reading."""
         curves = self.components[component].curves(times - self.start)
         return np.clip(curves, self.low, self.high)
-
-    @property
-    def certain(self) -> bool:
-        """Whether one curve says all."""
-        return len(self.components) == 1 and self.components[0].curves.level.size == 1
 
     @property
     def _weights(self) -> Floats:

@@ -102,11 +102,6 @@ class Context:
             readings += [Reading.of(signal, value, at) for at, value in pairs]
         return cls(tuple(readings))
 
-    @property
-    def signals(self) -> tuple[str, ...]:
-        """The names of all signals that were read."""
-        return tuple(self._by_signal)
-
     def of_signal(self, name: str) -> tuple[Reading, ...]:
         """Give one signal's readings by time."""
         return self._by_signal.get(name, ())

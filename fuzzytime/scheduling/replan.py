@@ -42,6 +42,11 @@ class Move:
         """Seconds by which it now starts later."""
         return self.after - self.before
 
+    @property
+    def is_noticeable(self) -> bool:
+        """Whether anybody would see that the skill moved."""
+        return abs(self.by) > NOTICEABLE or self.was_rejected != self.is_rejected
+
 
 @dataclass(frozen=True, slots=True)
 class Replan:
@@ -116,18 +121,9 @@ def replan(
             raise FuzzytimeError(
                 f"a dropped skill must be one of 0 to {len(previous.start_times) - 1}, got {position}"
             )
-    started = [
-        position
-        for position, (start, rejected) in enumerate(
-            zip(previous.start_times, previous.rejected, strict=True)
-        )
-        if start < now and not rejected
-    ]
-    kept = tuple(
-        position
-        for position in range(len(previous.start_times))
-        if position not in dropped and position not in started
-    )
+    planned = tuple(zip(previous.start_times, previous.rejected, strict=True))
+    started = [place for place, (start, rejected) in enumerate(planned) if start < now and not rejected]
+    kept = tuple(place for place in range(len(planned)) if place not in dropped and place not in started)
     begun = {position: _shifted(previous.skills[position], now) for position in started}
     task = _remaining(previous.task, now, kept, begun, added)
     hints = [previous.start_times[position] - now for position in kept]
@@ -139,14 +135,12 @@ def replan(
         objectives=objectives,
         hints=[*hints, *(math.nan for _ in added)],
     )
-    moves = tuple(
+    moves = (
         Move(place, before, schedule.start_times[place], previous.rejected[old], schedule.rejected[place])
         for place, (old, before) in enumerate(zip(kept, hints, strict=True))
-        if abs(schedule.start_times[place] - before) > NOTICEABLE
-        or previous.rejected[old] != schedule.rejected[place]
     )
     running = tuple(skill for skill in begun.values() if max(skill.done, skill.end) > 0)
-    return Replan(schedule, kept, running, moves)
+    return Replan(schedule, kept, running, tuple(move for move in moves if move.is_noticeable))
 
 
 def _shifted(skill: SpecificSkill, by: float) -> SpecificSkill:

@@ -7,8 +7,6 @@ from interpreter.telling import notes, starts, told
 
 pytestmark = pytest.mark.model
 
-AT_SIX = "Meet Ann at six for an hour"
-
 
 def test_the_first_of_two_times_is_taken_where_both_are_free() -> None:
     assert starts(told(["Call mum at six or at eight"])) == {"s1": "18:00"}

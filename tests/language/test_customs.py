@@ -77,9 +77,9 @@ def test_the_last_customs_win_key_by_key(tmp_path: Path) -> None:
         'parts: {evening: {from: "17:00"}}\npolicy: {date_order: day-month}',
     )
     assert [time[-5:] for time in when("this evening", *files)] == ["17:00", "20:00"]
-    policy = Language.shipped(customs=files).policy
+    policy = Language.shipped(customs=files).lexicon.policy
     assert policy.date_order is DateOrder.DAY_MONTH
-    assert policy.soon_hours == Language.shipped().policy.soon_hours
+    assert policy.soon_hours == Language.shipped().lexicon.policy.soon_hours
 
 
 def test_lists_that_are_no_words_stay_as_they_are(tmp_path: Path) -> None:

@@ -118,7 +118,7 @@ def test_a_negative_power_is_refused() -> None:
 ALL: list[Objective] = [EarliestStart(), Makespan(), IdleTime(), Intrusiveness(MEETING), Energy(MEETING)]
 
 
-@pytest.mark.parametrize("objective", ALL, ids=lambda objective: str(objective.name))
+@pytest.mark.parametrize("objective", ALL, ids=lambda objective: type(objective).__name__)
 @settings(max_examples=15, deadline=None)
 @given(seed=st.integers(0, 100_000))
 def test_no_objective_costs_satisfaction(objective: Objective, seed: int) -> None:

@@ -76,7 +76,7 @@ def window_of(function: SatisfactionFunction, start: float = 0.0) -> tuple[float
     return (start if near_now else low - margin), high + margin
 
 
-def satisfaction_panel(function: SatisfactionFunction, start: float, end: float, title: str = "ψ") -> Panel:
+def satisfaction_panel(function: SatisfactionFunction, start: float, end: float) -> Panel:
     """Give the panel of one satisfaction function."""
     times = sample_times(function, start, end)
-    return Panel(title, (Curve("ψ", times, function(times)),))
+    return Panel("ψ: satisfaction with a start at that time", (Curve("ψ", times, function(times)),))

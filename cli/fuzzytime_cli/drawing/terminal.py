@@ -9,16 +9,19 @@ from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of
 
 _AXIS = 7
+_ROWS = 8
+"""Lines of text of a panel in which anything rises."""
+
 _SPARSE = 8
 """Of the edges of a band, every so-manieth point is drawn."""
 
 
-def chart_lines(chart: Chart, width: int, rows: int = 8, *, unicode: bool = True) -> list[str]:
-    """Draw a chart as lines of text, ``rows`` high a panel."""
+def chart_lines(chart: Chart, width: int, *, unicode: bool) -> list[str]:
+    """Draw a chart as lines of text."""
     columns = max(16, width - _AXIS - 1)
     lines: list[str] = []
     for panel in chart.panels:
-        high = rows if _rises(panel) else 1
+        high = _ROWS if _rises(panel) else 1
         lines += _panel(panel, chart, columns, high, unicode=unicode)
     lines.append(_axis(chart, columns))
     for mark in chart.marks:

@@ -20,13 +20,13 @@ UNTIMED = "no words about time: any time from now on satisfies"
 
 
 def explanation_lines(
-    plan: Plan, position: int, width: int, *, unicode: bool = True, text_shown: bool = False
+    plan: Plan, position: int, width: int, *, unicode: bool, text_shown: bool = False
 ) -> list[str]:
     """Explain one skill of a plan, from its words to its start.
 
     Where ``text_shown``, what holds for the whole text was told with another of its skills.
     """
-    interpreted = plan.skills[position]
+    interpreted = plan.everything[position]
     given = interpreted.wish.given
     clock = Clock(given, with_seconds=bool(given.second))
     inner = width - len(INDENT)
@@ -79,11 +79,11 @@ def reading_lines(reading: Reading, width: int) -> list[str]:
     ]
 
 
-def rules_lines(plan: Plan, width: int, *, unicode: bool = True) -> list[str]:
+def rules_lines(plan: Plan, width: int, *, unicode: bool) -> list[str]:
     """Give rows, rules and ψ of the skills of a plan; of a repetition those of its first occurrence."""
     lines = []
     clock = Clock(plan.request.now, with_seconds=bool(plan.request.now.second))
-    for _, occurrences in groupby(plan.skills, lambda interpreted: interpreted.instruction):
+    for _, occurrences in groupby(plan.everything, lambda interpreted: interpreted.instruction):
         first, *others = occurrences
         if not first.requirements:
             lines.append(UNTIMED)

@@ -7,7 +7,7 @@ from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of
 
 
-def tree_lines(reading: Reading, width: int = 80) -> list[str]:
+def tree_lines(reading: Reading, width: int) -> list[str]:
     """Give the dependency tree, a word a line, each under its head, with tag and the paper's relation."""
     children: dict[int, list[int]] = {}
     roots = []

@@ -91,13 +91,7 @@ def run(
 ) -> Exit:
     """Carry out a request in time, telling what happens on standard output."""
     inbox = Inbox()
-    executor: Executor = Nobody()
-    if settings.command is not None:
-        executor = (
-            Rehearsal(settings.command, request.now)
-            if settings.speed is None
-            else Programs(settings.command, request.now, inbox)
-        )
+    executor = _executor(request, settings, inbox)
     display = _display(request, output_format)
     listener = Listener(request.now, interpreter.rulebook.signals)
     with _stoppable(inbox) as stopped, _listening(inbox, listener, settings):
@@ -129,9 +123,18 @@ def run(
     return _exit_of(dispatcher)
 
 
+def _executor(request: Request, settings: Settings, inbox: Inbox) -> Executor:
+    """Give whoever does the skills: a simulation only says what would be done."""
+    if settings.command is None:
+        return Nobody()
+    if settings.speed is None:
+        return Rehearsal(settings.command, request.now)
+    return Programs(settings.command, request.now, inbox)
+
+
 def _exit_of(dispatcher: Dispatcher) -> Exit:
     """Give bad data where nothing could be read, and failure where something that started failed."""
-    if not dispatcher.ledger.tasks and not dispatcher.outlook.rejected and dispatcher.outlook.told:
+    if not dispatcher.ledger.tasks and not dispatcher.outlook.without_time and dispatcher.outlook.told:
         return Exit.BAD_DATA
     return Exit.FAILURE if dispatcher.ledger.in_phase(Phase.FAILED) else Exit.FINE
 

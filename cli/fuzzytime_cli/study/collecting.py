@@ -41,7 +41,7 @@ def serve(
     import signal
 
     from fuzzytime.study import AnswerStore
-    from fuzzytime.study.serving.server import EVERYWHERE, origin_of
+    from fuzzytime.study.serving.server import origin_of
     from fuzzytime.study.serving.service import StudyService
 
     with as_usage("--name"):
@@ -51,10 +51,7 @@ def serve(
         service = StudyService(store, now, new_name)
         token = store.token(secrets.token_urlsafe(16))
         with _listening((host, port), service, token, tuple(name or ())) as server:
-            if host not in ("127.0.0.1", "localhost", "::1"):
-                report("the page can be reached from other computers; its traffic is not encrypted")
-            if host in EVERYWHERE and not name:
-                report("others reach it by the hosts that --name gives, such as this computer's address")
+            _warn_of_others(host, named=bool(name))
             signal.signal(signal.SIGTERM, _stop)
             try:
                 report(f"{store.design.title}: give participants the address below; Ctrl-C ends")
@@ -72,6 +69,16 @@ def new_name() -> str:
     import secrets
 
     return f"p-{secrets.token_hex(8)}"
+
+
+def _warn_of_others(host: str, *, named: bool) -> None:
+    """Say who else reaches the page, and by what."""
+    from fuzzytime.study.serving.server import EVERYWHERE
+
+    if host not in ("127.0.0.1", "localhost", "::1"):
+        report("the page can be reached from other computers; its traffic is not encrypted")
+    if host in EVERYWHERE and not named:
+        report("others reach it by the hosts that --name gives, such as this computer's address")
 
 
 def _listening(

@@ -95,7 +95,7 @@ class Moment:
         except (OverflowError, ValueError) as error:
             raise UngroundedError("a time must lie in the years 1 to 9999") from error
 
-    def skips(self, wall: datetime, zone: str | None = None) -> bool:
+    def skips(self, wall: datetime, zone: str | None) -> bool:
         """Whether a change of clocks skips a wall-clock time."""
         if self.now is None or self.now.tzinfo is None:
             return False

@@ -44,7 +44,7 @@ def truth_of_atom(atom: Is, values: Floats, tables: Tables) -> Truth:
     """Give μ(x)^p at values of any shape: the term's membership, to the powers of its hedges."""
     degrees = tables.variables[atom.variable].terms[atom.term](values)
     for hedge in atom.hedges:
-        degrees = degrees ** tables.term_hedges[hedge].power
+        degrees = degrees ** tables.term_hedges[hedge]
     unknown = np.isnan(degrees)
     if not unknown.any():
         return Truth(degrees, degrees)

@@ -16,7 +16,7 @@ from fuzzytime.rulebook.tables.expression import Sum
 from fuzzytime.rulebook.tables.matching import Match
 from fuzzytime.rulebook.tables.profile import Actor
 from fuzzytime.rulebook.tables.rules import Rule
-from fuzzytime.rulebook.tables.variables import Power, Variable
+from fuzzytime.rulebook.tables.variables import Variable
 from fuzzytime.rulebook.tables.width import Points, Roundness, Softness
 
 _K = TypeVar("_K")
@@ -145,7 +145,7 @@ class Tables:
     durations: Durations = field(default_factory=Durations)
     signals: Mapping[str, Signal] = field(default_factory=_none)
     variables: Mapping[str, Variable] = field(default_factory=_none)
-    term_hedges: Mapping[str, Power] = field(default_factory=_none)
+    term_hedges: Mapping[str, float] = field(default_factory=_none)
     rules: Mapping[str, Rule] = field(default_factory=_none)
     options: Norm | None = None
 

@@ -93,12 +93,3 @@ class Variable:
     def breakpoints(self) -> tuple[float, ...]:
         """The finite corners of all terms, ascending."""
         return tuple(sorted({corner for term in self.terms.values() for corner in term.breakpoints}))
-
-
-@dataclass(frozen=True, slots=True)
-class Power:
-    """A hedge of a term: μ to a power, 2 for "very"."""
-
-    name: str
-    power: float
-    place: str = ""

@@ -76,9 +76,6 @@ class Arrangement:
 class Objective(Protocol):
     """Something to want among schedules that satisfy equally: a frozen value."""
 
-    name: ClassVar[str]
-    """What it is called."""
-
     reorders: ClassVar[bool]
     """Whether its wishes still say what is wanted when the skills change places."""
 
@@ -115,8 +112,6 @@ class _EachForItself(ABC):
 class EarliestStart(_EachForItself):
     """The least sum of start times."""
 
-    name: ClassVar[str] = "earliest start"
-
     def wish(self, skill: FuzzySkill, reach: float) -> SatisfactionFunction:
         """Wish for 0, linearly less from there on."""
         del skill
@@ -131,8 +126,6 @@ class Nearness(_EachForItself):
     nobody named a time for is done in the order said, and not by its length (Smith's rule, 1956).
     Of equal sums the one that is shared out more evenly is wished a little more.
     """
-
-    name: ClassVar[str] = "nearness"
 
     def wishes(self, arrangement: Arrangement) -> Sequence[SatisfactionFunction]:
         """Give the wish for each skill's start, close to 1 everywhere before the reach."""
@@ -172,7 +165,6 @@ DEFAULT: tuple[Objective, ...] = (Nearness(),)
 class Makespan:
     """The least total time: the end of each agent's last skill, for the order that was found."""
 
-    name: ClassVar[str] = "makespan"
     reorders: ClassVar[bool] = False
 
     def wishes(self, arrangement: Arrangement) -> Sequence[SatisfactionFunction]:
@@ -196,7 +188,6 @@ class Makespan:
 class IdleTime:
     """The least time without work between an agent's first and last skill, for the order that was found."""
 
-    name: ClassVar[str] = "idle time"
     reorders: ClassVar[bool] = False
 
     def wishes(self, arrangement: Arrangement) -> Sequence[SatisfactionFunction]:
@@ -228,8 +219,6 @@ class Intrusiveness(_EachForItself):
         How much work disturbs at each moment, such as 1 during a meeting and 0 else.
     """
 
-    name: ClassVar[str] = "intrusiveness"
-
     penalty: OverTime
 
     def wish(self, skill: FuzzySkill, reach: float) -> SatisfactionFunction:
@@ -255,8 +244,6 @@ class Energy(_EachForItself):
     FuzzytimeError
         If a power is negative or not finite.
     """
-
-    name: ClassVar[str] = "energy"
 
     tariff: OverTime
     powers: Mapping[str, float] = field(default_factory=dict, hash=False)

@@ -76,21 +76,22 @@ def read_instructions(reader: Reader, node: Node, timeline: Timeline) -> tuple[S
         )
         if not {"say", "preposition", "t"} <= parts.keys():
             continue
-
-        def optional(name: str, parts: dict[str, Node] = parts, path: str = path) -> str | None:
-            return reader.phrase(parts[name], f"{path}.{name}") if name in parts else None
-
         found.append(
             StudyInstruction(
                 key=key,
                 text=wording(reader, parts["say"], f"{path}.say"),
                 preposition=reader.phrase(parts["preposition"], f"{path}.preposition"),
                 t_spec=reader.duration(parts["t"], f"{path}.t", timeline.start, timeline.end),
-                fuzziness=optional("fuzziness"),
-                word=optional("word"),
+                fuzziness=_phrase(reader, parts, path, "fuzziness"),
+                word=_phrase(reader, parts, path, "word"),
             )
         )
     return tuple(found)
+
+
+def _phrase(reader: Reader, parts: Mapping[str, Node], path: str, name: str) -> str | None:
+    """Read a part that may be left out."""
+    return reader.phrase(parts[name], f"{path}.{name}") if name in parts else None
 
 
 def read_demographics(reader: Reader, node: Node) -> tuple[Question, ...]:

@@ -134,7 +134,7 @@ def _grid(analysis: Analysis, draw: Callable[["Axes", Analysis, Described], None
 
 def _fit_panel(axes: "Axes", analysis: Analysis, entry: Described) -> None:
     del analysis
-    _distribution(axes, entry, _GREEN)
+    _distribution(axes, entry)
     times = entry.subjective.times[_visible(entry)]
     for model, colour, style in ((Model.TRAPEZOID, _RED, "-"), (Model.BELL, _VIOLET, "--")):
         if model in entry.fits:
@@ -205,7 +205,7 @@ def _three_views(entry: Described) -> "Figure":
         rasterized=True,
     )
     figure.colorbar(image, ax=density, pad=0.02, fraction=0.06)
-    _distribution(spread, entry, _GREEN)
+    _distribution(spread, entry)
     figure.legend(*spread.get_legend_handles_labels(), loc="upper right", ncols=3)
     for panel, title in (
         (curves, f"{rows.size} of {entry.subjective.participants} participants"),
@@ -228,14 +228,14 @@ def _binned(counts: Floats, minutes: Floats) -> tuple[Floats, Floats]:
     return np.add.reduceat(counts, starts, axis=1) / sizes, edges
 
 
-def _distribution(axes: "Axes", entry: Described, colour: str) -> None:
+def _distribution(axes: "Axes", entry: Described) -> None:
     found, shown = entry.characteristics, _visible(entry)
     minutes = found.times[shown] / MINUTE
     low, high = found.lower_quartile[shown], found.upper_quartile[shown]
-    axes.fill_between(minutes, low, high, color=colour, alpha=0.22, lw=0, label="quartiles")
-    axes.plot(minutes, found.maximum[shown], ":", color=colour, lw=0.8, label="minimum, maximum")
-    axes.plot(minutes, found.minimum[shown], ":", color=colour, lw=0.8)
-    axes.plot(minutes, found.median[shown], color=colour, lw=2.4, alpha=0.75, label="median")
+    axes.fill_between(minutes, low, high, color=_GREEN, alpha=0.22, lw=0, label="quartiles")
+    axes.plot(minutes, found.maximum[shown], ":", color=_GREEN, lw=0.8, label="minimum, maximum")
+    axes.plot(minutes, found.minimum[shown], ":", color=_GREEN, lw=0.8)
+    axes.plot(minutes, found.median[shown], color=_GREEN, lw=2.4, alpha=0.75, label="median")
 
 
 def _note(axes: "Axes", text: str) -> None:

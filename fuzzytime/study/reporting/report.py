@@ -8,6 +8,7 @@ import numpy as np
 
 from fuzzytime.satisfaction import Trapezoid
 from fuzzytime.study.analysis.analyse import Analysis
+from fuzzytime.study.analysis.compare import Comparison
 from fuzzytime.study.analysis.density import SQUARE_MINUTE
 from fuzzytime.study.analysis.described import Described
 from fuzzytime.study.analysis.fitting import POOR, Model
@@ -80,6 +81,23 @@ def _summary(answers: Sequence[str]) -> str:
 
 def _models(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
     page.heading("F1: which continuous functions model the instructions")
+    _prediction_errors(page, analysis)
+    page.figure(
+        "fits",
+        "Medians with their distribution, and trapezoid and bell fitted to them; prediction errors in grey, "
+        "the time said dotted.",
+        pictures,
+    )
+    _trapezoids(page, analysis)
+    page.table(
+        "Bells 1 / (1 + |(t − centre) / width|^(2·slope)) fitted to the same medians, times in minutes.",
+        ("instruction", "centre", "width", "slope", "SSE", "RMSE", "R²"),
+        (_bell_row(entry) for entry in analysis.overall.values() if entry.fits),
+    )
+
+
+def _prediction_errors(page: Page, analysis: Analysis) -> None:
+    """Say how well each function fits the instructions of each preposition, and what its trapezoids are."""
     page.table(
         "Prediction errors (sum of squared residuals over the samples) of fits to the medians, smallest to "
         "largest over a preposition's instructions.",
@@ -106,12 +124,10 @@ def _models(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> No
             for found in analysis.models.values()
         ),
     )
-    page.figure(
-        "fits",
-        "Medians with their distribution, and trapezoid and bell fitted to them; prediction errors in grey, "
-        "the time said dotted.",
-        pictures,
-    )
+
+
+def _trapezoids(page: Page, analysis: Analysis) -> None:
+    """Give the corners for each instruction, how far they are to be trusted, and where they fit badly."""
     page.table(
         "Trapezoids fitted to the medians: corners in minutes after the instruction, and how well they fit.",
         ("instruction", "rise start", "full start", "full end", "fall end", "SSE", "RMSE", "R²"),
@@ -132,11 +148,6 @@ def _models(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> No
                 for key, intervals in analysis.intervals.items()
             ),
         )
-    page.table(
-        "Bells 1 / (1 + |(t − centre) / width|^(2·slope)) fitted to the same medians, times in minutes.",
-        ("instruction", "centre", "width", "slope", "SSE", "RMSE", "R²"),
-        (_bell_row(entry) for entry in analysis.overall.values() if entry.fits),
-    )
 
 
 def _trapezoid_row(entry: Described) -> tuple[str, ...]:
@@ -158,35 +169,9 @@ def _groups(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> No
         return
     first, second = analysis.compared
     page.heading(f"F2: {first} against {second}")
-    found = analysis.comparison
-    if found is not None:
-        smaller = int((found.differences < 0).sum())
-        mean = number(found.mean_difference / SQUARE_MINUTE, 3)
-        page.paragraph(
-            f"The variance of the median is smaller for {first} in {smaller} of {found.differences.size} "
-            f"instructions; the mean difference {first} − {second} is {mean} min² (permutation test over all "
-            f"instructions: p {probability(found.p_value)})."
-        )
-        page.table(
-            f"Variances of the groups' medians as densities, in min²; p-values of {found.p_values.size} "
-            "permutation tests, adjusted after Holm.",
-            ("instruction", first, second, "difference", "p"),
-            (
-                (
-                    entry.instruction.text,
-                    *(number(value / SQUARE_MINUTE, 3) for value in row[:3]),
-                    probability(row[3]).removeprefix("= "),
-                )
-                for entry, *row in zip(
-                    analysis.overall.values(),
-                    found.first,
-                    found.second,
-                    found.differences,
-                    found.p_values,
-                    strict=True,
-                )
-            ),
-        )
+    if analysis.comparison is not None:
+        texts = [entry.instruction.text for entry in analysis.overall.values()]
+        _variances(page, first, second, texts, analysis.comparison)
     page.figure(
         "groups",
         "Medians and quartiles of the groups; variances of the medians in grey, the time said dotted.",
@@ -194,6 +179,30 @@ def _groups(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> No
     )
     if analysis.scale is not None:
         _control(page, first, second, analysis.scale)
+
+
+def _variances(page: Page, first: str, second: str, texts: Sequence[str], found: Comparison) -> None:
+    smaller = int((found.differences < 0).sum())
+    mean = number(found.mean_difference / SQUARE_MINUTE, 3)
+    page.paragraph(
+        f"The variance of the median is smaller for {first} in {smaller} of {found.differences.size} "
+        f"instructions; the mean difference {first} − {second} is {mean} min² (permutation test over all "
+        f"instructions: p {probability(found.p_value)})."
+    )
+    variances = (found.first, found.second, found.differences)
+    page.table(
+        f"Variances of the groups' medians as densities, in min²; p-values of {found.p_values.size} "
+        "permutation tests, adjusted after Holm.",
+        ("instruction", first, second, "difference", "p"),
+        (
+            (
+                text,
+                *(number(value / SQUARE_MINUTE, 3) for value in row),
+                probability(p_value).removeprefix("= "),
+            )
+            for text, p_value, *row in zip(texts, found.p_values, *variances, strict=True)
+        ),
+    )
 
 
 def _control(page: Page, first: str, second: str, scale: ScaleComparison) -> None:

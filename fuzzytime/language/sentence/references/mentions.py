@@ -151,9 +151,7 @@ class Mentions:
         """Whether something happens, or a meal is eaten: by its time others may be told."""
         return operation.stated or (operation.is_asked and operation.lemma in self.lexicon.doing.eating)
 
-    def touching(
-        self, words: frozenset[str], before: int, owners: frozenset[str] = frozenset()
-    ) -> int | None:
+    def touching(self, words: frozenset[str], before: int, owners: frozenset[str]) -> int | None:
         """Give the latest position before one of what is to be done with something that words name."""
         stretch = range(before)
         runs = [_within(by.get(word, []), stretch) for word in words for by in (self._by_word, self._by_verb)]
@@ -224,9 +222,7 @@ def owners_in(thing: str | None) -> frozenset[str]:
     return content_words(" ".join(_OWNERS.findall(thing or "")))
 
 
-def is_done_with(
-    operation: Operation | None, words: frozenset[str], owners: frozenset[str] = frozenset()
-) -> bool:
+def is_done_with(operation: Operation | None, words: frozenset[str], owners: frozenset[str]) -> bool:
     """Whether an operation asks for something to be done with what words name, which may be its verb."""
     if operation is None or not operation.is_asked:
         return False

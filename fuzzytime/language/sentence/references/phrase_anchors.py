@@ -82,7 +82,7 @@ def counts_from_nothing(
 
 
 def of_phrase(
-    anchors: Anchors, phrase: Phrase, requirement: TimeRequirement, clauses: Sequence[Clause] = ()
+    anchors: Anchors, phrase: Phrase, requirement: TimeRequirement, clauses: Sequence[Clause]
 ) -> TimeRequirement:
     """Give a requirement of the grammar as a reference, where it is one; ``clauses`` stand beside it."""
     if is_in_the_end(phrase.said):

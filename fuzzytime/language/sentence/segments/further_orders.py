@@ -41,9 +41,7 @@ FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
 
 
-def further_verbs(
-    tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span] = (), *, told: bool = False
-) -> list[int]:
+def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span], *, told: bool) -> list[int]:
     """Give the words at which further instructions of one sentence begin: imperatives beside the first.
 
     "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something

@@ -10,7 +10,7 @@ COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
 """Relations of what stands beside an order and may be another."""
 
 
-def order_behind_order(tree: Tree, root: int, timed: AbstractSet[int] = frozenset()) -> int | None:
+def order_behind_order(tree: Tree, root: int, timed: AbstractSet[int]) -> int | None:
     """Give where the root begins, if it is a second order: "weld it, wait" has its first below it.
 
     So has a statement behind an order: "bring my coat, we leave at three". What is ``timed`` before the root

@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
 from fuzzytime.language.sentence.segments.mended_things import (
     with_event_names,
+    with_her,
     with_object_of_aim,
     with_whole_things,
 )
@@ -66,7 +67,8 @@ def _mended(one: Waiting, tree: Tree, lexicon: Lexicon) -> Tree:
     if not tree.nodes:
         return tree
     timed = one.timed(tree)
-    tree = with_event_names(with_object_of_aim(with_whole_things(tree), timed), timed)
+    tree = with_her(with_whole_things(tree), timed)
+    tree = with_event_names(with_object_of_aim(tree, timed), timed)
     tree = with_event(with_clause(with_reminded(tree, lexicon), lexicon), lexicon)
     tree = with_called(with_worker(tree, lexicon), timed, lexicon)
     return as_statement(with_named_deed(tree, timed, lexicon), timed, lexicon.travelling)

@@ -25,7 +25,6 @@ class _Try:
     """A place at which what is to be done may begin behind the words that say where."""
 
     one: int
-    here: int
     front: str
     order: str
 
@@ -70,7 +69,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         led = before.text == COMMA or (before.tag.startswith(NOUNS) and not before.lower.endswith(ENDING))
         if led and node.may_act and is_bare(node, lexicon) and nodes[here + 1].lower != "of":
             front, order = tree.text[: before.end], tree.text[node.start :]
-            yield _Try(place, here, front.rstrip(" ,"), order)
+            yield _Try(place, front.rstrip(" ,"), order)
 
 
 def _says_where(tree: Tree) -> bool:

@@ -10,7 +10,7 @@ BEGINS = frozenset({".", ";", "!", ",", "-", "…", "\n"})
 ENDS = frozenset({*BEGINS, "?"})
 
 
-def retractions(words: Sequence[Word], lexicon: Lexicon, corrected: Sequence[Span] = ()) -> Iterator[range]:
+def retractions(words: Sequence[Word], lexicon: Lexicon, corrected: Sequence[Span]) -> Iterator[range]:
     """Give the words that let be what was said before: between two pauses, and behind something.
 
     Not those in what is ``corrected`` by a time behind them: "tonight. Scratch that, tomorrow morning".

@@ -49,18 +49,13 @@ class Segment:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
         return self.doer is None and text[slice(*self.connective_span)].lower() in {"and", ","}
 
-    @property
-    def empty(self) -> bool:
-        """Whether nothing is left."""
-        return self.span[0] >= self.span[1]
-
 
 def segments_of(
     text: str,
     words: Sequence[Word],
     phrases: Sequence[Phrase],
     lexicon: Lexicon,
-    taken_back: Sequence[Span] = (),
+    taken_back: Sequence[Span],
 ) -> list[Segment]:
     """Cut a text at what always ends an instruction: full stops and connectives, outside of times.
 

@@ -49,7 +49,7 @@ def without_denial(
     connected: TimeRequirement | None,
     said: str,
     lexicon: Lexicon,
-    begun: Anchor | None = None,
+    begun: Anchor | None,
 ) -> tuple[Operation | None, list[TimeRequirement], float | None]:
     """Read what is not to be done at some time as what is to be done at another: "don't open it before six".
 

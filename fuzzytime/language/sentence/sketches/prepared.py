@@ -18,7 +18,7 @@ def due_of(
     before: Sequence[Sketch],
     sketch: Sketch,
     instructions: Sequence[Instruction],
-    since: float | None = None,
+    since: float | None,
 ) -> float | None:
     """Give when in seconds that happens which an instruction prepares, by those before it; None for none.
 

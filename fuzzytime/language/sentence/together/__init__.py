@@ -7,7 +7,7 @@ Words and times
     ``told_beside``.
 Days and lengths
     ``titles``, ``headings``, ``below_headings``, ``days_apart`` (``listed_days``, ``things_alone``),
-    ``mornings``, ``day_by_day``, ``days_left_out``, ``left_out_behind``, ``each_week``, ``opening_hours``,
+    ``mornings``, ``day_by_day``, ``days_left_out``, ``each_week``, ``opening_hours``,
     ``days_on``, ``lengths``, ``waited``, ``consequences``, ``reasons_told``.
 What is none
     ``orders_again``, ``doubts`` (``what_was``), ``denials``, ``naming``, ``how_often``.

@@ -53,7 +53,7 @@ class _Day:
         return (said, Said(Wall(time.days))) if parted and isinstance(time, Wall) else (said,)
 
 
-def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None = None) -> list[Sketch]:
+def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None) -> list[Sketch]:
     """Put each time of some instructions on the day that was said for it elsewhere.
 
     That is in the same sentence, or on a line above, as a heading; what has no time has that of its heading.

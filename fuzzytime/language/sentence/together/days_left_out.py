@@ -1,10 +1,19 @@
-"""Weekdays left out of what is repeated, said apart from it: "apart from sundays, feed it every day"."""
+"""Days left out of what is repeated, beside it or behind it.
 
+Beside it: "apart from sundays, feed it every day". In a sentence of their own: "feed the cat every day. Not
+on sundays", "…, skip weekends".
+"""
+
+from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.meaning.expressions import Repeat
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation, overlap
+from fuzzytime.language.meaning.expressions import Phrase, Repeat
 from fuzzytime.language.meaning.weekdays_left_out import weekdays_in, without_weekdays
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+
+DO = "do"
 
 
 def without_days_left_out(sketch: Sketch) -> Sketch:
@@ -26,3 +35,68 @@ def without_days_left_out(sketch: Sketch) -> Sketch:
         phrases=tuple(told if phrases[place] is repeated[0] else phrases[place] for place in kept),
         references=tuple(sketch.references[place] for place in kept),
     )
+
+
+def left_out_behind(sketches: Sequence[Sketch], lexicon: Lexicon) -> list[Sketch]:
+    """Give times that are denied alone to the order right before them, and so what is skipped of it."""
+    found: list[Sketch] = []
+    for sketch in sketches:
+        before = found[-1] if found else None
+        denied = () if before is None or not before.asks else _left_out(before, sketch, lexicon)
+        if before is None or not denied:
+            found.append(sketch)
+            continue
+        segment = before.part.segment
+        whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
+        found[-1] = replace(
+            before,
+            part=replace(before.part, segment=whole),
+            phrases=(*before.phrases, *denied),
+            references=(*before.references, *(None for _ in denied)),
+            joints=(*before.joints, sketch.part.segment.span),
+        )
+    return found
+
+
+def _left_out(before: Sketch, sketch: Sketch, lexicon: Lexicon) -> tuple[Phrase, ...]:
+    """Give the times that a sketch leaves out of what stands before it; none where it says anything else."""
+    if not sketch.phrases or sketch.clauses:
+        return ()
+    operation = sketch.operation
+    if operation is None:
+        alone = all(phrase.said.denied for phrase in sketch.phrases) and _says_no_more(sketch, lexicon)
+        return sketch.phrases if alone else ()
+    repeated = any(isinstance(phrase.said.time, Repeat) for phrase in before.phrases)
+    if repeated and _is_denied_again(before, operation, lexicon):
+        # "Feed the cat every day. Don't feed it on sundays"
+        return _denied(sketch) if all(weekdays_in(phrase.said.time) for phrase in sketch.phrases) else ()
+    bare = (operation.object, operation.place, operation.complement) == (None, None, None)
+    if not repeated or not bare or operation.negated or operation.lemma not in lexicon.doing.dropping:
+        return ()
+    # "Skip sundays"
+    return _denied(sketch)
+
+
+def _denied(sketch: Sketch) -> tuple[Phrase, ...]:
+    """Give times as those at which something is not to be done."""
+    return tuple(replace(phrase, said=replace(phrase.said, denied=True)) for phrase in sketch.phrases)
+
+
+def _is_denied_again(before: Sketch, operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether what is not to be done is what was asked for right before it."""
+    first = before.operation
+    if first is None or not operation.negated or operation.lemma not in {first.lemma, DO}:
+        return False
+    thing = (operation.object or "").lower()
+    return not thing or thing in lexicon.closed.all_anaphors or operation.object == first.object
+
+
+def _says_no_more(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether nothing but small words stands beside times."""
+    part = sketch.part
+    for node in part.tree.nodes:
+        span = (node.start + part.offset, node.end + part.offset)
+        timed = any(overlap(span, phrase.span) for phrase in sketch.phrases)
+        if not timed and node.text.isalpha() and node.lower not in lexicon.beside.around_denials:
+            return False
+    return True

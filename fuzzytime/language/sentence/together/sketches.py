@@ -19,12 +19,11 @@ from fuzzytime.language.sentence.together.both_sides import on_both_sides
 from fuzzytime.language.sentence.together.choices_of_repetitions import first_of_choices
 from fuzzytime.language.sentence.together.day_by_day import day_by_day, each_day_too
 from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days
-from fuzzytime.language.sentence.together.days_left_out import without_days_left_out
+from fuzzytime.language.sentence.together.days_left_out import left_out_behind, without_days_left_out
 from fuzzytime.language.sentence.together.days_on import days_on
 from fuzzytime.language.sentence.together.each_week import each_week
 from fuzzytime.language.sentence.together.first_offered import first_offered
 from fuzzytime.language.sentence.together.first_times import from_first_time
-from fuzzytime.language.sentence.together.left_out_behind import left_out_behind
 from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.one_by_one import one_by_one
 from fuzzytime.language.sentence.together.opening_hours import within_opening_hours

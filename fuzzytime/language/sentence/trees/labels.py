@@ -33,7 +33,7 @@ _TIMELY = frozenset(
 )
 
 
-def paper_tokens(tree: Tree, timely: Collection[int] = ()) -> tuple[Token, ...]:
+def paper_tokens(tree: Tree, timely: Collection[int]) -> tuple[Token, ...]:
     """Give a tree's words with the paper's relations and heads.
 
     ``timely`` are words known to be about time: below a verb they are oblique temporal modifiers.

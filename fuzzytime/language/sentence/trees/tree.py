@@ -127,10 +127,6 @@ class Tree:
         """Give the tree of the same text with other nodes."""
         return Tree(self.text, tuple(nodes), self.lexicon)
 
-    def moved(self, characters: int) -> tuple[Node, ...]:
-        """Give the words with their places that many characters further on."""
-        return tuple(replace(n, start=n.start + characters, end=n.end + characters) for n in self.nodes)
-
 
 Trees = Callable[[Sequence[str]], list[Tree]]
 """Whatever parses: the trees of some texts, in order."""

@@ -71,7 +71,7 @@ def _is_of_name(node: Node) -> bool:
 
 
 def chores_at(
-    tree: Tree, timed: Collection[int], phrases: Sequence[Phrase], lexicon: Lexicon, *, led: bool = False
+    tree: Tree, timed: Collection[int], phrases: Sequence[Phrase], lexicon: Lexicon, *, led: bool
 ) -> Operation | None:
     """Give what is done with things that alone are named beside when: "the dishes after dinner".
 

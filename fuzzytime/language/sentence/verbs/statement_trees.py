@@ -12,7 +12,7 @@ from fuzzytime.language.sentence.verbs.statements import (
 )
 
 
-def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str] = frozenset()) -> Tree:
+def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str]) -> Tree:
     """Give the tree of "the train leaves at 8:40" its verb, which was taken for a plural: "train leaves".
 
     ``timed`` are the words about time: one stands right behind the verb. What is ``travelling`` leaves.

@@ -9,7 +9,7 @@ from fuzzytime.rulebook.logic.grammar import KEYWORDS
 from fuzzytime.rulebook.tables.sections.scope import Scope
 from fuzzytime.rulebook.tables.sections.signals import read_per, read_value
 from fuzzytime.rulebook.tables.sections.widths import LONGEST
-from fuzzytime.rulebook.tables.variables import Power, Source, Term, Variable
+from fuzzytime.rulebook.tables.variables import Source, Term, Variable
 from fuzzytime.spelling import suggestion
 from fuzzytime.yaml_nodes import Node, Scalar
 
@@ -147,14 +147,14 @@ def _corners(
     return first, second, third, fourth
 
 
-def read_term_hedges(scope: Scope, node: Node, key: str) -> Mapping[str, Power]:
-    """Read the powers that hedges raise a degree to."""
+def read_term_hedges(scope: Scope, node: Node, key: str) -> Mapping[str, float]:
+    """Read the powers that hedges raise a degree to: 2 for "very"."""
     keys = scope.reader.keys(node)
-    read: dict[str, Power] = {}
+    read: dict[str, float] = {}
     for name, value in scope.reader.mapping(node, key).items():
         path = f"{key}.{name}"
         _check_name(scope, keys[name], path, "a hedge")
         found = scope.row(value, path, ("power",), ("power",))
         power = scope.reader.number(found["power"], f"{path}.power", 0.01, 100.0) if "power" in found else 1.0
-        read[name.lower()] = Power(name, power or 1.0, scope.reader.place(keys[name]))
+        read[name.lower()] = power or 1.0
     return MappingProxyType(read)
