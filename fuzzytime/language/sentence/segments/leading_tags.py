@@ -21,13 +21,6 @@ def leading_tags(text: str) -> list[Span]:
     return [found.span("tag") for found in TAG.finditer(text)]
 
 
-def without_tags(text: str, tags: Sequence[Span]) -> str:
-    """Give a text of the same length without them."""
-    for first, end in tags:
-        text = text[:first] + " " * (end - first) + text[end:]
-    return text
-
-
 def remarks_of_tags(text: str, tags: Sequence[Span]) -> Iterator[Remark]:
     """Say that they are not used."""
     for span in tags:
