@@ -35,7 +35,7 @@ SPOKEN = (
     (120, "push everything back by ten minutes"),
     (150, "why is the fish so late?"),
 )
-WIDTH = 92
+WIDTH = 80
 
 # A terminal window without the outside fonts that Rich's own form would fetch.
 FORM = """<svg class="rich-terminal" viewBox="0 0 {width} {height}" xmlns="http://www.w3.org/2000/svg">
@@ -73,17 +73,14 @@ def conversation() -> str:
         markup=False, highlight=False, emoji=False, soft_wrap=True,
     )  # fmt: skip
     turns.opened(BEGIN)
-    last = len(SPOKEN) - 1
-    for position, (seconds, line) in enumerate(SPOKEN):
+    for seconds, line in SPOKEN:
         now = BEGIN + timedelta(seconds=seconds)
         for news in turns.tick(now):
             screen.print(news)
         screen.print(Text.assemble(("› ", "bold green"), line))
         reply = turns.take(line, now)
-        # The schedule is drawn again after each line; one picture shows it where it is whole.
-        if position >= last - 1:
-            for shown in reply.lines:
-                screen.print(shown)
+        for shown in reply.lines:
+            screen.print(shown)
     return screen.export_svg(title="fuzzytime", code_format=FORM, unique_id="fuzzytime")
 
 

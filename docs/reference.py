@@ -61,6 +61,9 @@ def resolved(part: dict[str, Any], schema: dict[str, Any]) -> dict[str, Any]:
 def kind(part: dict[str, Any], schema: dict[str, Any]) -> str:
     """Say in a few words which values a field takes."""
     if "$ref" in part:
+        shared = resolved(part, schema)
+        if "oneOf" in shared or shared.get("type") == "array":
+            return kind(shared, schema)
         return str(part["$ref"].rpartition("/")[2]).replace("_", " ")
     if "const" in part:
         return f"`{part['const']}`"
@@ -68,7 +71,7 @@ def kind(part: dict[str, Any], schema: dict[str, Any]) -> str:
         return ", ".join("null" if value is None else f"`{value}`" for value in part["enum"])
     for choice in ("oneOf", "anyOf"):
         if choice in part:
-            return " or ".join(kind(option, schema) for option in part[choice])
+            return " or ".join(dict.fromkeys(kind(option, schema) for option in part[choice]))
     types = part.get("type", "object")
     if types == "array":
         return f"list of {kind(part['items'], schema)}" if isinstance(part.get("items"), dict) else "list"

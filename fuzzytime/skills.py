@@ -53,6 +53,9 @@ class FuzzySkill:
         9:15". Its duration is 0 then.
     in_passing
         Whether it is done in passing, beside whatever else keeps its agent. Its duration is 0 then, too.
+    by_the_clock
+        Whether its time was told by words such as "this evening", which name no moment: where it begins to be
+        satisfied in full, a round time of the clock is better.
 
     Raises
     ------
@@ -74,6 +77,7 @@ class FuzzySkill:
     until: float | None = None
     happens: bool = False
     in_passing: bool = False
+    by_the_clock: bool = False
 
     def __post_init__(self) -> None:
         if self.needs_nobody and self.duration:
@@ -204,6 +208,8 @@ class Busy:
 class FuzzyTask:
     """T: the skills to schedule, by how many agents, and what binds them.
 
+    ``past_hour`` are the seconds by which the clock is past a full hour at time 0.
+
     Raises
     ------
     FuzzytimeError
@@ -214,6 +220,7 @@ class FuzzyTask:
     agents: int = 1
     precedences: tuple[Precedence, ...] = ()
     busy: tuple[Busy, ...] = ()
+    past_hour: float = 0.0
 
     def __post_init__(self) -> None:
         if self.agents < 1:

@@ -97,6 +97,10 @@ class Assembly:
         """Give what goes over the shipped calendar: the user's customs, the project's, ``--customs``."""
         return (*standing_customs(os.environ), *self.settings.paths("customs"))
 
+    def table_files(self) -> tuple[Path, ...]:
+        """Give all tables that go before or over the shipped ones: `rule_files` and `customs_files`."""
+        return (*self.rule_files(), *self.customs_files())
+
     def rulebook(self) -> "Rulebook":
         """Load the rule tables: shipped, the user's, the project's, those of ``--rules``.
 

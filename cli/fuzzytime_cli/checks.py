@@ -2,12 +2,13 @@
 
 import platform
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from fuzzytime.errors import FuzzytimeError
+from fuzzytime.errors import FuzzytimeError, Mistake
 
 LIBRARIES = ("numpy", "scipy", "spacy", "typer", "rich", "pyyaml", "prompt_toolkit", "icalendar")
 
@@ -61,13 +62,41 @@ def _model() -> Check:
     return Check("model", not wrong, finding)
 
 
-def _tables() -> Check:
+def table_mistakes(files: Sequence[Path]) -> tuple[Mistake, ...]:
+    """Give every mistake of rule tables and customs, over the shipped ones.
+
+    Raises
+    ------
+    OSError
+        If a file cannot be read.
+    """
+    from fuzzytime.language import check_customs, is_word_table
     from fuzzytime.rulebook import check
 
-    mistakes = check(())
-    return Check(
-        "tables", not mistakes, str(mistakes[0]) if mistakes else "the shipped tables hold no mistake"
-    )
+    # A pipe can be read but once: it is taken for rules.
+    customs = [path for path in files if path.is_file() and is_word_table(path)]
+    rules = [path for path in files if path not in customs]
+    return (*check(rules), *check_customs(customs))
+
+
+def _tables() -> Check:
+    from fuzzytime_cli.assembly import Assembly
+    from fuzzytime_cli.options import Moment, Solving, Understanding
+
+    files: tuple[Path, ...] = ()
+    # Settings that cannot be read are another finding.
+    with suppress(FuzzytimeError):
+        files = Assembly.of(Moment(), Understanding(), Solving()).table_files()
+    try:
+        mistakes = table_mistakes(files)
+    except (FuzzytimeError, OSError) as error:
+        return Check("tables", good=False, finding=str(error).partition("\n")[0])
+    names = "".join(f" and {path}" for path in files)
+    if not mistakes:
+        return Check("tables", good=True, finding=f"the shipped tables{names} hold no mistake")
+    first, many = str(mistakes[0]).partition("\n")[0], len(mistakes)
+    more = f" (the first of {many}: fuzzytime rules check tells all)" if many > 1 else ""
+    return Check("tables", good=False, finding=first + more)
 
 
 def _settings(environment: Mapping[str, str]) -> Check:

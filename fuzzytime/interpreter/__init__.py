@@ -11,18 +11,24 @@ Understanding (``interpreter``)
     Repeated beside something else: ``inside``, ``behind``, ``each_turn``, ``of_each``, ``passing``,
     ``turns_in_bounds``.
     Done ``meanwhile``.
-    Who, and how far ahead: ``asked``, ``horizon``.
+    Who, and how far ahead: ``asked``, ``horizon``, ``waking_hours``.
 
 What binds skills
     References: ``references``, ``ties``, ``circles``; what cannot be done during another (``both_hands``).
     Order: ``in_order`` by ``steps``, ``procedures``, ``same_things``, ``loosening``.
-    Where some skills are left out: ``renumbering``.
+    Where some skills are left out: ``renumbering``; what waits is set ``apart``.
 
 Planning (``planner``)
     What happens by itself, and what has begun: ``happening``, ``started``.
 """
 
-from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.interpretation import (
+    IN_THE_PLAN,
+    Interpretation,
+    Interpreted,
+    Problem,
+    ProblemKind,
+)
 from fuzzytime.interpreter.interpreter import Interpreter
 from fuzzytime.interpreter.planner import Plan, plan, scheduled, task_of, understood
 from fuzzytime.interpreter.request import (
@@ -37,6 +43,7 @@ from fuzzytime.interpreter.request import (
 )
 
 __all__ = [
+    "IN_THE_PLAN",
     "MAX_HORIZON",
     "WITHOUT_END",
     "DirectWish",

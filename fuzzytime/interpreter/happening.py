@@ -69,7 +69,8 @@ def _without_cancelled(entries: Sequence[Precedence], skills: list[Interpreted])
 def without_time(one: Interpreted, cancelled: Interpreted) -> Interpreted:
     """Give what was to come beside something that will not happen: at no time."""
     reason = f"its time is told by {cancelled.skill.name!r}, which will not happen"
-    return replace(one, skill=replace(one.skill, satisfaction=NEVER, preferred=None), reason=reason)
+    skill = replace(one.skill, satisfaction=NEVER, preferred=None)
+    return replace(one, skill=skill, reason=reason, waits=False)
 
 
 def _tied(

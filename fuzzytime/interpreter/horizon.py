@@ -56,6 +56,11 @@ def _waits(interpreted: Interpreted) -> float:
     return max(lags, default=0.0)
 
 
+def passed(since: float) -> str:
+    """Say that the last time that would satisfy is over, since so many seconds."""
+    return f"its time passed {format_duration(since)} ago"
+
+
 def within_horizon(interpreted: Interpreted, horizon: float, request: Request) -> Interpreted:
     """Close an open wish at the horizon; one beyond what the request allows, or before now, never satisfies.
 
@@ -70,7 +75,7 @@ def within_horizon(interpreted: Interpreted, horizon: float, request: Request) -
         ahead, limit = format_duration(support.low), format_duration(request.horizon or MAX_HORIZON)
         reason = f"its time is {ahead} ahead, beyond the horizon of {limit} (a longer one can be given)"
     elif support.high < 0:
-        reason = f"its time passed {format_duration(-support.high)} ago"
+        reason = passed(-support.high)
     closed = NEVER if reason != interpreted.reason else _closed(function, horizon)
     return replace(interpreted, skill=_with(interpreted.skill, closed), reason=reason)
 

@@ -67,7 +67,9 @@ def going_on(
     order = range(len(before) - 1, -1, -1) if named is None else [named]
     for target in order:
         made = [skills[place] for place in before[target]] if 0 <= target < len(before) else []
-        if len(made) == 1 and _goes_on(made[0], interval):
+        # What words name may be told to last for one turn alone.
+        least = interval + 1.0 if named is not None else TWICE * interval
+        if len(made) == 1 and _goes_on(made[0], least):
             one = made[0]
             begins = _begins_behind(repeated.recurrence, interval, one)
             if begins and (named is not None or _is_about(instruction, one)):
@@ -108,10 +110,10 @@ def _named(instruction: Instruction) -> int | None:
     return next((anchor.target for anchor in anchors if anchor.target is not None), None)
 
 
-def _goes_on(one: Interpreted, interval: float) -> bool:
+def _goes_on(one: Interpreted, least: float) -> bool:
     """Whether a skill lasts long enough, by itself or because somebody says so."""
     itself = one.skill.time_until_done > one.skill.duration or not one.duration.assumed
-    return itself and one.skill.time_until_done >= TWICE * interval
+    return itself and one.skill.time_until_done >= least
 
 
 def _is_about(instruction: Instruction, one: Interpreted) -> bool:

@@ -18,7 +18,12 @@ class ProblemKind(StrEnum):
     UNRESOLVED = "unresolved reference"
     NOTHING_TO_DO = "nothing to do"
     REJECTED = "rejected"
+    WAITS = "waits"
     NOTE = "note"
+
+
+IN_THE_PLAN = frozenset({ProblemKind.NOTE, ProblemKind.REJECTED, ProblemKind.WAITS})
+"""What a plan that is drawn shows by itself: nothing of it was misunderstood."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,6 +62,8 @@ class Interpreted:
         The fuzzy skill, ψ over seconds from the request's now.
     reason
         Why ψ is 0 everywhere; empty where it is not.
+    waits
+        Whether that is so only because nobody has told yet what it waits for: it has no time so far.
     follows
         Identifiers of the skills that it asked to come after; without them it makes no sense.
     in_order
@@ -78,6 +85,7 @@ class Interpreted:
     requirements: tuple[TimeRequirement, ...] = ()
     resolutions: tuple[Resolution, ...] = ()
     reason: str = ""
+    waits: bool = False
     follows: tuple[str, ...] = ()
     in_order: bool = False
     tied_to: tuple[str, ...] = ()
@@ -120,10 +128,17 @@ class Interpretation:
     """All wishes understood: skills in order, what binds them, what was not understood, how far ahead.
 
     ``order`` binds what is done in the order said, as long as that keeps nothing from its own time.
+    ``waiting`` is set apart, and nothing binds it: it has no time until somebody tells what it waits for.
     """
 
     skills: tuple[Interpreted, ...]
+    waiting: tuple[Interpreted, ...] = ()
     precedences: tuple[Precedence, ...] = ()
     order: tuple[Precedence, ...] = ()
     problems: tuple[Problem, ...] = ()
     horizon: float = 0.0
+
+    @property
+    def everything(self) -> tuple[Interpreted, ...]:
+        """The skills to schedule, and behind them what waits."""
+        return (*self.skills, *self.waiting)

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
+from fuzzytime.interpreter.apart import asks_for_first
 from fuzzytime.interpreter.in_order import without
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, ProblemKind
 from fuzzytime.interpreter.remarks import problem_of
@@ -36,7 +37,9 @@ def loosened(interpretation: Interpretation, rejected: Sequence[bool] | None = N
             continue
         lost = rejected is not None and _falls_with(position, interpretation.precedences, rejected)
         precedences = tuple(
-            entry for entry in precedences if entry.first != position or _asked(entry, interpretation)
+            entry
+            for entry in precedences
+            if entry.first != position or asks_for_first(entry, interpretation.skills)
         )
         frees = not hopeless and not lost and _has_time(one)
         looser = without(order, position, also_before=frees)
@@ -56,15 +59,8 @@ def loosened(interpretation: Interpretation, rejected: Sequence[bool] | None = N
 
 def may_be_loosened(interpretation: Interpretation) -> bool:
     """Whether what a schedule rejects could loosen what binds the others."""
-    return bool(interpretation.order) or not all(
-        _asked(entry, interpretation) for entry in interpretation.precedences
-    )
-
-
-def _asked(entry: Precedence, interpretation: Interpretation) -> bool:
-    """Whether the second of two asked for the first: "serve it after frying", not "set it before dinner"."""
-    first, second = interpretation.skills[entry.first], interpretation.skills[entry.second]
-    return first.identifier in second.follows or first.wish.identifier in second.wish.after
+    asked = (asks_for_first(entry, interpretation.skills) for entry in interpretation.precedences)
+    return bool(interpretation.order) or not all(asked)
 
 
 def _falls_with(position: int, entries: Iterable[Precedence], rejected: Sequence[bool]) -> bool:

@@ -7,6 +7,7 @@ from itertools import islice
 
 from fuzzytime.interpreter.behind import Behind
 from fuzzytime.interpreter.each_turn import EachTurn
+from fuzzytime.interpreter.horizon import passed
 from fuzzytime.interpreter.how_long import HowLong
 from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
@@ -16,6 +17,7 @@ from fuzzytime.interpreter.of_each import OfEach
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.retold import from_to, going_to, occurrence, until_then, waiting_until
 from fuzzytime.interpreter.waits import with_waits, without_readings
+from fuzzytime.interpreter.waking_hours import within_hours
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
@@ -97,7 +99,10 @@ class Maker:
             rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
             times = islice(inside.times(repeated, recurrence, until), MAX_OCCURRENCES)
             return [self._interpreted(wish, reading, instruction, (*time, *rest)) for time in times]
-        windows = recurrence.windows(until)[:MAX_OCCURRENCES]
+        windows = recurrence.windows(until)
+        if self.request.horizon is None:
+            windows = within_hours(windows, recurrence, wish.given, -passed, self.lexicon.policy)
+        windows = windows[:MAX_OCCURRENCES]
         if not windows and self.request.horizon is None:
             # "Every monday" has one, however far away the monday is.
             windows = recurrence.windows(MAX_HORIZON - passed)[:1]
@@ -142,8 +147,7 @@ class Maker:
             if not is_day_of_another(own, places)
         ]
         function, named = self._moved(wish, self._joined(wish, offered), self._named(wish, offered))
-        never = (one[0].reason for one in offered if all(part.reason for part in one))
-        reason = next((reason for reason in never if reason), "")
+        reason, waits = self._why_never(wish, offered)
         if not reason and function.support.empty:
             reason = "what is said about its time contradicts itself"
         skill = self._skill(wish, operation.name if operation is not None else wish.text, function, duration)
@@ -159,6 +163,7 @@ class Maker:
                 skill,
                 fuzzy_parameters=instruction.fuzzy_parameters,
                 parameters=_parameters(operation),
+                by_the_clock=bool(requirements) and not any(map(_is_told, requirements)),
             ).starting_near(*named),
             duration=duration,
             reading=reading,
@@ -166,6 +171,7 @@ class Maker:
             requirements=requirements,
             resolutions=tuple(resolutions) if requirements else (self.rulebook.untimed(),),
             reason=reason,
+            waits=waits,
         )
 
     def _resolved(
@@ -194,6 +200,18 @@ class Maker:
             part = either([one.satisfaction.shifted(self._origin(wish, one)) for one in alternatives])
             joined = both(joined, part)
         return joined
+
+    def _why_never(self, wish: Wish, offered: list[list[Resolution]]) -> tuple[str, bool]:
+        """Give why no time satisfies, and whether that is only as nobody has told yet what it waits for."""
+        never = [one for one in offered if all(part.reason for part in one)]
+        untold = [part.reason for one in never for part in one if part.untold]
+        for one in never:
+            if not any(part.untold for part in one):
+                return one[0].reason or "", False
+        left = self._joined(wish, [one for one in offered if one not in never]).support.high
+        if untold and left < 0:
+            return passed(-left), False
+        return next(iter(untold), None) or "", bool(untold)
 
     def _named(self, wish: Wish, offered: list[list[Resolution]]) -> tuple[float, ...]:
         """Give the start that was named, on the request's timeline, with its alternatives."""
@@ -257,6 +275,12 @@ class Maker:
         again = self._interpreted(wish, reading, instruction, (*before, *more))
         skill = replace(again.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
         return replace(again, skill=skill, duration=made.duration)
+
+
+def _is_told(requirement: TimeRequirement) -> bool:
+    """Whether a requirement names a moment, or something that tells when: "after nine", "once it is dry"."""
+    named = (requirement.t_spec, requirement.condition, requirement.anchor)
+    return named != (None, None, None)
 
 
 def _parameters(operation: Operation | None) -> dict[str, str]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cached_property
 
+from fuzzytime.interpreter.apart import apart
 from fuzzytime.interpreter.both_hands import behind_each_other
 from fuzzytime.interpreter.happening import attended, clashes, happening
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
@@ -35,6 +36,20 @@ class Plan:
     def skills(self) -> tuple[Interpreted, ...]:
         """The skills in the order of the request, as in the schedule's task."""
         return self.interpretation.skills
+
+    @property
+    def waiting(self) -> tuple[Interpreted, ...]:
+        """What has no time yet: nobody has told what it waits for."""
+        return self.interpretation.waiting
+
+    @property
+    def everything(self) -> tuple[Interpreted, ...]:
+        """The skills, and behind them what waits: a skill's place among them is its position."""
+        return self.interpretation.everything
+
+    def has_time(self, position: int) -> bool:
+        """Say whether a skill has a time: it is neither rejected, nor waits."""
+        return position < len(self.skills) and not self.schedule.rejected[position]
 
     @cached_property
     def shared_names(self) -> frozenset[str]:
@@ -67,6 +82,7 @@ def task_of(interpretation: Interpretation, request: Request) -> FuzzyTask:
         request.agents,
         (*interpretation.precedences, *interpretation.order),
         tuple(busy for busy in request.busy if busy.start < over),
+        past_hour=60.0 * request.now.minute + request.now.second + request.now.microsecond / 1e6,
     )
 
 
@@ -105,7 +121,7 @@ def plan(
 
 
 def understood(request: Request, interpreter: Interpreter) -> tuple[Request, Interpretation]:
-    """Interpret a request and set apart what has started: it holds its agents, and is open no more.
+    """Interpret a request and set apart what waits, and what has started: that is open no more.
 
     Raises
     ------
@@ -124,7 +140,7 @@ def understood(request: Request, interpreter: Interpreter) -> tuple[Request, Int
         if one.cancelled
     )
     interpretation, held = without_started(interpretation, (*request.started, *over))
-    return replace(request, busy=(*busy, *held)), interpretation
+    return replace(request, busy=(*busy, *held)), apart(interpretation)
 
 
 def scheduled(

@@ -113,7 +113,8 @@ def _without_target(
         message, kind = f"refers to {text!r}, which was done already", ProblemKind.NOTE
     elif waits or exact:
         skill = replace(this.skill, satisfaction=NEVER)
-        this = replace(this, skill=skill, reason=this.reason or message)
+        waits = this.waits or not this.reason
+        this = replace(this, skill=skill, reason=this.reason or message, waits=waits)
     else:
         message += ": taken as not held up by it"
     return this, problem_of(this.wish, kind, message, requirement.span, this.identifier)

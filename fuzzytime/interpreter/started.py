@@ -76,7 +76,8 @@ def _possible(interpreted: Interpreted, failed: set[str]) -> Interpreted:
     if lost is None:
         return interpreted
     never = replace(interpreted.skill, satisfaction=NEVER)
-    return replace(interpreted, skill=never, reason=f"must come after {lost}, which failed")
+    reason = f"must come after {lost}, which failed"
+    return replace(interpreted, skill=never, reason=reason, waits=False)
 
 
 def _released(interpreted: Interpreted, first: Started, precedence: Precedence) -> Interpreted:

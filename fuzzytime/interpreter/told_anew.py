@@ -73,7 +73,8 @@ def told_anew(
     by = (*made.told_by, wish.identifier)
     if news.kind is NewsKind.CANCELLED:
         never = replace(made.skill, satisfaction=NEVER)
-        return replace(made, skill=never, reason="it was told not to happen", cancelled=True, told_by=by)
+        reason = "it was told not to happen"
+        return replace(made, skill=never, reason=reason, waits=False, cancelled=True, told_by=by)
     if made.instruction is None:
         return made
     sooner = replace(news, by=told - moment_of(made)) if news.kind is NewsKind.THERE else news

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.language import Instruction, Lexicon, Reading, content_words, nouns_of, reported
+from fuzzytime.language import Instruction, Lexicon, Reading, content_words, nouns_of
 from fuzzytime.language.grammar.words import words_of
 
 AND = "and"
@@ -17,8 +17,6 @@ def why_nothing(
 
     ``before`` is what was asked for before it.
     """
-    if reported(reading, lexicon) is not None:
-        return "tells what was done, and asks for nothing"
     if instruction.operation is None:
         return "says a time but nothing to do"
     if _is_about_others(instruction, before, lexicon):

@@ -69,7 +69,7 @@ def answer(reading: Reading) -> dict[str, Any]:
 def _foremost(operations: Iterable[Operation | None]) -> dict[str, Any] | None:
     """Give the first operation that is to be done, or that happens: "the bus leaves at six, call a taxi"."""
     named = [operation for operation in operations if operation is not None]
-    return _operation(min(named, key=lambda operation: operation.stated, default=None))
+    return _operation(min(named, key=lambda one: one.stated or one.negated, default=None))
 
 
 def _operation(operation: Operation | None) -> dict[str, Any] | None:

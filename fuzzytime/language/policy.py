@@ -62,6 +62,9 @@ class Policy:
         The first hour from which two number words alone ("eight forty") are a clock time.
     planned_from
         The first year of plans; those before it are of things: "films from 2003".
+    round_the_clock_hours
+        What is done every so many hours or more, and has no end, goes on at night: a shorter repetition ends
+        with the hours between ``plausible_from`` and ``plausible_to`` in which it begins, or with the night.
     kept_off
         Minutes on either side of a clock time at which something is not to be done.
     ask
@@ -85,6 +88,7 @@ class Policy:
     date_order: DateOrder = DateOrder.MONTH_DAY
     bare_pair_from: int = 8
     planned_from: int = 2020
+    round_the_clock_hours: int = 4
     kept_off: int = 30
     ask: bool = True
 

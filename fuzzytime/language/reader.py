@@ -5,10 +5,11 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 
+from fuzzytime.language.about_wishes import reported
 from fuzzytime.language.finding import check_length, lexicon_with, shipped_grammar, shipped_lexicon
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Reading, RemarkKind, Span, overlap
+from fuzzytime.language.instruction import Operation, Reading, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.lines import with_stops
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.compose import composed
@@ -136,7 +137,7 @@ class Language:
                 since = given_since[place]
                 readings[place] = composed(draft, self.lexicon, mentions, first, awaits=True, since=since)
             first = behind
-        return _as_typed(readings, texts)
+        return self._as_typed(readings, texts)
 
     def read_independent(self, texts: Iterable[tuple[str, datetime | None]]) -> list[Reading]:
         """Read texts that do not know of each other.
@@ -148,7 +149,16 @@ class Language:
         """
         texts = list(texts)
         readings = [composed(draft, self.lexicon, Mentions(self.lexicon), 0) for draft in self._drafts(texts)]
-        return _as_typed(readings, texts)
+        return self._as_typed(readings, texts)
+
+    def _as_typed(
+        self, readings: Sequence[Reading], texts: Sequence[tuple[str, datetime | None]]
+    ) -> list[Reading]:
+        """Give readings with the texts as they were typed, and a note on those that only report."""
+        return [
+            _with_report(reading if reading.text == text else replace(reading, text=text), self.lexicon)
+            for reading, (text, _) in zip(readings, texts, strict=True)
+        ]
 
     def _drafts(self, texts: list[tuple[str, datetime | None]]) -> list[Draft]:
         for text, _ in texts:
@@ -181,12 +191,14 @@ class Language:
         return made
 
 
-def _as_typed(readings: list[Reading], texts: Sequence[tuple[str, datetime | None]]) -> list[Reading]:
-    """Give readings with the texts as they were typed."""
-    return [
-        reading if reading.text == text else replace(reading, text=text)
-        for reading, (text, _) in zip(readings, texts, strict=True)
-    ]
+def _with_report(reading: Reading, lexicon: Lexicon) -> Reading:
+    """Give a reading with a note where it reports what was done, and asks for nothing: "I fed the cat"."""
+    if reported(reading, lexicon) is None:
+        return reading
+    (instruction,) = reading.instructions
+    message = f"{reading.text[slice(*instruction.span)].strip()!r} tells what was, and says nothing to do"
+    remark = Remark(RemarkKind.NOT_UNDERSTOOD, instruction.span, message)
+    return replace(reading, remarks=(*reading.remarks, remark))
 
 
 def _times_in(reading: Reading) -> Iterator[TimeRequirement]:

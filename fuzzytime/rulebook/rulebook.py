@@ -134,6 +134,7 @@ class Rulebook:
             shares=said.shares,
             hedges=said.hedges,
             reason=reason,
+            untold=said.untold,
             notes=said.notes,
             trace=said.trace,
             reference=reference,

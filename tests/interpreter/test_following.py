@@ -263,7 +263,7 @@ def test_what_begins_beyond_the_last_year_is_read_all_the_same() -> None:
 
 def test_a_condition_behind_what_comes_first_is_no_part_of_it() -> None:
     made = told(["Nap from one till two", "Walk the dog after the nap if the path is dry"])
-    (instruction,) = made.skills[1].requirements[:1]
+    (instruction,) = made.waiting[0].requirements[:1]
     assert instruction.anchor is not None
     assert instruction.anchor.target == 0
     assert not any("none so far does" in note for note in notes(made))

@@ -108,7 +108,9 @@ def test_what_comes_after_what_happens_waits_for_it() -> None:
 def test_what_was_done_is_not_planned_and_said(line: str) -> None:
     made = told([line])
     assert not made.skills
-    assert [problem.message for problem in made.problems] == ["tells what was done, and asks for nothing"]
+    assert [problem.message for problem in made.problems] == [
+        f"{line!r} tells what was, and says nothing to do"
+    ]
 
 
 @pytest.mark.parametrize("line", ["I put the bins out", "I want the cat fed", "I have to call mum"])

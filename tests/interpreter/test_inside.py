@@ -51,9 +51,9 @@ def test_after_a_repetition_inside_something_is_after_that() -> None:
     assert starts(made)["s3"] == "08:00"
 
 
-def test_what_no_occurrence_can_satisfy_is_one_loss() -> None:
+def test_of_what_no_occurrence_can_satisfy_yet_one_waits() -> None:
     made = told(["take a sample every 15 minutes during the flood"])
-    assert len(made.skills) == 1
+    assert (len(made.skills), len(made.waiting)) == (0, 1)
 
 
 @pytest.mark.parametrize(
@@ -166,3 +166,11 @@ def test_another_day_is_not_bounded_by_what_goes_on_today() -> None:
 def test_hours_on_a_line_above_are_no_length_of_what_is_below() -> None:
     made = told(["From 2 to 4 pm:", "mow the lawn", "call Ann at 3 pm"])
     assert starts(made)["s3"] == "15:00"
+
+
+def test_what_words_name_may_last_for_one_turn_alone() -> None:
+    made = told(
+        ["rehearse from nine to half past eleven", "take a break every 90 minutes during the rehearsal"]
+    )
+    assert [time for name, time in starts(made).items() if name.startswith("s2")] == ["10:30"]
+    assert made.schedule.satisfaction == 1.0

@@ -144,3 +144,24 @@ def test_an_order_or_an_entry_is_no_title(line: str) -> None:
 def test_a_remark_below_a_heading_quotes_its_words() -> None:
     *_, below = Language.shipped().read_all([("Before the guests, at seven:", NOW), ("lay the table", NOW)])
     assert any(remark.message.startswith("'at seven' is taken as 19:00") for remark in below.remarks)
+
+
+@pytest.mark.parametrize("line", ["Tech rehearsal", "Sports day", "School run", "Stunt day 3"])
+def test_a_first_line_above_hours_that_only_names_something_is_a_title(line: str) -> None:
+    title, *_ = Language.shipped().read_all([(t, NOW) for t in (line, "van at 10", "tea at 11", "out at 12")])
+    assert title.instructions == ()
+    assert [remark.message for remark in title.remarks] == [
+        f"{line!r} is taken as what the lines below it are about"
+    ]
+
+
+@pytest.mark.parametrize("line", ["Call mum", "Feed hens", "Dentist", "Wash the van"])
+def test_a_first_line_above_hours_that_may_be_an_entry_is_no_title(line: str) -> None:
+    first, *_ = Language.shipped().read_all([(t, NOW) for t in (line, "van at 10", "tea at 11", "out at 12")])
+    assert not any("lines below it" in remark.message for remark in first.remarks)
+
+
+@pytest.mark.parametrize("line", ["Gala, Friday 80 guests", "Friday - kerb pour", "Packing list Friday"])
+def test_a_title_gives_its_day_beside_what_it_names(line: str) -> None:
+    *_, mow = _times(line, "van at 10", "tea at 11", "out at 12", "mow the lawn")
+    assert [part.earliest for part in mow] == [2 * DAY - 9 * 3600]

@@ -36,7 +36,7 @@ HEDGES = entries("hedge")
 AFTERTHOUGHTS = [entry for entry in entries("hedge_after") if entry.words != ("ish",)]
 BESIDE = entries("beside")
 DEADLINES = entries("preposition_before")
-RELEASES = entries("preposition_after")
+RELEASES = [entry for entry in entries("preposition_after") if entry.words != ("since",)]
 MORE_OR_LESS = {"at least": Constraint.AFTER, "more than": Constraint.AFTER}
 MORE_OR_LESS |= {"at most": Constraint.BEFORE, "less than": Constraint.BEFORE}
 

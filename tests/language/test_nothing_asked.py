@@ -90,6 +90,17 @@ def test_what_is_not_to_be_asks_for_nothing(text: str) -> None:
     assert "what is not to be" in " ".join(remark.message for remark in reading.remarks)
 
 
+@pytest.mark.parametrize(
+    "text", ["The call's been moved to 4", "call moved to 4pm", "The call was postponed to 4"]
+)
+def test_what_was_moved_happens_at_its_new_time(text: str) -> None:
+    (instruction,) = language().read(text, now=NOW).instructions
+    assert instruction.operation is not None
+    assert instruction.operation.stated
+    assert instruction.operation.name.lower().removeprefix("the ") == "call"
+    assert [r.constraint for r in instruction.requirements] == [Constraint.AT]
+
+
 @pytest.mark.parametrize("text", ["No later than six call mum", "No rush, call mum", "No, call mum at six"])
 def test_no_alone_forbids_nothing(text: str) -> None:
     operations = [instruction.operation for instruction in language().read(text, now=NOW).instructions]
@@ -104,7 +115,7 @@ def test_a_number_that_counts_something_else_is_no_time() -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["The call's been moved to 4", "The meeting has been moved to 4", "The lesson's been cancelled"],
+    ["I fed the cat at 4", "The boxes were moved at 4", "The lesson's been cancelled"],
 )
 def test_what_has_been_done_is_not_done_again(text: str) -> None:
     reading = language().read(text, now=NOW)
@@ -160,3 +171,19 @@ def test_otherwise_denies_the_condition_before_it() -> None:
     first, second = language().read("if the pan is hot flip it, otherwise heat the pan", now=NOW).instructions
     said = [i.requirements[0].condition for i in (first, second)]
     assert [condition is not None and condition.negated for condition in said] == [False, True]
+
+
+@pytest.mark.parametrize("text", ["I swept the yard", "we've watered the ferns"])
+def test_what_was_done_without_a_time_is_pointed_at(text: str) -> None:
+    assert [remark.message for remark in language().read(text, now=NOW).remarks] == [
+        f"{text!r} tells what was, and says nothing to do"
+    ]
+
+
+def test_whom_a_sentence_without_a_comma_asks_is_kept() -> None:
+    instructions = language().read("lucy dust the piano and bob mop up", now=NOW).instructions
+    assert [one.operation and one.operation.addressee for one in instructions] == ["lucy", "bob"]
+    reading = language().read("sarah could you feed the cat at noon", now=NOW)
+    assert [
+        one.operation and (one.operation.addressee, one.operation.stated) for one in reading.instructions
+    ] == [("sarah", False)]

@@ -325,7 +325,7 @@ def test_a_time_of_which_nothing_tells_when_it_is_is_pointed_at(text: str, said:
     assert f"{said!r} looks like a time and was not understood" in messages
 
 
-@pytest.mark.parametrize(("text", "number"), [("plank 10", "10"), ("brb 5", "5"), ("simmer ten", "ten")])
+@pytest.mark.parametrize(("text", "number"), [("plank 10", "10"), ("steep 5", "5"), ("simmer ten", "ten")])
 def test_a_number_of_which_nothing_says_what_it_counts_is_pointed_at(text: str, number: str) -> None:
     (remark,) = language().read(text, now=NOW).remarks
     assert remark.kind is RemarkKind.NOT_UNDERSTOOD

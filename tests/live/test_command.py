@@ -176,7 +176,7 @@ def test_one_who_stops_it_is_told_what_was_started_and_commands_are_ended(
 
 def test_at_sixty_times_the_speed_a_pan_that_gets_hot_is_used(tmp_path: Path) -> None:
     with started(tmp_path, "-i", "Flip the pancakes when the pan is hot", "--speed", "60") as process:
-        assert next_of(process, "rejected")["reason"] == "not enough readings of pan_temp"
+        assert next_of(process, "waits")["reason"] == "not enough readings of pan_temp"
         say(process, {"signal": "pan_temp", "value": 60})
         assert next_of(process, "moved")["before_s"] is None
         hot = {"signal": "pan_temp", "value": 205}

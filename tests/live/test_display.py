@@ -34,6 +34,7 @@ EVENTS: list[tuple[Event, str]] = [
     (told.Done(**WHO), "done "),
     (told.Moved(**WHO, before_s=None, after_s=120.0), ": never → 18:02:00"),
     (told.Rejected(**WHO, reason=EVIL), "rejected"),
+    (told.Waits(**WHO, reason=EVIL), "waits"),
     (told.Failed(**WHO, reason=EVIL), "failed"),
     (told.Dropped(**WHO, reason=EVIL), "dropped"),
     (told.Missed(**WHO, planned_s=60.0), "it was to start at 18:01:00"),

@@ -24,6 +24,7 @@ from fuzzytime_cli.live.events import (
     Start,
     Stopped,
     Trouble,
+    Waits,
 )
 from fuzzytime_cli.live.inbox import Stop
 from live.story import Json, NappingClock, told, wish
@@ -103,6 +104,27 @@ def test_an_occurrence_of_a_repetition_starts_once() -> None:
     assert all(later - earlier > 100 for earlier, later in itertools.pairwise(starts))
 
 
+@pytest.mark.parametrize(
+    ("wait", "words"),
+    [
+        ("Take the tents down once the dew is off", "the dew is off"),
+        ("Order the parts if the tray is ok", "The tray is ok."),
+    ],
+)
+def test_what_waits_starts_when_somebody_tells_that_it_may(wait: str, words: str) -> None:
+    story = told([wait, "Stir the soup now"], [{"say": words, "at_s": 600}])
+    assert story.one(Waits).id == "s1"
+    assert "s2" in story.starts
+    assert story.starts["s1"] == pytest.approx(600, abs=1)
+    assert story.one(Finished).unfinished == ()
+
+
+def test_what_nothing_waits_for_is_no_news() -> None:
+    story = told(["Take the tents down once the dew is off"], [{"say": "the tray is ok", "at_s": 600}])
+    assert story.one(Finished).unfinished == ("s1",)
+    assert "names nothing to do" in story.one(Trouble).message
+
+
 # -- readings -----------------------------------------------------------------------------------------------
 
 
@@ -155,15 +177,16 @@ def test_readings_as_they_were_expected_change_nothing() -> None:
     assert len(story.all(Planned)) <= 2
 
 
-def test_a_sensor_that_dies_is_told_and_what_waits_for_it_is_rejected() -> None:
+def test_a_sensor_that_dies_is_told_and_what_waits_for_it_has_no_time() -> None:
     story = told(
         [FLIP, wish("Set the table in exactly fifteen minutes", "table")], pan(100, level=120, tau=300)
     )
     silent = story.one(Silent)
     assert (silent.signal, silent.read_s) == ("pan_temp", 100.0)
     assert silent.at == pytest.approx(100 + 300, abs=0.1)
-    assert "not enough readings of pan_temp" in story.of(Rejected, "flip")[-1].reason
+    assert "not enough readings of pan_temp" in story.of(Waits, "flip")[-1].reason
     assert "table" in story.starts
+    assert story.all(Finished)[-1].unfinished == ("flip",)
 
 
 def test_a_sensor_that_speaks_again_is_heard() -> None:

@@ -152,7 +152,7 @@ def test_what_goes_on_until_a_condition_holds_is_too_late_when_it_holds() -> Non
 
 def test_an_unknown_thing_and_an_unknown_term_are_said() -> None:
     assert resolved(when("when the moon is blue", "moon", "blue"), HEATING).reason == (
-        "no signal tells 'when the moon is blue'"
+        "nothing tells 'when the moon is blue'"
     )
     reason = resolved(when("when the pan is purple", "pan", "purple"), HEATING).reason
     assert reason == "'pan' has no term 'purple' (known: cold, warm, hot, smoking)"

@@ -8,8 +8,25 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fuzzytime.satisfaction import ALWAYS, Bell, Rectangle, Sampled, Trapezoid, Triangle
-from fuzzytime.scheduling import EarliestStart, HeldKarp, LocalSearch, Nearness, Schedule, Solver, solve
+from fuzzytime.satisfaction import (
+    ALWAYS,
+    Bell,
+    Rectangle,
+    Sampled,
+    SatisfactionFunction,
+    Trapezoid,
+    Triangle,
+)
+from fuzzytime.scheduling import (
+    EarliestStart,
+    HeldKarp,
+    LocalSearch,
+    Nearness,
+    Schedule,
+    Solver,
+    Status,
+    solve,
+)
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.random_tasks import faults, random_task
 
@@ -124,3 +141,64 @@ def test_what_may_be_at_any_time_is_near_to_what_was_named(agents: int, rest: fl
     schedule = solve(FuzzyTask((read, call, ring), agents, busy=(Busy(840.0, 960.0),)))
     assert schedule.start_times == (rest, 1200.0, 960.0)
     assert not faults(schedule)
+
+
+EVENING = Trapezoid(2 * 3600, 2.4 * 3600, 5 * 3600, 6 * 3600)
+
+
+@pytest.mark.parametrize(
+    ("past_hour", "others", "starts"),
+    [
+        # At 16:00 "this evening" is fully there at 18:24; a quarter of an hour is rounder than five minutes.
+        (0.0, (), [8640.0 + 360]),
+        (60.0, (), [8640.0 + 300]),
+        # Somebody comes at 18:34, so that 18:30 is too late, and 18:25 is not.
+        (0.0, (Triangle(9150, 9240, 9330),), [8640.0 + 60, 9240.0]),
+        # What was named right behind it does not move, nor what comes before that.
+        (0.0, (Triangle(8740, 8940, 9140),), [8640.0, 8940.0]),
+    ],
+)
+def test_where_a_vague_time_begins_the_clock_is_round(
+    past_hour: float, others: tuple[SatisfactionFunction, ...], starts: list[float]
+) -> None:
+    first = replace(FuzzySkill("bathe", EVENING, 300.0), by_the_clock=True)
+    rest = tuple(FuzzySkill("call", one, 60.0).starting_near(one.best.low) for one in others)
+    schedule = solve(FuzzyTask((first, *rest), past_hour=past_hour))
+    assert list(schedule.start_times) == pytest.approx(starts)
+    assert schedule.satisfaction == 1.0
+    assert schedule.certificate.status is Status.OPTIMAL
+
+
+@pytest.mark.parametrize(
+    "wish",
+    [
+        Rectangle(8640, 20000),
+        Trapezoid(-1000, 0, 5000, 6000),
+        Trapezoid(250, 500, 5000, 6000),
+        Trapezoid(8000, 8640, 8690, 20000),
+    ],
+    ids=["told to the minute", "now", "soon", "over before it is round"],
+)
+def test_a_time_that_somebody_told_is_not_rounded(wish: SatisfactionFunction) -> None:
+    skill = replace(FuzzySkill("bathe", wish, 300.0), by_the_clock=True)
+    assert solve(FuzzyTask((skill,))).start_times == (max(0.0, wish.best.low),)
+    untold = FuzzySkill("bathe", EVENING, 300.0)
+    assert solve(FuzzyTask((untold,))).start_times == (8640.0,)
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(0, 100_000), st.floats(0, 3600))
+def test_a_round_clock_costs_nobody_anything(seed: int, past_hour: float) -> None:
+    plain = random_task(seed)
+    stretched = tuple(
+        replace(skill, satisfaction=skill.satisfaction.shifted(1800.0), by_the_clock=seed % 2 == place % 2)
+        for place, skill in enumerate(plain.skills)
+    )
+    task = replace(plain, skills=stretched, past_hour=past_hour)
+    round_ones, others = (
+        solve(task),
+        solve(replace(task, skills=tuple(replace(s, by_the_clock=False) for s in stretched))),
+    )
+    assert not faults(round_ones)
+    assert round_ones.weighted_cost <= others.weighted_cost + 1e-8
+    assert round_ones.certificate.status is others.certificate.status

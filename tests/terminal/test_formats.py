@@ -73,11 +73,13 @@ def test_pictures_and_pages_are_well_formed_and_load_nothing(kind: str, tmp_path
     assert "<script" not in text
 
 
-def test_what_is_rejected_has_no_bar_in_a_picture(tmp_path: Path) -> None:
-    wishes = ("-i", "Flip the pancakes when the pan is hot", "-i", "Stir the soup now")
+@pytest.mark.parametrize(("reading", "word"), [("150", "rejected"), (None, "waits")])
+def test_what_has_no_time_has_no_bar_in_a_picture(tmp_path: Path, reading: str | None, word: str) -> None:
+    wishes = ["-i", "Hang up the laundry when the washing machine is done", "-i", "Stir the soup now"]
+    wishes += ["--ctx", f"washer_power={reading}"] if reading else []
     document = minidom.parseString(written(tmp_path, "svg", *wishes))  # noqa: S318 - our own output
     words = [getattr(node.firstChild, "data", "") for node in document.getElementsByTagName("text")]
-    assert {"flip the pancakes", "rejected"} <= set(words)
+    assert {"hang up the laundry", word} <= set(words)
     bars = [node for node in document.getElementsByTagName("rect") if not _in_legend(node)]
     assert len(bars) == 1
 
@@ -202,7 +204,11 @@ def test_seconds_are_shown_where_minutes_are_not_enough(tmp_path: Path) -> None:
     assert "s1 09:01 09:02" in minutes
     assert "s2 09:21 09:31" in minutes
     assert "s1 09:00:42 09:01:42" in table("Stir the soup now")
-    assert "s1 09:00:42 09:01:12" in table("Pour the coffee now", "Call mum in about 20 minutes")
+    later = "Call mum in about 20 minutes"
+    assert "s1 09:00:42 09:01:12" in table("Pour the coffee now")
+    assert "s1 09:01 09:01" in table("Pour the coffee now", later)
+    rows = table("Stir the soup for 20 seconds now", later).splitlines()
+    assert [row.split()[1:3] for row in rows[1:3]] == [["09:00:42", "09:01:02"], ["09:21", "09:31"]]
 
 
 def test_many_occurrences_that_go_as_asked_stand_in_one_row(tmp_path: Path) -> None:

@@ -168,7 +168,7 @@ def test_a_conversation_that_is_killed_comes_back_whole(tmp_path: Path) -> None:
     assert talk.stdout is not None
     talk.stdin.write(b"stir the soup in about ten minutes\n")
     talk.stdin.flush()
-    while b"proved" not in (line := talk.stdout.readline()):
+    while b"durations assumed" not in (line := talk.stdout.readline()):
         assert line
     os.kill(talk.pid, signal.SIGKILL)
     talk.communicate()

@@ -1,6 +1,7 @@
 """The lanes of a plan on a terminal."""
 
 from datetime import datetime
+from pathlib import Path
 
 import pytest
 
@@ -8,6 +9,7 @@ from fuzzytime.satisfaction import NEVER, Bell, Sampled, SatisfactionFunction, T
 from fuzzytime_cli.drawing.ticks import axis, ticks
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.timeline import SHADES, Window, shades
+from terminal.running import ran
 
 NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - of no zone
 DAYS = Window(0.0, 5 * 86400.0, 72)
@@ -28,8 +30,25 @@ def test_a_wish_narrower_than_a_column_is_seen(narrow: SatisfactionFunction) -> 
     assert row[DAYS.column(narrow.best.low)] == SHADES[-1]
 
 
-def test_what_never_satisfies_has_an_empty_lane() -> None:
-    assert set(shades(NEVER, DAYS)) == {" "}
+@pytest.mark.parametrize("plain", [NEVER, Trapezoid(-5, 0, 500_000, 500_000)])
+def test_what_says_nothing_of_the_time_has_an_empty_lane(plain: SatisfactionFunction) -> None:
+    assert set(shades(plain, DAYS)) == {" "}
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("text", "begins"),
+    [
+        ("Call mum in two minutes", "09:00"),
+        ("Call mum at 11 am", "09:00"),
+        ("Call mum tomorrow at noon", "Thu 12:00"),
+        ("Call mum on saturday at noon", "Sat 12:00"),
+    ],
+)
+def test_a_picture_begins_now_unless_all_is_far_ahead(tmp_path: Path, text: str, begins: str) -> None:
+    lines = ran("plan", "-i", text, "--now", "2026-03-04T09:00", folder=tmp_path).out.splitlines()
+    axis_line = next(line for line in lines if "╵" in line)
+    assert axis_line.split("╵")[1].strip().startswith(begins)
 
 
 def test_a_column_has_the_shade_of_its_best_start() -> None:

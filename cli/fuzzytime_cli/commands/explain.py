@@ -54,7 +54,7 @@ def explain(
     for problem in made.problems:
         if problem.text == text.strip() and is_fault(problem):
             report_problem(problem, "fuzzytime")
-    own = [place for place, interpreted in enumerate(made.skills) if interpreted.wish.identifier == asked]
+    own = [place for place, interpreted in enumerate(made.everything) if interpreted.wish.identifier == asked]
     screen = Screen.of(sys.stdout, dict(os.environ))
     if not own:
         screen.write(*reading_lines(interpreter.language.read(text, now=request.now), screen.width))
@@ -69,11 +69,11 @@ def explain(
         if others:
             screen.write("", f"and {others} more occurrences like it")
     if svg is not None:
-        replace_file(svg, chart_svg(chart_of(made.skills[own[0]], made, own[0]), text))
+        replace_file(svg, chart_svg(chart_of(made.everything[own[0]], made, own[0]), text))
 
 
 def first_of_each(made: "Plan", positions: list[int]) -> Iterator[tuple[int, int]]:
     """Give the first skill of each instruction, with how many more occurrences there are of it."""
-    for _, group in groupby(positions, lambda position: made.skills[position].instruction):
+    for _, group in groupby(positions, lambda position: made.everything[position].instruction):
         first, *others = group
         yield first, len(others)

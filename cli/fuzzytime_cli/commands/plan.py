@@ -171,19 +171,19 @@ def report_problem(problem: "Problem", source: str) -> None:
 
 
 def is_fault(problem: "Problem") -> bool:
-    """Say whether a problem means that something asked for is not in the schedule as asked."""
+    """Say whether a problem means that something asked for cannot be in the schedule as asked."""
     from fuzzytime.interpreter import ProblemKind
 
-    return problem.kind is not ProblemKind.NOTE
+    return problem.kind not in {ProblemKind.NOTE, ProblemKind.WAITS}
 
 
 def exit_of_plan(made: "Plan", *, strict: bool) -> Exit:
     """Give the exit code of a plan: bad data where nothing, or under ``--strict`` not all, could be read."""
-    from fuzzytime.interpreter import ProblemKind
+    from fuzzytime.interpreter import IN_THE_PLAN
     from fuzzytime.scheduling import Status
 
-    unread = [p for p in made.problems if p.kind not in {ProblemKind.NOTE, ProblemKind.REJECTED}]
-    if unread and (strict or not made.skills):
+    unread = [problem for problem in made.problems if problem.kind not in IN_THE_PLAN]
+    if unread and (strict or not made.everything):
         return Exit.BAD_DATA
     return Exit.INFEASIBLE if made.schedule.certificate.status is Status.INFEASIBLE else Exit.FINE
 

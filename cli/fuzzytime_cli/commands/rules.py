@@ -23,20 +23,16 @@ def check(
     ] = None,
 ) -> None:
     """Check rule tables and customs: every mistake at once, with file, line and column."""
-    from fuzzytime.language import check_customs, is_word_table
-    from fuzzytime.rulebook import check as check_tables
     from fuzzytime_cli.assembly import Assembly, require_file
+    from fuzzytime_cli.checks import table_mistakes
     from fuzzytime_cli.faults import report
     from fuzzytime_cli.render import plain
 
     assembly = Assembly.of(Moment(), Understanding(), Solving())
-    chosen = tuple(files or (*assembly.rule_files(), *assembly.customs_files()))
+    chosen = tuple(files or assembly.table_files())
     for path in chosen:
         require_file(path, "table")
-    # A pipe can be read but once: it is taken for rules.
-    customs = [path for path in chosen if path.is_file() and is_word_table(path)]
-    rules = [path for path in chosen if path not in customs]
-    mistakes = (*check_tables(rules), *check_customs(customs))
+    mistakes = table_mistakes(chosen)
     if mistakes:
         report("\n".join(map(str, mistakes)))
         report(f"{len(mistakes)} mistake{'s' * (len(mistakes) > 1)}")
@@ -56,9 +52,9 @@ def show(
     """Show which rows and rules apply to words about time, and the satisfaction they give."""
     import os
 
-    from fuzzytime.interpreter import ProblemKind
+    from fuzzytime.interpreter import IN_THE_PLAN
     from fuzzytime_cli.assembly import Assembly
-    from fuzzytime_cli.commands.plan import is_fault, report_problem
+    from fuzzytime_cli.commands.plan import report_problem
     from fuzzytime_cli.explaining import rules_lines
     from fuzzytime_cli.faults import UsageError
     from fuzzytime_cli.render import Screen
@@ -69,10 +65,10 @@ def show(
     assembly = Assembly.of(moment, understanding, Solving())
     made = shown_plan(text, assembly, understanding)
     for problem in made.problems:
-        # Of what is rejected the lines below give the reason.
-        if is_fault(problem) and problem.kind is not ProblemKind.REJECTED:
+        # Of what has no time the lines below give the reason.
+        if problem.kind not in IN_THE_PLAN:
             report_problem(problem, "fuzzytime")
     screen = Screen.of(sys.stdout, dict(os.environ))
     screen.write(*rules_lines(made, screen.width, unicode=screen.unicode))
-    if not made.skills:
+    if not made.everything:
         raise typer.Exit(Exit.BAD_DATA)

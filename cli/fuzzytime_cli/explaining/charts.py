@@ -30,7 +30,7 @@ def chart_of(interpreted: Interpreted, plan: Plan, position: int | None = None) 
             panels += _trace_panels(trace, start, end)
     panels.append(satisfaction_panel(function, start, end))
     marks: tuple[Mark, ...] = (Mark(0.0, "now"),) if start < 0 else ()
-    if position is not None and not plan.schedule.rejected[position]:
+    if position is not None and plan.has_time(position):
         when = plan.schedule.start_times[position]
         planned = f"planned, satisfaction {plan.schedule.satisfactions[position]:.2f}"
         marks = (*marks, Mark(when, planned))

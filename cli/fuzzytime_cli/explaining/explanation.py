@@ -26,7 +26,7 @@ def explanation_lines(
 
     Where ``text_shown``, what holds for the whole text was told with another of its skills.
     """
-    interpreted = plan.skills[position]
+    interpreted = plan.everything[position]
     given = interpreted.wish.given
     clock = Clock(given, with_seconds=bool(given.second))
     inner = width - len(INDENT)
@@ -83,7 +83,7 @@ def rules_lines(plan: Plan, width: int, *, unicode: bool) -> list[str]:
     """Give rows, rules and ψ of the skills of a plan; of a repetition those of its first occurrence."""
     lines = []
     clock = Clock(plan.request.now, with_seconds=bool(plan.request.now.second))
-    for _, occurrences in groupby(plan.skills, lambda interpreted: interpreted.instruction):
+    for _, occurrences in groupby(plan.everything, lambda interpreted: interpreted.instruction):
         first, *others = occurrences
         if not first.requirements:
             lines.append(UNTIMED)

@@ -1,5 +1,6 @@
 """Instants as people read them: no more than they need beside the plan's now."""
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import datetime
@@ -66,7 +67,9 @@ class Clock:
 
     def _instant(self, time: float) -> datetime:
         past = _part(self.now) + (self.now.second if self.grain > 1 else 0)
-        return instant_after(self.now, self.grain * round((time + past) / self.grain) - past)
+        # Halves go up, so that what takes a minute does so on the clock.
+        grains = math.floor((time + past) / self.grain + 0.5)
+        return instant_after(self.now, self.grain * grains - past)
 
     def at(self, instant: datetime) -> str:
         """Print an instant as `of` does the time until it."""

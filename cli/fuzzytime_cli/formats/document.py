@@ -52,6 +52,7 @@ def document_of(plan: Plan) -> Json:
             for busy in plan.request.busy
         ],
         "skills": skills_of(plan),
+        "waiting": [_waiting(one) for one in plan.waiting],
         "problems": [problem_of(problem) for problem in plan.problems],
     }
 
@@ -66,17 +67,7 @@ def _skill(plan: Plan, position: int, interpreted: Interpreted) -> Json:
     skill, specific = interpreted.skill, schedule.skills[position]
     acceptable = skill.satisfaction.acceptable()
     return {
-        "id": interpreted.identifier,
-        "instruction": interpreted.words,
-        "line": interpreted.wish.line,
-        "name": skill.name,
-        "operation": _operation(interpreted),
-        "happens": skill.happens,
-        "in_passing": skill.in_passing,
-        "fuzzy_parameters": [
-            {"text": parameter.text, "noun": parameter.noun, "quantity": parameter.quantity}
-            for parameter in skill.fuzzy_parameters
-        ],
+        **_asked(interpreted),
         "start": plan.instant(specific.start).isoformat(),
         "start_s": specific.start,
         "end_s": specific.end,
@@ -89,11 +80,48 @@ def _skill(plan: Plan, position: int, interpreted: Interpreted) -> Json:
         "alone": best_alone(schedule.task, position, specific.start).satisfaction,
         "rejected": schedule.rejected[position],
         "reason": interpreted.reason or None,
-        "requirement": requirement_of(interpreted.requirements[0]) if interpreted.requirements else None,
-        "requirements": [requirement_of(requirement) for requirement in interpreted.requirements],
+        **_when(interpreted),
         "satisfaction_function": function_of(skill.satisfaction),
         "rules": _rules(interpreted),
         "acceptable": None if acceptable.empty else [max(0.0, acceptable.low), acceptable.high],
+    }
+
+
+def _waiting(interpreted: Interpreted) -> Json:
+    """Give what has no time yet: nobody has told what it waits for."""
+    return {
+        **_asked(interpreted),
+        "duration_s": interpreted.skill.duration,
+        "duration_source": interpreted.duration.source,
+        "priority": interpreted.skill.priority,
+        "reason": interpreted.reason,
+        **_when(interpreted),
+    }
+
+
+def _asked(interpreted: Interpreted) -> Json:
+    """Give what is to be done, and which words asked for it."""
+    skill = interpreted.skill
+    return {
+        "id": interpreted.identifier,
+        "instruction": interpreted.words,
+        "line": interpreted.wish.line,
+        "name": skill.name,
+        "operation": _operation(interpreted),
+        "happens": skill.happens,
+        "in_passing": skill.in_passing,
+        "fuzzy_parameters": [
+            {"text": parameter.text, "noun": parameter.noun, "quantity": parameter.quantity}
+            for parameter in skill.fuzzy_parameters
+        ],
+    }
+
+
+def _when(interpreted: Interpreted) -> Json:
+    """Give what was said about its time."""
+    return {
+        "requirement": requirement_of(interpreted.requirements[0]) if interpreted.requirements else None,
+        "requirements": [requirement_of(requirement) for requirement in interpreted.requirements],
     }
 
 

@@ -1,6 +1,6 @@
 """What a plan takes for granted, in lines below it: notes, and durations that nobody said."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import groupby
 
 from rich.text import Text
@@ -26,8 +26,11 @@ MOST_ROWS = 40
 """Rows of skills whose durations are told at most."""
 
 
-def note_lines(plan: Plan, labels: Sequence[str]) -> Iterator[Text]:
-    """Give the notes, and the durations that are assumed; ``labels`` name the skills, by position."""
+def note_lines(plan: Plan, labels: Sequence[str], among: Collection[int] | None = None) -> Iterator[Text]:
+    """Give the notes, and the durations that are assumed, of all skills or ``among`` some.
+
+    ``labels`` name the skills, by position.
+    """
     notes = _together([problem for problem in plan.problems if problem.kind is ProblemKind.NOTE])
     shown = notes if len(notes) <= MOST_NOTES + 1 else notes[:MOST_NOTES]
     for note in shown:
@@ -37,7 +40,9 @@ def note_lines(plan: Plan, labels: Sequence[str]) -> Iterator[Text]:
     assumed = [
         (position, format_duration(interpreted.skill.duration or interpreted.skill.time_until_done))
         for position, interpreted in enumerate(plan.skills)
-        if interpreted.duration.assumed and interpreted.skill.until is None
+        if interpreted.duration.assumed
+        and interpreted.skill.until is None
+        and (among is None or position in among)
     ]
     if assumed:
         yield Text("durations assumed: " + ", ".join(_lengths(assumed, labels)), style="dim")

@@ -1,9 +1,10 @@
 """A plan as one self-contained HTML page: picture, table, what is proved, what was not understood."""
 
-from fuzzytime.interpreter import Plan, Problem, ProblemKind
+from fuzzytime.interpreter import IN_THE_PLAN, Plan, Problem
 from fuzzytime_cli.drawing.markup import element, words
 from fuzzytime_cli.formats.clock import date_of
 from fuzzytime_cli.formats.picture import plan_svg
+from fuzzytime_cli.formats.series import waiting
 from fuzzytime_cli.formats.table import PlanView
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'"
@@ -29,23 +30,26 @@ def page_text(plan: Plan, seconds: float) -> str:
     )
     columns = ("", "start", "end", *(["by"] if plan.request.agents > 1 else []), "what", "asked")
     heading = "".join(element("th", name) for name in columns) + element("th", "satisfied", class_="number")
-    rows = "".join(_row(plan, position, view) for position in plan.schedule.order)
+    rows = "".join(_row(plan, position, view) for position in (*plan.schedule.order, *waiting(plan)))
     table = element("table", element("thead", element("tr", heading)) + element("tbody", rows))
     sentences = "".join(element("p", words(sentence)) for sentence in view.sentences())
     problems = "".join(
         element("li", words(_sentence(problem)), class_="problem")
         for problem in plan.problems
-        if problem.kind not in {ProblemKind.NOTE, ProblemKind.REJECTED}  # the sentences say these
+        if problem.kind not in IN_THE_PLAN  # the sentences say these
     )
     body = element("h1", title) + plan_svg(plan) + table + sentences + element("ul", problems)
     return f'<!doctype html><html lang="en"><head>{head}</head><body>{body}</body></html>\n'
 
 
 def _row(plan: Plan, position: int, view: PlanView) -> str:
-    specific, satisfaction = plan.schedule.skills[position], plan.schedule.satisfactions[position]
     doer = [view.doer(position)] if plan.request.agents > 1 else []
-    texts = (view.labels[position], *view.times(position), *doer, specific.name, view.asked(position))
+    name = plan.everything[position].skill.name
+    texts = (view.labels[position], *view.times(position), *doer, name, view.asked(position))
     cells = "".join(element("td", words(text)) for text in texts)
+    if position >= len(plan.skills):
+        return element("tr", cells + element("td", "waits", class_="number"))
+    satisfaction = plan.schedule.satisfactions[position]
     figure = "rejected" if plan.schedule.rejected[position] else f"{satisfaction:.2f}"
     meter = element("meter", "", value=f"{satisfaction:.4f}")
     return element("tr", cells + element("td", f"{meter} {figure}", class_="number"))

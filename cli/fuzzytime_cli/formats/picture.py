@@ -10,7 +10,7 @@ from fuzzytime_cli.drawing.markup import element, picture, words
 from fuzzytime_cli.drawing.svg import path
 from fuzzytime_cli.drawing.ticks import ticks
 from fuzzytime_cli.formats.clock import date_of
-from fuzzytime_cli.formats.series import clock_of, folded, shown
+from fuzzytime_cli.formats.series import clock_at, clock_of, folded, shown
 from fuzzytime_cli.render import plain, width_of
 
 WIDTH, NAMES, RIGHT, LANE, TOP, BOTTOM = 820, 202, 76, 38, 26, 56
@@ -45,12 +45,12 @@ class _Picture:
         wishes = [window.high for window in windows if not window.empty and window.high < 2 * max(ends)]
         clock = clock_of(plan)
         self.starts = {
-            place: "" if plan.schedule.rejected[place] else clock.of(self.skills[place].start)
+            place: clock_at(plan, place, clock).of(self.skills[place].start) if plan.has_time(place) else ""
             for place in self.shown
         }
         self.left = NAMES + 16 + CHARACTER * max((len(text) for text in self.starts.values()), default=0)
         self.end = max(*ends, *wishes, 60.0) * 1.02
-        self.bottom = TOP + LANE * len(self.shown)
+        self.bottom = TOP + LANE * (len(self.shown) + len(plan.waiting))
         self.busy = [busy for busy in plan.request.busy if busy.start < self.end and busy.end > 0]
 
     def across(self, time: float) -> float:
@@ -62,12 +62,14 @@ class _Picture:
         parts = [*self._head(), *self._axis(), *self._busy()]
         for row, position in enumerate(self.shown):
             parts += self._lane(position, TOP + LANE * (row + 1) - 8)
+        for row, waits in enumerate(self.plan.waiting, len(self.shown)):
+            parts += self._named(waits, "waits", TOP + LANE * (row + 1) - 8)
         title = f"Plan from {self.plan.request.now:%Y-%m-%d %H:%M}"
         return picture(WIDTH, self.bottom + BOTTOM, title, STYLE, "".join(parts) + self._legend())
 
     def _head(self) -> list[str]:
         date = date_of(self.plan.request.now)
-        if not self.skills:
+        if not self.plan.everything:
             date += ": nothing to plan"
         start = element("text", "start", class_="small", x=self.left - 8, y=TOP - 9, text_anchor="end")
         return [
@@ -132,26 +134,17 @@ class _Picture:
         start, end, done = (
             self.across(time) for time in (specific.start, specific.worked_until, specific.done)
         )
-        said = element("title", words(interpreted.words or specific.name))
         figure = "rejected" if rejected else f"{satisfaction:.2f}"
         if position in self.folded:
             figure = f"+ {len(self.folded[position])}: {figure}"
         if self.plan.schedule.task.agents > 1 and not rejected and not interpreted.skill.happens:
             figure = f"by {specific.agent}: {figure}"
         parts = [
-            element(
-                "text",
-                words(_shortened(plain(specific.name), NAMES - 8)) + said,
-                class_="label",
-                x=8,
-                y=base - 5,
-            ),
-            element("line", class_="grid", x1=self.left, y1=base, x2=WIDTH - RIGHT, y2=base),
+            *self._named(interpreted, figure, base),
             self._wish(interpreted, base),
             element(
                 "text", self.starts[position], class_="small", x=self.left - 8, y=base - 5, text_anchor="end"
             ),
-            element("text", figure, class_="small", x=WIDTH - 6, y=base - 5, text_anchor="end"),
         ]
         if rejected:
             return parts
@@ -160,6 +153,16 @@ class _Picture:
         if specific.done > specific.worked_until:
             parts.append(element("line", class_="waits", x1=end, y1=base - 4, x2=done, y2=base - 4))
         return parts
+
+    def _named(self, interpreted: Interpreted, figure: str, base: float) -> list[str]:
+        """Name what a lane is of, and say how well its time satisfies."""
+        said = element("title", words(interpreted.words or interpreted.skill.name))
+        name = words(_shortened(plain(interpreted.skill.name), NAMES - 8)) + said
+        return [
+            element("text", name, class_="label", x=8, y=base - 5),
+            element("line", class_="grid", x1=self.left, y1=base, x2=WIDTH - RIGHT, y2=base),
+            element("text", figure, class_="small", x=WIDTH - 6, y=base - 5, text_anchor="end"),
+        ]
 
     def _wish(self, interpreted: Interpreted, base: float) -> str:
         times = sample_times(interpreted.skill.satisfaction, 0.0, self.end, 240)

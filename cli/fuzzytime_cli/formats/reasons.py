@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from fuzzytime.interpreter import Moved, Plan
+from fuzzytime.interpreter import Interpreted, Moved, Plan
 from fuzzytime.requirement import asked_words
 from fuzzytime.satisfaction import Either, Interval
 from fuzzytime.scheduling import (
@@ -140,9 +140,14 @@ def clash_sentence(plan: Plan) -> str:
     )
 
 
+def waits_line(plan: Plan, position: int) -> str:
+    """Say what a skill without a time waits for."""
+    return f"{name_of(plan, position)}: waits: {plain(plan.everything[position].reason)}"
+
+
 def name_of(plan: Plan, position: int) -> str:
     """Give a skill's name, with its identifier where another skill has the same name."""
-    interpreted = plan.skills[position]
+    interpreted = plan.everything[position]
     name = plain(interpreted.skill.name)
     shared = interpreted.skill.name in plan.shared_names
     return f"{name} ({plain(interpreted.identifier)})" if shared else name
@@ -160,6 +165,8 @@ def listed(names: Sequence[str]) -> str:
 
 def why_sentences(plan: Plan, position: int) -> list[str]:
     """Explain one start as a person would: what was asked, who took it, what a minute would cost."""
+    if position >= len(plan.skills):
+        return _waits(plan.everything[position])
     (why,) = explain(plan.schedule, [position])
     sentences = [_asked(why, plan), _got(why, plan)]
     if why.alternative is not None and why.lost >= SHOWN:
@@ -169,9 +176,17 @@ def why_sentences(plan: Plan, position: int) -> list[str]:
     return [sentence for sentence in sentences if sentence]
 
 
-def _asked(why: Why, plan: Plan) -> str:
-    """Say what was asked, and which starts would be best if nothing else were to be done."""
-    interpreted = plan.skills[why.position]
+def _waits(interpreted: Interpreted) -> list[str]:
+    """Say what is missing of the time of a skill that has none yet."""
+    return [
+        f"{_words(interpreted)}.",
+        f"It waits: {plain(interpreted.reason)}.",
+        "It is planned once that is told; until then it counts neither for nor against the plan.",
+    ]
+
+
+def _words(interpreted: Interpreted) -> str:
+    """Say what was asked of its time."""
     if interpreted.requirements:
         words = plain(asked_words(interpreted.requirements))
         asked = f"It asked for “{words}”"
@@ -183,6 +198,12 @@ def _asked(why: Why, plan: Plan) -> str:
         asked = "Its satisfaction was given as a curve"
     if interpreted.wish.moved is not None:
         asked += f", and it was moved by {moved_words(interpreted.wish.moved)}"
+    return asked
+
+
+def _asked(why: Why, plan: Plan) -> str:
+    """Say what was asked, and which starts would be best if nothing else were to be done."""
+    asked = _words(plan.skills[why.position])
     if why.best.starts.empty:
         return f"{asked}, and {_limit(why, plan)}."
     span = ", or ".join(_span(starts, plan) for starts in _as_good(why, plan))

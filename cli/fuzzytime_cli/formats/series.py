@@ -15,7 +15,7 @@ AS_ASKED = 0.995
 
 MINUTE = 60.0
 COARSE = 15 * MINUTE
-"""From which end of a plan on seconds are left out where all takes minutes."""
+"""From which end of a plan on seconds are left out, but for what was said to take seconds."""
 
 
 def folded(plan: Plan) -> Mapping[int, tuple[int, ...]]:
@@ -42,12 +42,25 @@ def shown(plan: Plan, rows: Mapping[int, tuple[int, ...]]) -> list[int]:
     return [position for position in plan.schedule.order if position not in hidden]
 
 
+def waiting(plan: Plan) -> range:
+    """Give the positions, among everything, of what has no time yet."""
+    return range(len(plan.skills), len(plan.everything))
+
+
 def clock_of(plan: Plan) -> Clock:
-    """Choose how finely times are shown: seconds are noise where all takes minutes."""
+    """Choose how finely times are shown: seconds are noise in a plan of more than some minutes."""
     rejected = plan.schedule.rejected
     planned = [skill for position, skill in enumerate(plan.schedule.skills) if not rejected[position]]
     times = [time for skill in planned for time in (skill.start, skill.done)]
-    brief = any(0 < skill.duration < MINUTE for skill in planned)
-    if brief or max(times, default=0.0) < COARSE:
+    if max(times, default=0.0) < COARSE:
         return Clock.for_times(plan.request.now, times)
     return Clock.to_minutes(plan.request.now)
+
+
+def clock_at(plan: Plan, position: int, clock: Clock) -> Clock:
+    """Choose how finely the times of one skill are shown: to the second where words told seconds."""
+    planned = plan.schedule.skills[position]
+    lasts = planned.done - planned.start
+    if plan.skills[position].duration.assumed or not 0 < lasts < MINUTE:
+        return clock
+    return Clock.for_times(plan.request.now, (planned.start, planned.done))

@@ -10,7 +10,7 @@ from fuzzytime_cli.render import plain
 
 COLUMNS = (
     *("id", "start", "end", "done", "agent", "name"),
-    *("satisfaction", "alone", "rejected", "asked", "instruction"),
+    *("satisfaction", "alone", "rejected", "asked", "instruction", "waits"),
 )
 _FORMULA = ("=", "+", "-", "@", "\t", "\r", "|", "%")
 
@@ -26,7 +26,7 @@ def cell(text: str) -> str:
 
 
 def csv_text(plan: Plan) -> str:
-    """Write one row a skill, in the order of the start times."""
+    """Write one row a skill, in the order of the start times; what waits is last, and has no time."""
     skills = skills_of(plan)
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\r\n")
@@ -48,6 +48,11 @@ def csv_text(plan: Plan) -> str:
                 str(skill["rejected"]).lower(),
                 cell(asked),
                 cell(skill["instruction"] or ""),
+                "false",
             )
         )
+    for one in plan.waiting:
+        asked, name = cell(asked_words(one.requirements, "; ")), cell(one.skill.name)
+        times, figures = [""] * 4, ["", "", "false"]
+        writer.writerow((cell(one.identifier), *times, name, *figures, asked, cell(one.words or ""), "true"))
     return stream.getvalue()

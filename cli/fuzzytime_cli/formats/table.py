@@ -1,6 +1,6 @@
 """The plan as a person sees it: a table, a timeline, what is proved, and what each loss is due to."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from rich.text import Text
@@ -10,15 +10,30 @@ from fuzzytime.requirement import asked_words
 from fuzzytime.scheduling import Status
 from fuzzytime_cli.drawing.ticks import axis
 from fuzzytime_cli.formats.notes import note_lines
-from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, moved_words
-from fuzzytime_cli.formats.series import clock_of, folded, shown
+from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, moved_words, waits_line
+from fuzzytime_cli.formats.series import clock_at, clock_of, folded, shown, waiting
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.formats.whole import how_near, whole
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
+MOST_ROWS = 14
+"""Rows of a table that is shown whole after each change."""
+
+NEXT_ROWS = 3
+"""What starts next, of a longer one."""
+
 _EIGHTHS = " ▏▎▍▌▋▊▉"
 _BAR = 10
-"""Seconds ahead from which on a plan of skills that take minutes is shown in minutes."""
+"""Columns of a bar."""
+
+FAR = 0.5
+"""Share of the time until all is over from which on the timeline does not begin now, but with the work."""
+
+HOURS_AHEAD = 6 * 3600.0
+"""Seconds that the work must lie ahead for that."""
+
+BEFORE = 0.1
+"""Share of what the timeline then shows that it begins before the work."""
 
 
 def bar(satisfaction: float, width: int = _BAR, *, unicode: bool = True) -> str:
@@ -64,40 +79,60 @@ class PlanView:
         self.folded = folded(plan)
         self.shown = shown(plan, self.folded)
         self.clock = clock_of(plan)
-        self.labels = [plain(interpreted.identifier) for interpreted in plan.skills]
-        labels = [self.labels[position] for position in self.shown]
+        self.listed = [*self.shown, *waiting(plan)]
+        self.labels = [plain(interpreted.identifier) for interpreted in plan.everything]
+        labels = [self.labels[position] for position in self.listed]
         labels += ["busy"] if plan.request.busy else []
         self.label_width = min(12, max(map(width_of, labels), default=2))
 
     def lines(self) -> list[Text]:
         """Give the whole view, a line each."""
-        if not self.plan.skills:
+        if not self.plan.everything:
             return [Text("Nothing to plan."), *note_lines(self.plan, self.labels)]
+        timeline = [Text(), *self._timeline()] if self.plan.skills else []
         return [
-            *self._table(),
-            Text(),
-            *self._timeline(),
+            *self._table(self.listed),
+            *timeline,
             Text(),
             *wrapped_text(self._summary(), self.width),
             *(
                 line
-                for loss in self._losses()
+                for loss in (*self._losses(), *self._waiting())
                 for line in wrapped_text(loss, self.width, self.label_width + 1)
             ),
             *(line for note in note_lines(self.plan, self.labels) for line in wrapped_text(note, self.width)),
         ]
 
+    def brief(self, news: Collection[int], lengths: Collection[int]) -> list[Text]:
+        """Give the table alone, with what is lost by what is news, and the ``lengths`` that are assumed.
+
+        Of a long table only what is news is shown, and what starts next.
+        """
+        if not self.plan.everything:
+            return [Text("Nothing is planned."), *note_lines(self.plan, self.labels, lengths)]
+        rows = self.listed
+        if len(rows) > MOST_ROWS:
+            rows = [place for n, place in enumerate(rows) if n < NEXT_ROWS or place in news]
+        lines = self._table(rows)
+        if len(rows) < len(self.listed):
+            lines.append(Text(f"… and {len(self.listed) - len(rows)} more (:list shows all)", style="dim"))
+        proved = self.schedule.certificate.status is Status.OPTIMAL
+        below = [] if proved else [(self._summary(), 0)]
+        below += [(loss, self.label_width + 1) for loss in self._losses(news)]
+        below += [(line, self.label_width + 1) for line in self._waiting(news)]
+        below += [(note, 0) for note in note_lines(self.plan, self.labels, lengths)]
+        return lines + [part for line, indent in below for part in wrapped_text(line, self.width, indent)]
+
     def sentences(self) -> list[str]:
         """Give what is proved, and why each loss, as plain sentences."""
-        if not self.plan.skills:
+        if not self.plan.everything:
             return ["Nothing to plan."]
-        return [
-            line.plain for line in (self._summary(), *self._losses(), *note_lines(self.plan, self.labels))
-        ]
+        said = (self._summary(), *self._losses(), *self._waiting(), *note_lines(self.plan, self.labels))
+        return [line.plain for line in said]
 
     def asked(self, position: int) -> str:
         """Give the words about time of a skill."""
-        interpreted = self.plan.skills[position]
+        interpreted = self.plan.everything[position]
         if interpreted.requirements:
             words = asked_words(interpreted.requirements)
         elif interpreted.in_order:
@@ -107,22 +142,30 @@ class PlanView:
         return ", ".join(filter(None, (moved_words(interpreted.wish.moved), words)))
 
     def times(self, position: int) -> tuple[str, str]:
-        """Give when a skill starts and is done, by the clock; one that is rejected does neither."""
-        if self.schedule.rejected[position]:
+        """Give when a skill starts and is done, by the clock; one that has no time does neither."""
+        if not self.plan.has_time(position):
             return "–", "–"
-        specific = self.schedule.skills[position]
-        return self.clock.of(specific.start), self.clock.end_of(specific.start, specific.done)
+        specific, clock = self.schedule.skills[position], clock_at(self.plan, position, self.clock)
+        return clock.of(specific.start), clock.end_of(specific.start, specific.done)
 
     def doer(self, position: int) -> str:
-        """Give the agent that does a skill; what is rejected, or happens by itself, is nobody's."""
-        nobody = self.schedule.rejected[position] or self.plan.skills[position].skill.happens
-        return "–" if nobody else str(self.schedule.skills[position].agent)
+        """Give the agent that does a skill; what has no time, or happens by itself, is nobody's."""
+        somebody = self.plan.has_time(position) and not self.plan.skills[position].skill.happens
+        return str(self.schedule.skills[position].agent) if somebody else "–"
+
+    def degree(self, position: int) -> tuple[str, str]:
+        """Give how well a skill's time satisfies, as a word and a number, of which the second may be none."""
+        if position >= len(self.plan.skills):
+            return "waits", ""
+        satisfaction = self.schedule.satisfactions[position]
+        if self.schedule.rejected[position]:
+            return "rejected", f"{satisfaction:.2f}"
+        return bar(satisfaction, unicode=self.unicode), f"{satisfaction:.2f}"
 
     # -- the table ------------------------------------------------------------------------------------------
 
-    def _columns(self) -> _Columns:
+    def _columns(self, positions: Sequence[int]) -> _Columns:
         """Share the width: bar and asked words give way first, then the end, then the name is cut."""
-        positions = self.shown
         time, longest_end = (
             max(5, *map(width_of, moments)) for moments in zip(*map(self.times, positions), strict=True)
         )
@@ -132,14 +175,14 @@ class PlanView:
         fixed += end + 1 if end else 0
         bar_width = _BAR if self.width >= fixed + 26 + _BAR else 0
         rest = self.width - fixed - (bar_width + 1 if bar_width else 0) - 1
-        longest_name = max(width_of(plain(self.plan.skills[i].skill.name)) for i in positions)
+        longest_name = max(width_of(plain(self.plan.everything[i].skill.name)) for i in positions)
         longest_asked = max(width_of(plain(self.asked(i))) for i in positions)
         asked = min(longest_asked, max(rest * 2 // 5, rest - longest_name - 1)) if rest >= 30 else 0
         name = min(longest_name, rest - (asked + 1 if asked else 0))
         return _Columns(time, end, agent, max(4, name), bar_width, asked)
 
-    def _table(self) -> list[Text]:
-        columns = self._columns()
+    def _table(self, positions: Sequence[int]) -> list[Text]:
+        columns = self._columns(positions)
         cells = [fitted("", self.label_width), fitted("start", columns.time)]
         cells += [fitted("end", columns.end)] if columns.end else []
         cells += ["by"] if columns.agent else []
@@ -148,7 +191,7 @@ class PlanView:
         cells += ["asked"] if columns.asked else []
         heading = Text(" ".join(cells).rstrip(), style="bold")
         rows = [heading]
-        for position in self.shown:
+        for position in positions:
             rows.append(self._row(position, columns))
             if position in self.folded:
                 rows.append(self._further(self.folded[position], columns))
@@ -164,9 +207,7 @@ class PlanView:
         return row
 
     def _row(self, position: int, columns: _Columns) -> Text:
-        specific, satisfaction = self.schedule.skills[position], self.schedule.satisfactions[position]
-        rejected = self.schedule.rejected[position]
-        style = style_of(satisfaction, rejected=rejected)
+        name, style = self.plan.everything[position].skill.name, self._style(position)
         start, end = self.times(position)
         row = Text(fitted(self.labels[position], self.label_width), style="dim")
         row.append(" " + fitted(start, columns.time), "bold")
@@ -174,21 +215,28 @@ class PlanView:
             row.append(" " + fitted(end, columns.end), "not dim")
         if columns.agent:
             row.append(f" {self.doer(position):>2}", "not dim")
-        row.append(" " + fitted(plain(specific.name), columns.name), "not dim")
+        row.append(" " + fitted(plain(name), columns.name), "not dim")
+        degree, figure = self.degree(position)
         if columns.bar:
-            shown = fitted("rejected", _BAR) if rejected else bar(satisfaction, unicode=self.unicode)
-            row.append(" " + shown, style)
-        row.append(f" {satisfaction:4.2f}", style)
+            row.append(" " + fitted(degree, _BAR), style)
+        row.append(f" {figure or ('' if columns.bar else '–'):>4}", style)
         if columns.asked:
             row.append(" " + fitted(plain(self.asked(position)), columns.asked), "dim")
         row.rstrip()
         return row
 
+    def _style(self, position: int) -> str:
+        """Give the colour of a skill that is planned; what waits is no fault of anybody's."""
+        if position >= len(self.plan.skills):
+            return "dim"
+        return style_of(self.schedule.satisfactions[position], rejected=self.schedule.rejected[position])
+
     # -- the timeline ---------------------------------------------------------------------------------------
 
     def _timeline(self) -> Iterator[Text]:
         skills = self.schedule.skills
-        window = Window(0.0, self._end(), self.width - self.label_width - 2)
+        end = self._end()
+        window = Window(self._begin(end), end, self.width - self.label_width - 2)
         yield self._axis(window)
         for position in self.shown:
             specific, function = skills[position], self.plan.skills[position].skill.satisfaction
@@ -198,8 +246,7 @@ class PlanView:
                 if rejected
                 else lane(function, specific.start, specific.worked_until, specific.done, window)
             )
-            style = style_of(self.schedule.satisfactions[position], rejected=rejected)
-            yield self._lane(self.labels[position], cells, style)
+            yield self._lane(self.labels[position], cells, self._style(position))
         shown = (
             busy for busy in self.plan.request.busy if busy.start < window.end and busy.end > window.start
         )
@@ -219,6 +266,12 @@ class PlanView:
         wishes = [self.plan.skills[place].skill.satisfaction.acceptable(0.02).high for place in self.shown]
         return max(60.0, 1.02 * max([last, *(wish for wish in wishes if wish < 2 * last)]))
 
+    def _begin(self, end: float) -> float:
+        """Give where the timeline begins: now, or a little before all work that is far ahead."""
+        starts = (self.schedule.start_times[place] for place in self.shown if self.plan.has_time(place))
+        first = min(starts, default=0.0)
+        return first - BEFORE * (end - first) if first > max(HOURS_AHEAD, FAR * end) else 0.0
+
     def _axis(self, window: Window) -> Text:
         span, now = (window.start, window.end), self.plan.request.now
         line = axis(window.columns, window.columns // 10, span, now, window.column)
@@ -235,6 +288,8 @@ class PlanView:
 
     def _summary(self) -> Text:
         schedule, certificate = self.schedule, self.schedule.certificate
+        if not self.plan.skills:
+            return Text("Nothing has a time yet.", style="bold")
         line = Text("Satisfaction ", style="bold")
         shown = whole(schedule.satisfaction, fails=schedule.geometric_mean == 0)
         line.append(shown, style_of(schedule.geometric_mean))
@@ -254,8 +309,18 @@ class PlanView:
             case Status.INFEASIBLE:
                 return clash_sentence(self.plan)
 
-    def _losses(self) -> Iterator[Text]:
+    def _waiting(self, among: Collection[int] | None = None) -> Iterator[Text]:
+        """Say what each skill without a time waits for."""
+        for position in waiting(self.plan):
+            if among is not None and position not in among:
+                continue
+            label = fitted(self.labels[position], self.label_width)
+            yield Text(f"{label} ", style="dim").append(waits_line(self.plan, position), "not dim")
+
+    def _losses(self, among: Collection[int] | None = None) -> Iterator[Text]:
         for position, sentence in loss_lines(self.plan, self.seconds):
+            if among is not None and position not in among:
+                continue
             if position is None:
                 yield Text(sentence, style="dim")
                 continue

@@ -33,7 +33,10 @@ class Window:
 
 
 def shades(function: SatisfactionFunction, window: Window) -> list[str]:
-    """Give the shade of each column: the best satisfaction of a start within it."""
+    """Give the shade of each column: the best satisfaction of a start within it.
+
+    What any start satisfies in full says nothing, and is not shaded.
+    """
     inner = window.start + (np.arange(window.columns)[:, None] + np.linspace(0, 1, 9)) * window.step
     best = function(inner).max(axis=1)
     # A wish may be far narrower than a column.
@@ -41,6 +44,8 @@ def shades(function: SatisfactionFunction, window: Window) -> list[str]:
         [time for time in (*function.kinks, function.best.low) if window.start <= time < window.end]
     )
     np.maximum.at(best, [min(window.column(time), window.columns - 1) for time in marks], function(marks))
+    if best.min() >= 1.0:
+        return [" "] * window.columns
     level = np.where(best <= 0.02, 0, np.minimum(np.floor(best * 3) + 1, 3)).astype(int)
     return [SHADES[index] for index in level]
 

@@ -35,6 +35,15 @@ def said_in(line: str) -> str:
     return words if box is None else words[box.end() :]
 
 
+def is_ticked_off(line: str) -> bool:
+    """Whether a line is of a list of things to do, and what it names is done.
+
+    >>> is_ticked_off("- [x] feed the cat"), is_ticked_off("- [ ] feed the cat")
+    (True, False)
+    """
+    return BOX.match(line.strip()) is not None and not said_in(line)
+
+
 def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
     """Give the instructions of a text, with their lines.
 

@@ -19,6 +19,7 @@ from fuzzytime_cli.live.outlook import Outlook, Waiting
 from fuzzytime_cli.live.pace import JUST, Pace
 from fuzzytime_cli.live.planning import Planning
 from fuzzytime_cli.live.progress import Ends, Progress
+from fuzzytime_cli.told_states import as_news, is_waited_for, tells_a_state
 
 _SAME = 1e-6
 """Seconds between two moments that are one."""
@@ -93,7 +94,7 @@ class Dispatcher:
         """Give what was still to come; of what was never planned only the wishes have names."""
         if self.planning.plan is None:
             return tuple(wish.identifier for wish in self.planning.request.wishes)
-        return tuple(one.identifier for one in self.outlook.waiting)
+        return tuple(one.identifier for one in (*self.outlook.waiting, *self.outlook.untold.values()))
 
     def finished(self, now: float) -> told.Finished:
         """Tell what became of every skill."""
@@ -138,7 +139,7 @@ class Dispatcher:
         if self.outlook.reasons:
             # What is asked for, and not planned yet, has no name yet.
             yield from self.outlook.replan(now, self.ledger)
-        everything = (*self.outlook.waiting, *self.outlook.rejected.values())
+        everything = (*self.outlook.waiting, *self.outlook.without_time)
         running = [(one.identifier, one.name) for one in self.ledger.in_phase(Phase.RUNNING, Phase.RESTING)]
         waiting = [(one.identifier, one.name) for one in everything]
         lexicon = self.planning.interpreter.language.lexicon
@@ -147,7 +148,17 @@ class Dispatcher:
         except FuzzytimeError as error:
             yield told.Trouble(at=now, message=str(error), text=said.wish.text)
             return
-        yield from self._instructed(said.wish, now) if word is None else self._take(word, now)
+        yield from self._instructed(self._told(said.wish), now) if word is None else self._take(word, now)
+
+    def _told(self, wish: SpokenWish) -> SpokenWish:
+        """Take what somebody tells to be so, and something waits for, as what happens now."""
+        language = self.planning.interpreter.language
+        waiting = (one.interpreted for one in self.outlook.without_time)
+        if not is_waited_for(wish.text, waiting):
+            return wish
+        reading = language.read(wish.text, now=wish.given)
+        tells = tells_a_state(wish.text, reading, language.lexicon)
+        return replace(wish, text=as_news(wish.text)) if tells else wish
 
     def _instructed(self, wish: SpokenWish, now: float) -> Iterator[Event]:
         try:

@@ -98,6 +98,8 @@ class EventScreen:
             case told.Rejected(reason=reason) | told.Failed(reason=reason) | told.Dropped(reason=reason):
                 why = f": {plain(reason)}" if reason else ""
                 return [self._line(at, kind, f"{_who(event)}{why}", "red")]
+            case told.Waits(reason=reason):
+                return [self._line(at, kind, f"{_who(event)}: {plain(reason)}")]
             case _:
                 return self._news(event)
 

@@ -103,6 +103,15 @@ class Rejected(SkillEvent):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Waits(SkillEvent):
+    """It has no time yet: nobody has told what it waits for."""
+
+    type: ClassVar[str] = "waits"
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Start(SkillEvent):
     """A skill starts now: everything that whoever does it needs to know."""
 

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.interpreter import Interpreted, Plan, Problem, ProblemKind
+from fuzzytime.interpreter import IN_THE_PLAN, Interpreted, Plan, Problem, ProblemKind
 from fuzzytime_cli.live import events as told
 from fuzzytime_cli.live.events import Event
 from fuzzytime_cli.live.ledger import Ledger
@@ -72,6 +72,7 @@ class Waiting:
 class Outlook:
     """The current plan, seen from the run, and what may change it.
 
+    ``waiting`` is what waits for its time, ``untold`` what has none as nobody has told yet what it waits for.
     ``reasons`` are those for which a new plan is needed; `Progress` adds to them as well.
     """
 
@@ -80,6 +81,7 @@ class Outlook:
     reasons: list[str]
     waiting: list[Waiting] = field(default_factory=list)
     rejected: dict[str, Waiting] = field(default_factory=dict)
+    untold: dict[str, Waiting] = field(default_factory=dict)
     announced: dict[str, float | None] = field(default_factory=dict)
     silent: set[str] = field(default_factory=set)
     told: set[Problem] = field(default_factory=set)
@@ -95,17 +97,22 @@ class Outlook:
         """The signals that skills depend on which have not started, read or not."""
         if self.planning.plan is None:
             return self.planning.relevant_at_first
-        everything = (*self.waiting, *self.rejected.values())
+        everything = (*self.waiting, *self.without_time)
         return frozenset[str]().union(*(one.signals for one in everything))
 
     @property
+    def without_time(self) -> tuple[Waiting, ...]:
+        """What has no time as things stand."""
+        return (*self.rejected.values(), *self.untold.values())
+
+    @property
     def has_hope(self) -> bool:
-        """Whether something that is rejected now depends on what may still be read."""
-        return any(one.awaits_readings for one in self.rejected.values())
+        """Whether something that has no time now depends on what may still be told or read."""
+        return bool(self.untold) or any(one.awaits_readings for one in self.rejected.values())
 
     def find(self, identifier: str) -> Waiting | None:
         """Find a skill that has not started."""
-        everything = (*self.waiting, *self.rejected.values())
+        everything = (*self.waiting, *self.without_time)
         return next((one for one in everything if one.identifier == identifier), None)
 
     # -- readings -------------------------------------------------------------------------------------------
@@ -165,7 +172,7 @@ class Outlook:
     def troubles(self, problems: Iterable[Problem], now: float) -> Iterator[Event]:
         """Tell problems of understanding, each once; what is rejected is told by an event of its own."""
         for problem in problems:
-            if problem.kind in {ProblemKind.NOTE, ProblemKind.REJECTED} or problem in self.told:
+            if problem.kind in IN_THE_PLAN or problem in self.told:
                 continue
             self.told.add(problem)
             place = f"line {problem.line}" if problem.line is not None else None
@@ -185,7 +192,7 @@ class Outlook:
         except FuzzytimeError as error:
             yield told.Trouble(at=now, message=str(error))
             return
-        before = (*self.waiting, *self.rejected.values())
+        before = (*self.waiting, *self.without_time)
         self._adopt(plan, now)
         yield from self.troubles(plan.problems, now)
         yield told.Planned(
@@ -220,12 +227,17 @@ class Outlook:
             )
             for position, (interpreted, specific) in enumerate(zip(plan.skills, schedule.skills, strict=True))
         ]
+        self.untold = {one.identifier: self._untold(one, len(everything)) for one in plan.waiting}
         self.rejected = {one.identifier: one for one in everything if schedule.rejected[one.position]}
         kept = [one for one in everything if one.identifier not in self.rejected]
         while lost := [one for one in kept if self._missing(one)]:
             self.rejected |= {one.identifier: one for one in lost}
             kept = [one for one in kept if one.identifier not in self.rejected]
         self.waiting = sorted(kept, key=lambda one: (one.start, one.position))
+
+    def _untold(self, one: Interpreted, position: int) -> Waiting:
+        never = math.inf
+        return Waiting(one, position, never, never, 1, 0.0, self.planning.signals_of(one))
 
     def _missing(self, waiting: Waiting) -> str:
         """Give what a skill asked to come after and is rejected itself; empty where nothing is."""
@@ -235,14 +247,17 @@ class Outlook:
         """Tell which starts moved since they were last told, and which skills lost or won their place."""
         lost = [problem for problem in plan.problems if problem.kind is ProblemKind.REJECTED]
         reasons = {problem.identifier: problem.message for problem in lost}
-        for one in sorted((*self.waiting, *self.rejected.values()), key=lambda one: one.position):
+        for one in sorted((*self.waiting, *self.without_time), key=lambda one: one.position):
             known = one.identifier in self.announced
             before = self.announced.get(one.identifier)
-            after = None if one.identifier in self.rejected else one.start
+            after = one.start if one in self.waiting else None
             if known and not _is_news(before, after, now):
                 continue
             self.announced[one.identifier] = after
-            if after is None:
+            if one.identifier in self.untold:
+                reason = one.interpreted.reason
+                yield told.Waits(at=now, id=one.identifier, name=one.name, reason=reason)
+            elif after is None:
                 reason = reasons.get(one.identifier, "").removeprefix(f"{one.name}: ")
                 if not reason:
                     reason = f"must come after {self._missing(one)}, which has no time"

@@ -149,7 +149,9 @@ class Planning:
         together = replace(self.request, wishes=(*self.request.wishes, wish)).named()
         wish = replace(wish, identifier=together.wishes[-1].identifier)
         _, interpretation = understood(self.seen_from(now, started, wish), self.interpreter)
-        own = tuple(one.identifier for one in interpretation.skills if one.wish.identifier == wish.identifier)
+        own = tuple(
+            one.identifier for one in interpretation.everything if one.wish.identifier == wish.identifier
+        )
         if not own:
             # "The guests are late" moves what was said before, "it takes an hour" lengthens it.
             _, before = understood(self.seen_from(now, started), self.interpreter)
@@ -161,18 +163,18 @@ class Planning:
 
 def _changed(before: Interpretation, after: Interpretation) -> tuple[str, ...]:
     """Give the skills that a wish which asks for none tells of."""
-    skills = {one.identifier: one.skill for one in after.skills}
-    return tuple(one.identifier for one in before.skills if skills.get(one.identifier) != one.skill)
+    skills = {one.identifier: one.skill for one in after.everything}
+    return tuple(one.identifier for one in before.everything if skills.get(one.identifier) != one.skill)
 
 
 def differing(before: Interpretation, after: Interpretation, passed: float) -> tuple[str, ...]:
     """Give the skills that a later interpretation wishes otherwise, beyond the time that has passed."""
-    earlier = {interpreted.identifier: interpreted for interpreted in before.skills}
+    earlier = {interpreted.identifier: interpreted for interpreted in before.everything}
     # What is open is closed at the horizon, which is no wish of anybody's.
     until = min(after.horizon, before.horizon - passed)
     return tuple(
         interpreted.identifier
-        for interpreted in after.skills
+        for interpreted in after.everything
         if interpreted.identifier not in earlier
         or _differs(earlier[interpreted.identifier], interpreted, passed, until)
     )

@@ -134,7 +134,7 @@ def _executor(request: Request, settings: Settings, inbox: Inbox) -> Executor:
 
 def _exit_of(dispatcher: Dispatcher) -> Exit:
     """Give bad data where nothing could be read, and failure where something that started failed."""
-    if not dispatcher.ledger.tasks and not dispatcher.outlook.rejected and dispatcher.outlook.told:
+    if not dispatcher.ledger.tasks and not dispatcher.outlook.without_time and dispatcher.outlook.told:
         return Exit.BAD_DATA
     return Exit.FAILURE if dispatcher.ledger.in_phase(Phase.FAILED) else Exit.FINE
 

@@ -6,7 +6,7 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import About, content_words, verb_forms
+from fuzzytime.language import About, AboutKind, content_words, verb_forms
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
@@ -24,9 +24,6 @@ from fuzzytime_cli.repl.scene import (
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
 
-SETTING_OFF = frozenset({"set", "off", "out"})
-"""Words that ask for going somewhere, whatever that is called."""
-
 SOON = 90.0
 """Seconds below which it is said to the second how long it is until a start."""
 
@@ -41,10 +38,10 @@ def coming(scene: Scene) -> Reply:
     running = scene.conversation.running(scene.now)
     lines = running_lines(scene.conversation, scene.now)
     schedule = scene.plan.schedule
-    left = (place for place, _ in waiting(scene) if not schedule.rejected[place])
+    left = (place for place, _ in waiting(scene) if scene.plan.has_time(place))
     planned = sorted(left, key=lambda place: (schedule.start_times[place], place))[:1]
     lines += [_start(scene, position) for position in planned]
-    meant = [scene.plan.skills[position].identifier for position in planned]
+    meant = [scene.plan.everything[position].identifier for position in planned]
     meant += [one.identifier for one in running]
     return Reply(tuple(lines), focus=number_of(meant[0])) if lines else said(NOTHING)
 
@@ -59,7 +56,7 @@ def on_time(scene: Scene) -> Reply:
     over = _over(scene)
     if not late:
         return replace(over, lines=(Text("yes: everything that is planned has its time"), *over.lines))
-    said_of = [f"  {scene.plan.skills[place].identifier} {plain(words)}" for place, words in late[:MOST]]
+    said_of = [f"  {scene.plan.everything[place].identifier} {plain(words)}" for place, words in late[:MOST]]
     lines = [line for words in said_of for line in wrapped(words, scene.width, 6)]
     focus = _focus(scene, [place for place, _ in late])
     return Reply((Text("not all of it:"), *lines, *over.lines), focus=focus)
@@ -71,7 +68,9 @@ def when(scene: Scene, about: About) -> Reply:
         return _over(scene)
     positions = _positions(scene, about.names)
     schedule = scene.plan.schedule
-    positions.sort(key=lambda position: (schedule.rejected[position], schedule.start_times[position]))
+    timed = [position for position in positions if scene.plan.has_time(position)]
+    timed.sort(key=lambda position: schedule.start_times[position])
+    positions = [*timed, *(position for position in positions if position not in timed)]
     lines = _going_on(scene, about)
     lines += [_start(scene, position) for position in positions[:MOST]]
     if len(positions) > MOST:
@@ -79,12 +78,28 @@ def when(scene: Scene, about: About) -> Reply:
     return _reply(scene, about, lines, positions)
 
 
+def asked_of(scene: Scene, words: str) -> Reply | None:
+    """Answer a question that is not understood, but names what is planned, with when that is; else None."""
+    lexicon = scene.conversation.interpreter.language.lexicon
+    tables = ("asking", "placing", "stating", "helping")
+    asking = {word for table in tables for form in lexicon.questions[table] for word in form}
+    filling = {word for form in lexicon.conversation["filling"] for word in form}
+    names = content_words(words) - asking - filling
+    asks = words.rstrip().endswith("?") or not asking.isdisjoint(words.lower().split()[:1])
+    entry = entry_of(scene, names) if asks and names else None
+    return (
+        None
+        if entry is None
+        else when(scene, About(kind=AboutKind.WHEN, names=frozenset({entry.identifier})))
+    )
+
+
 def lasting(scene: Scene, about: About) -> Reply:
     """Say how long that takes which some words name."""
     positions = _positions(scene, about.names)
     lines = _going_on(scene, about)
     for position in positions[:MOST]:
-        interpreted = scene.plan.skills[position]
+        interpreted = scene.plan.everything[position]
         skill = interpreted.skill
         whole = format_duration(skill.time_until_done)
         by_itself = 0.0 < skill.duration < skill.time_until_done
@@ -119,7 +134,7 @@ def did(scene: Scene, about: About) -> Reply:
 def beside(scene: Scene, about: About) -> Reply:
     """Say what comes before something, or behind it."""
     schedule, positions = scene.plan.schedule, _positions(scene, about.names)
-    left = [place for place, _ in waiting(scene) if not schedule.rejected[place]]
+    left = [place for place, _ in waiting(scene) if scene.plan.has_time(place)]
     running = running_one(scene, about.names) if about.names else None
     # "After the cake", which is in the oven, what is done with it then comes.
     named = [place for place in positions if place in left and running is None]
@@ -141,10 +156,12 @@ def beside(scene: Scene, about: About) -> Reply:
 def _going_on(scene: Scene, about: About) -> list[Text]:
     """Say of what is running and named until when it is."""
     clock = Clock(scene.now, with_seconds=True)
+    entry = None if about.names else entry_of(scene, about.names)
+    names = about.names if entry is None else {entry.identifier}
     return [
         Text(f"{plain(one.identifier)} {plain(one.name)}: running, until {clock.at(one.done)}")
         for one in scene.conversation.running(scene.now)
-        if about.names and about.names <= content_words(one.name) | {f"s{number_of(one.identifier)}"}
+        if names and names <= content_words(one.name) | {f"s{number_of(one.identifier)}", one.identifier}
     ]
 
 
@@ -153,7 +170,7 @@ def why(scene: Scene, about: About) -> Reply:
     from fuzzytime_cli.formats.reasons import why_sentences
 
     positions = _positions(scene, about.names)
-    begun = running_one(scene, about.names) if about.names and not positions else None
+    begun = None if positions else running_one(scene, about.names)
     if begun is not None:
         name = f"{plain(begun.identifier)} {plain(begun.name)}"
         return said(f"{name} has started, and is running until {_at(scene, begun.done)}")
@@ -162,9 +179,9 @@ def why(scene: Scene, about: About) -> Reply:
         if entry is not None:
             position_of(scene, str(entry.number))  # what is running, or over, says so
         return _nothing(about.names)
-    name = scene.plan.skills[positions[0]].identifier
+    name = scene.plan.everything[positions[0]].identifier
     sentences = [*why_sentences(scene.plan, positions[0]), f":why {name} shows words, rules and curve."]
-    heading = f"{plain(name)} {plain(scene.plan.skills[positions[0]].skill.name)}"
+    heading = f"{plain(name)} {plain(scene.plan.everything[positions[0]].skill.name)}"
     lines = [line for sentence in sentences for line in wrapped(f"  {sentence}", scene.width, 6)]
     return Reply((Text(heading, style="bold"), *lines), focus=_focus(scene, positions))
 
@@ -180,13 +197,14 @@ def _nothing(names: frozenset[str]) -> Reply:
 
 
 def _focus(scene: Scene, positions: list[int]) -> int | None:
-    return number_of(scene.plan.skills[positions[0]].identifier) if positions else None
+    return number_of(scene.plan.everything[positions[0]].identifier) if positions else None
 
 
 def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
     """Give the places of waiting skills that all of some words name; without words of what was spoken of."""
-    leaving = scene.conversation.interpreter.language.lexicon.doing.leaving
-    if names and names <= leaving | SETTING_OFF:
+    lexicon = scene.conversation.interpreter.language.lexicon
+    leaving = lexicon.doing.leaving
+    if names and names <= leaving.union(*lexicon.conversation["going"]):
         # "When do I have to leave?"
         going = ((place, one.operation) for place, one in waiting(scene))
         return [place for place, operation in going if operation is not None and operation.lemma in leaving]
@@ -213,7 +231,7 @@ def _over(scene: Scene) -> Reply:
     ends = [
         scene.plan.instant(one.done)
         for position, one in enumerate(schedule.skills)
-        if not schedule.rejected[position]
+        if scene.plan.has_time(position)
     ]
     ends += [one.done for one in scene.conversation.running(scene.now)]
     if not ends:
@@ -222,8 +240,10 @@ def _over(scene: Scene) -> Reply:
 
 
 def _start(scene: Scene, position: int) -> Text:
-    interpreted, schedule = scene.plan.skills[position], scene.plan.schedule
+    interpreted, schedule = scene.plan.everything[position], scene.plan.schedule
     name = f"{plain(interpreted.identifier)} {plain(interpreted.skill.name)}"
+    if position >= len(scene.plan.skills):
+        return Text(f"{name}: waits: {plain(interpreted.reason)}")
     if schedule.rejected[position]:
         return Text(f"{name}: rejected (:why {plain(interpreted.identifier)} tells)")
     instant, done = (

@@ -17,6 +17,7 @@ from fuzzytime_cli.repl.scene import (
     Reply,
     Scene,
     begun_of,
+    begun_parts,
     ended_line,
     got,
     identifier_of,
@@ -51,8 +52,8 @@ def drop(scene: Scene, text: str) -> Reply:
 
 def _told_before(scene: Scene, number: int) -> list[int]:
     """Give the instructions that told earlier of what one tells anew, and of nothing else."""
-    names = [one for one in scene.plan.skills if one.told_by[-1:] == (f"s{number}",)]
-    others = {one.wish.identifier for one in scene.plan.skills} | {f"s{number}"}
+    names = [one for one in scene.plan.everything if one.told_by[-1:] == (f"s{number}",)]
+    others = {one.wish.identifier for one in scene.plan.everything} | {f"s{number}"}
     wishes = {name for one in names for name in (f"s{number_of(one.identifier)}", *one.told_by)}
     known = {entry.identifier for entry in scene.conversation.state.entries}
     return [number_of(name) for name in sorted(wishes & known - others)]
@@ -86,13 +87,10 @@ def _left_out(scene: Scene, number: int, words: str) -> Started | None:
 
     Of "dust the shelf, call Ann", where that is being dusted, "feed the cat" is another instruction.
     """
-    conversation = scene.conversation
-    begun = [
-        one for one in conversation.store.started(conversation.name) if number_of(one.identifier) == number
-    ]
+    conversation, begun = scene.conversation, begun_parts(scene, number)
     if not begun:
         return None
-    given = [one.operation for one in scene.plan.skills]
+    given = [one.operation for one in scene.plan.everything]
     read = conversation.interpreter.language.read(words, now=scene.now, given=given)
     asked = {one.operation.name.lower() for one in read.instructions if one.operation is not None}
     return next((one for one in reversed(begun) if one.name.lower() not in asked), None)
@@ -116,10 +114,10 @@ def _refers_to_what_came_between(scene: Scene, number: int, called: int, here: S
     if there == here:
         return False
     in_place, last = (conversation.understood(now, state) for state in (here, there))
-    followed = _followed(in_place.skills, called)
-    if followed == _followed(last.skills, called):
+    followed = _followed(in_place.everything, called)
+    if followed == _followed(last.everything, called):
         return False
-    if followed and followed == _followed(scene.plan.skills, number):
+    if followed and followed == _followed(scene.plan.everything, number):
         return False
     lost = _unresolved(last)
     return not lost or lost < _unresolved(in_place)
@@ -170,11 +168,13 @@ def done(scene: Scene, text: str) -> Reply:
         scene.conversation.store.note_done(scene.conversation.name, wanted, scene.now)
         return Reply((Text(f"done: {plain(running[wanted].name)}"),), changed=True)
     position = position_of(scene, wanted)
-    skill = scene.plan.skills[position]
+    skill = scene.plan.everything[position]
     number = number_of(skill.identifier)
     name = Text(f"done: {plain(skill.skill.name)}")
     happens = skill.stated
-    others = any(number_of(other.identifier) == number for other in scene.plan.skills if other is not skill)
+    others = any(
+        number_of(other.identifier) == number for other in scene.plan.everything if other is not skill
+    )
     if happens or others:
         # The others that the instruction asks for stay, and may refer to this one; what others are tied to
         # has happened.

@@ -2,8 +2,10 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language import Lexicon
 from fuzzytime_cli.render import wrapped
 from fuzzytime_cli.repl import changing, looking, moving, saving
 from fuzzytime_cli.repl.rating import rate
@@ -54,6 +56,13 @@ def _help(scene: Scene, text: str) -> Reply:
         else:
             rows += wrapped(beginning + command.help, scene.width, len(beginning))
     return Reply(tuple(rows))
+
+
+def how_to(scene: Scene, kind: str) -> Reply:
+    """Show how something is said of what was asked for, and the command for it."""
+    name = SAID_AS.get(kind, kind)
+    rows = [line for sentence in HEAD[1:2] for line in wrapped(sentence, scene.width, 0)]
+    return Reply((*rows, *(_help(scene, name).lines if name in COMMANDS else ())))
 
 
 def _quit(_: Scene, __: str) -> Reply:
@@ -144,13 +153,24 @@ TRIED = tuple(
 )
 """What may be asked about beforehand: commands that change what is asked for, or what is so."""
 
-BARE = {
-    **dict.fromkeys(("help", "help me", "", "menu", "commands", "what can you do"), ":help"),
-    **dict.fromkeys(("what can i say", "how does this work"), ":help"),
-    **dict.fromkeys(("list", "ls", "list all", "show list", "status"), ":list"),
-    **dict.fromkeys(("quit", "exit", "q"), ":quit"),
-}
-"""Words that people type to a prompt, perhaps with a question mark, and mean as commands."""
+SAID_AS = {"move": "edit", "takes": "duration", "late": "busy", "stop": "done", "except": "edit"}
+"""The commands for what is said of wishes, where they are called otherwise."""
+
+FILED = ("save", "load")
+"""Commands that need no colon in front of the name of a file."""
+
+BARE = {"asking for help": ":help", "asking for the list": ":list", "quitting": ":quit"}
+"""What people mean by words that they type to a prompt, by the tables of these words."""
+
+
+def without_colon(words: str, lexicon: Lexicon) -> str:
+    """Give the command that is meant by words that need no colon: "help"; else the words themselves."""
+    form = tuple(words.lower().rstrip("?").split())
+    if len(form) == len(FILED) and form[0] in FILED and Path(words.split()[1]).suffix:
+        # "Save dinner.ics"
+        return f":{words}"
+    found = (line for table, line in BARE.items() if form in lexicon.conversation[table])
+    return next(found, words) if form else ":help"
 
 
 def command_of(line: str) -> tuple[Command, str]:

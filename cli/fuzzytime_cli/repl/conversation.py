@@ -240,8 +240,8 @@ def moves(before: Plan | None, after: Plan, started: set[str]) -> list[Move]:
     if before is None:
         return []
     earlier, later = starts_of(before), starts_of(after)
-    known = {interpreted.identifier for interpreted in before.skills}
-    still = {interpreted.identifier for interpreted in after.skills}
+    known = {interpreted.identifier for interpreted in before.everything}
+    still = {interpreted.identifier for interpreted in after.everything}
     found = []
     for identifier in sorted(known & still - started, key=_by_number):
         old, new = earlier.get(identifier), later.get(identifier)
@@ -252,6 +252,39 @@ def moves(before: Plan | None, after: Plan, started: set[str]) -> list[Move]:
         if first is None or second is None or abs(seconds_between(first, second)) >= NOTICEABLE:
             found.append(Move(identifier, name, first, second))
     return found
+
+
+def news_of(before: Plan | None, after: Plan) -> frozenset[int]:
+    """Give the places of what a plan has anew, elsewhere, satisfied more or less, or waiting."""
+    if before is None:
+        return frozenset(range(len(after.everything)))
+    old, new = _satisfied(before), _satisfied(after)
+    moved = {move.identifier for move in moves(before, after, set())}
+    told = moved | {name for name in new if old.get(name) != new[name]} | (_waiting(after) - _waiting(before))
+    return frozenset(place for place, one in enumerate(after.everything) if one.identifier in told)
+
+
+def lengths_of(before: Plan | None, after: Plan) -> frozenset[int]:
+    """Give the places of skills of a plan that another has not, or for which it takes another time."""
+    known = (
+        set() if before is None else {(one.identifier, one.skill.time_until_done) for one in before.skills}
+    )
+    return frozenset(
+        place
+        for place, one in enumerate(after.skills)
+        if (one.identifier, one.skill.time_until_done) not in known
+    )
+
+
+def _waiting(plan: Plan) -> set[str]:
+    """Give the identifiers of what waits for something that nobody has told."""
+    return {one.identifier for one in plan.interpretation.waiting}
+
+
+def _satisfied(plan: Plan) -> dict[str, float]:
+    """Give how well each skill is satisfied, by its identifier, as it is shown."""
+    satisfactions = zip(plan.skills, plan.schedule.satisfactions, strict=True)
+    return {one.identifier: round(satisfaction, 2) for one, satisfaction in satisfactions}
 
 
 def _by_number(identifier: str) -> tuple[int, str]:

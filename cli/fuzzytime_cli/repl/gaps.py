@@ -8,12 +8,12 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import MAX_HORIZON, WITHOUT_END
-from fuzzytime.language import About, find_times, without_article
-from fuzzytime.requirement import Constraint, TimeRequirement
-from fuzzytime.times import format_duration, instant_after, seconds_between
+from fuzzytime.language import About, without_article
+from fuzzytime.requirement import Constraint
+from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.naming import entry_of, unknown
+from fuzzytime_cli.repl.naming import bounds_of, entry_of, time_of, unknown
 from fuzzytime_cli.repl.scene import Reply, Scene, number_of, said, waiting
 
 MOST = 5
@@ -42,8 +42,8 @@ def free(scene: Scene, about: About) -> Reply:
     """Say whether one is free at a time, for as long as something takes; or when one is."""
     if not about.time:
         return _gaps_told(scene)
-    time = _time_of(scene, about.time)
-    first, end = _bounds(scene, time)
+    time = time_of(scene, about.time)
+    first, end = bounds_of(scene, time)
     if first is None:
         return _gaps_told(scene)
     scene = _as_far_as(scene, end or first)
@@ -76,15 +76,15 @@ def room(scene: Scene, about: About) -> Reply:
     if about.names:
         entry = entry_of(scene, about.names) or unknown(about.names)
         schedule = scene.plan.schedule
-        mine = [place for place, _ in waiting(scene, entry.number) if not schedule.rejected[place]]
+        mine = [place for place, _ in waiting(scene, entry.number) if scene.plan.has_time(place)]
         if not mine:
             raise FuzzytimeError("when that is, is not planned")
         instants = [scene.plan.instant(schedule.start_times[place]) for place in mine]
         ends = [scene.plan.instant(schedule.skills[place].end) for place in mine]
         since, until = (max(since, min(ends)), None) if about.joint == "after" else (since, min(instants))
     elif about.time:
-        time = _time_of(scene, about.time)
-        first, end = _bounds(scene, time)
+        time = time_of(scene, about.time)
+        first, end = bounds_of(scene, time)
         if time.constraint is Constraint.BEFORE or time.preposition in {"by", "before"}:
             until = end or first
         elif first is not None:
@@ -99,7 +99,7 @@ def room(scene: Scene, about: About) -> Reply:
 
 def during(scene: Scene, about: About) -> Reply:
     """Say what there is at a time, or in a stretch of it."""
-    first, end = _bounds(scene, _time_of(scene, about.time))
+    first, end = bounds_of(scene, time_of(scene, about.time))
     first = scene.now if first is None else first
     over = end if end is not None and end > first else first + SHORTEST
     everything = list(_all(_as_far_as(scene, over)))
@@ -119,7 +119,7 @@ def _as_far_as(scene: Scene, end: datetime) -> Scene:
     ahead = seconds_between(scene.now, end)
     repeated = any(
         part.recurrence is not None
-        for one in scene.plan.skills
+        for one in scene.plan.everything
         if one.instruction is not None
         for part in one.instruction.requirements
     )
@@ -180,27 +180,13 @@ def _all(scene: Scene) -> Iterator[Taken]:
         if one.end > scene.now
     ]
     for place, one in waiting(scene):
-        if not schedule.rejected[place]:
+        if scene.plan.has_time(place):
             planned = schedule.skills[place]
             # What one attends keeps nobody's hands, and yet who speaks.
             over = planned.done if one.stated else planned.end
             start, end = scene.plan.instant(planned.start), scene.plan.instant(over)
             found.append(Taken(start, end, one.identifier, one.skill.name))
     yield from sorted(found, key=lambda one: (one.start, one.end))
-
-
-def _time_of(scene: Scene, words: str) -> TimeRequirement:
-    found = find_times(words, scene.now, scene.conversation.interpreter.language.lexicon).requirements
-    if not found:
-        raise FuzzytimeError(f"{words!r} is no time")
-    return found[0]
-
-
-def _bounds(scene: Scene, time: TimeRequirement) -> tuple[datetime | None, datetime | None]:
-    """Give from when to when a time is, as instants; None where a side is open."""
-    sides = (time.earliest if time.earliest is not None else time.t_spec, time.latest)
-    first, end = (None if side is None else instant_after(scene.now, side) for side in sides)
-    return first, end
 
 
 def _length_of(scene: Scene, thing: str) -> tuple[timedelta, bool]:
@@ -210,7 +196,7 @@ def _length_of(scene: Scene, thing: str) -> tuple[timedelta, bool]:
         trial = scene.conversation.state.with_entries([text], scene.now)
         made = scene.conversation.understood(scene.now, trial)
         name = trial.entries[-1].identifier
-        own = [one for one in made.skills if one.wish.identifier == name and one.skill.duration > 0]
+        own = [one for one in made.everything if one.wish.identifier == name and one.skill.duration > 0]
         if own:
             return timedelta(seconds=own[-1].skill.duration), own[-1].duration.assumed
     return SHORTEST, True

@@ -1,13 +1,10 @@
 """What leans on what was said before: "and dad at seven", "same again tomorrow", "not the soup, the rice"."""
 
-from collections.abc import Callable
 from dataclasses import replace
-from datetime import datetime, timedelta
 
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import (
     AT_FIRST,
     AT_LAST,
@@ -18,25 +15,18 @@ from fuzzytime.language import (
     content_words,
     continued,
     continuing,
-    find_times,
     is_person,
     is_thing,
     may_be_thing,
     names_thing,
     reworded,
 )
-from fuzzytime.requirement import Constraint
-from fuzzytime.times import instant_after
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import changing
-from fuzzytime_cli.repl.naming import entries_meant, entry_of, unknown, words_of_entry
+from fuzzytime_cli.repl.leaving_out import Taken
+from fuzzytime_cli.repl.naming import entries_meant, entry_of, unknown
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.session import Entry
-
-Taken = Callable[[Scene, About], Reply | None]
-"""What takes what is said of wishes as a command."""
-
-DAY = timedelta(days=1)
 
 NAME = 2
 """Words that somebody is called by at most."""
@@ -69,10 +59,12 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
     if about.kind is AboutKind.OTHER:
         return the_other(scene, about, taken)
     known = entry_of(scene, about.names) if about.names else None
+    if about.kind is AboutKind.DROP and known is None:
+        return _kept_after_all(scene, about, taken)
     if about.certain:
         return taken(scene, about) if known is not None or not about.names else None
     if about.kind is AboutKind.DROP:
-        return taken(scene, about) if known is not None else None
+        return taken(scene, about)
     told = any(one.operation is not None for one in reading.instructions)
     if known is not None and not (told and not about.corrects):
         return taken(scene, replace(about, corrects=False))
@@ -151,6 +143,26 @@ def _instead(scene: Scene, about: About, taken: Taken) -> Reply | None:
     return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
 
 
+def _kept_after_all(scene: Scene, about: About, taken: Taken) -> Reply | None:
+    """Leave out one of several that were dropped just before: "clear my afternoon", "wait, not the kids"."""
+    last = scene.taken
+    if last is None or last.kind is not AboutKind.DROP or scene.tried is not None:
+        return None
+    undone, before = _without_last(scene)
+    kept = entry_of(before, about.names)
+    if kept is None:
+        changing.redo(scene, "")
+        return None
+    again = replace(last, names=about.names)
+    if not last.everything:
+        left = [entry.identifier for entry in entries_meant(before, last) if entry.number != kept.number]
+        if len(left) != 1:
+            return undone if not left else None
+        again = About(kind=AboutKind.DROP, names=frozenset(left))
+    reply = taken(before, again)
+    return None if reply is None else replace(reply, lines=(*undone.lines, *reply.lines))
+
+
 def _before(scene: Scene, about: About) -> tuple[Reply, Scene] | None:
     """Take back what was done last, if it may have been meant of another thing; give the scene before it."""
     if scene.taken is None or scene.taken.kind not in REDIRECTED or scene.tried is not None:
@@ -161,9 +173,13 @@ def _before(scene: Scene, about: About) -> tuple[Reply, Scene] | None:
         return None
     if about.thing and entry_of(scene, meant) is None:
         return None
+    return _without_last(scene)
+
+
+def _without_last(scene: Scene) -> tuple[Reply, Scene]:
+    """Take back what was done last; give the answer to that, and the scene before it."""
     undone = changing.undo(scene, "")
-    plan = scene.conversation.plan(scene.now, previous=scene.plan)
-    return undone, replace(scene, plan=plan)
+    return undone, replace(scene, plan=scene.conversation.plan(scene.now, previous=scene.plan))
 
 
 def the_other(scene: Scene, about: About, taken: Taken) -> Reply | None:
@@ -186,108 +202,3 @@ def the_other(scene: Scene, about: About, taken: Taken) -> Reply | None:
     again = replace(last, names=frozenset({left[0].identifier}), places=(), both=False, several=False)
     reply = taken(scene, again)
     return None if reply is None else replace(reply, lines=(*undone.lines, *reply.lines))
-
-
-def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
-    """Leave an occurrence of a repetition out, or what is done once then: "skip tomorrow's".
-
-    Raises
-    ------
-    FuzzytimeError
-        If nothing is planned then.
-    """
-    language = scene.conversation.interpreter.language
-    (time,) = find_times(about.time, scene.now, language.lexicon).requirements[:1]
-    if time.earliest is None or time.latest is None:
-        return None
-    first, end = (instant_after(scene.now, side) for side in (time.earliest, time.latest))
-    entries = [e for e in scene.conversation.state.entries if about.names <= words_of_entry(scene, e)]
-    repeated = [entry for entry in entries if any(_repeats(one) for _, one in waiting(scene, entry.number))]
-    if repeated:
-        spoken_of = [entry for entry in repeated if entry.number == scene.focus]
-        entry = (spoken_of or repeated)[-1]
-        one_day = end - first <= DAY + timedelta(hours=1)
-        return _without(scene, about, entry, f"on {first:%Y-%m-%d}" if one_day else about.time)
-    then = [entry for entry in entries if _starts_within(scene, entry, first, end)]
-    if not about.certain and not (entries and about.names):
-        return None
-    if not then:
-        raise FuzzytimeError(f"nothing that is planned is {about.time} (:list shows what is)")
-    if about.names:
-        meant = frozenset({then[-1].identifier})
-        return taken(scene, replace(about, kind=AboutKind.DROP, names=meant, time=""))
-    raise FuzzytimeError("when then? Say: move it to tomorrow (or: cancel it)")
-
-
-def next_left_out(scene: Scene, about: About) -> Reply | None:
-    """Leave out the next one of a repetition: "skip the next one"; None where what is next is done once.
-
-    Raises
-    ------
-    FuzzytimeError
-        If there are others on its day, as only days can be left out.
-    """
-    (entry,) = entries_meant(scene, about)
-    if not any(_repeats(one) for _, one in waiting(scene, entry.number)):
-        return None
-    schedule = scene.plan.schedule
-    places = [place for place, _ in waiting(scene, entry.number) if not schedule.rejected[place]]
-    days = sorted(scene.plan.instant(schedule.start_times[place]).date() for place in places)
-    if days.count(days[0]) > 1:
-        raise FuzzytimeError(
-            f"one of several on a day cannot be left out: cancel all of {entry.text!r}, or say it anew"
-        )
-    return _without(scene, about, entry, f"on {days[0]:%Y-%m-%d}")
-
-
-def _without(scene: Scene, about: About, entry: Entry, out: str) -> Reply:
-    """Say a repetition anew, without some days."""
-    text = f"{entry.text.rstrip('.! ')} except {out}"
-    reply = changing.reworded(scene, entry.number, text)
-    head = Text(plain(f"taken as :edit {entry.number} {text}; :undo takes it back"))
-    return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
-
-
-def left_out_then(scene: Scene, about: About) -> Reply | None:
-    """Do once on another day what was left out just before: "not this monday", "do it on tuesday"."""
-    last = scene.taken is not None and scene.taken.kind is AboutKind.EXCEPT
-    if (
-        not last
-        or about.kind is not AboutKind.MOVE
-        or about.names
-        or not about.time
-        or scene.tried is not None
-    ):
-        return None
-    entry = entry_of(scene, frozenset())
-    repeated = [] if entry is None else [one for _, one in waiting(scene, entry.number) if _repeats(one)]
-    if entry is None or not repeated or repeated[0].instruction is None:
-        return None
-    every = (p for p in repeated[0].instruction.requirements if p.constraint is Constraint.EVERY)
-    language = scene.conversation.interpreter.language
-    once = language.read(entry.text[: next(every).span[1]], now=entry.given)
-    anew = reworded(once, language.lexicon, time=about.time, now=scene.now)
-    if anew is None or any(
-        part.constraint is Constraint.EVERY
-        for one in language.read(anew, now=scene.now).instructions
-        for part in one.requirements
-    ):
-        # "Not tomorrow", and then "at eleven", is of all that are left.
-        return None
-    return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
-
-
-def _repeats(one: Interpreted) -> bool:
-    return one.instruction is not None and any(
-        part.constraint is Constraint.EVERY for part in one.instruction.requirements
-    )
-
-
-def _starts_within(scene: Scene, entry: Entry, first: datetime, end: datetime) -> bool:
-    schedule = scene.plan.schedule
-    starts = (
-        scene.plan.instant(schedule.start_times[place])
-        for place, _ in waiting(scene, entry.number)
-        if not schedule.rejected[place]
-    )
-    return any(first <= start < end for start in starts)

@@ -1,6 +1,7 @@
 """Commands of the conversation that look: they show, draw and explain, and change nothing."""
 
 from collections import Counter
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
@@ -11,10 +12,10 @@ from fuzzytime.interpreter import Plan
 from fuzzytime.times import seconds_between
 from fuzzytime_cli.formats.clock import Clock, date_of
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.conversation import Move, moves
+from fuzzytime_cli.repl.conversation import Move, lengths_of, moves, news_of
 from fuzzytime_cli.repl.naming import identifier_meant
 from fuzzytime_cli.repl.scene import Reply, Scene, position_of, running_lines, said
-from fuzzytime_cli.session import State
+from fuzzytime_cli.session import Started, State
 
 MINUTE = 60.0
 SVG = ".svg"
@@ -45,7 +46,9 @@ def what_would_move(scene: Scene, head: str, state: State) -> Reply:
 
     made = scene.conversation.plan(scene.now, state)
     lines: list[Text | str] = [Text(head, style="bold")]
-    lines += PlanView(made, scene.width, unicode=scene.unicode).lines()
+    untold = tuple(problem for problem in made.problems if problem not in scene.plan.problems)
+    view = PlanView(replace(made, problems=untold), scene.width, unicode=scene.unicode)
+    lines += view.brief(news_of(scene.plan, made), lengths_of(scene.plan, made))
     lines += move_lines(scene.plan, made)
     before, after = scene.plan.schedule.geometric_mean, made.schedule.geometric_mean
     lines.append(f"average satisfaction {before:.2f} → {after:.2f}; nothing is changed")
@@ -92,6 +95,13 @@ def _ends(move: Move, now: datetime) -> list[str]:
     ]
 
 
+def start_line(started: Started) -> Text:
+    """Announce a start, or that something happens."""
+    what = "now" if started.happens else "start now"
+    line = f"{started.start:%H:%M:%S}  {what}: {plain(started.name)} ({plain(started.identifier)})"
+    return Text(line, style="bold green")
+
+
 def plot(scene: Scene, text: str) -> Reply:
     """Draw the satisfaction of a skill on the screen or into a file, or the plan into a file."""
     from fuzzytime_cli.drawing.svg import chart_svg
@@ -106,7 +116,7 @@ def plot(scene: Scene, text: str) -> Reply:
         replace_file(path, plan_svg(scene.plan))
         return said(f"written: {path}")
     position = position_of(scene, which)
-    interpreted = scene.plan.skills[position]
+    interpreted = scene.plan.everything[position]
     chart = chart_of(interpreted, scene.plan, position)
     if file.strip():
         path = Path(file.strip()).expanduser()

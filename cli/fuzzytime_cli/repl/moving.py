@@ -106,7 +106,7 @@ def _moved(scene: Scene, entry: Entry, by: float, mine: Waiting) -> Entry:
     """
     schedule = scene.plan.schedule
     starts = [
-        scene.plan.instant(schedule.start_times[place]) for place, _ in mine if not schedule.rejected[place]
+        scene.plan.instant(schedule.start_times[place]) for place, _ in mine if scene.plan.has_time(place)
     ]
     to = instant_after(starts[0], by) if len(starts) == 1 else None
     if to is not None and to < scene.now:

@@ -1,14 +1,23 @@
 """What words mean of what was asked for: an instruction, a skill that is running, one that is over."""
 
+import re
+from datetime import datetime
 from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, content_words, nouns_of, verb_forms
+from fuzzytime.language import About, AboutKind, content_words, find_times, nouns_of, verb_forms
+from fuzzytime.requirement import TimeRequirement
+from fuzzytime.times import instant_after
 from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, waiting, whole_number
 from fuzzytime_cli.session import Entry, Started
 
 BOTH = 2
 """How many "both" are."""
+
+LABEL = re.compile(r"s\d+(?:\.\d+)?")
+"""How what is planned is labelled: by its line, and which of several things of that it is."""
+
+LABEL_NUMBERS = re.compile(r"\d+")
 
 FEW = 2
 """Words that are repeated at most."""
@@ -21,9 +30,10 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     """
     running = {number_of(one.identifier) for one in scene.conversation.running(scene.now)}
     latest = scene.conversation.state.entries[::-1]
-    labelled = next((entry for entry in latest if names == {entry.identifier}), None)
-    if labelled is not None:
-        return labelled
+    label = label_meant(scene, names)
+    labelled = (entry for entry in latest if label and entry.number == number_of(label))
+    if label and (found := next(labelled, None)) is not None:
+        return found
     to_do = [e for e in latest if called(scene, e.number) is not None or e.number in running]
     # What only tells of others ("the lunch takes 20 minutes") is meant last.
     entries = [*to_do, *(entry for entry in latest if entry not in to_do)]
@@ -32,7 +42,7 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
         return next(spoken_of, None) or next(iter(entries), None)
     # "The guests" are what comes, before they are what others wait for.
     happening = {
-        one.wish.identifier: content_words(one.skill.name) for one in scene.plan.skills if one.stated
+        one.wish.identifier: content_words(one.skill.name) for one in scene.plan.everything if one.stated
     }
     comes = (e for e in entries if names <= happening.get(e.identifier, frozenset()))
     # What is done with it is meant before what only comes after it: "the nap", and "park after the nap".
@@ -43,9 +53,33 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     return next((entry for found in (comes, things, own, by_name) for entry in found), None)
 
 
+def label_meant(scene: Scene, names: frozenset[str]) -> str:
+    """Give the label that names are: "s2", "s1.2"; empty where they are none, or of nothing.
+
+    Where one line asks for several things, and there is no second line, "2" is the second of these.
+    """
+    label = next(iter(names)) if len(names) == 1 else ""
+    if LABEL.fullmatch(label) is None:
+        return ""
+    entries = scene.conversation.state.entries
+    if label in {entry.identifier for entry in entries} | set(_parts(scene)):
+        return label
+    spoken_of = [entry.number for entry in entries if entry.number == scene.focus or len(entries) == 1]
+    parts = [part for number in spoken_of[:1] for part in _parts(scene) if number_of(part) == number]
+    place = number_of(label)
+    return parts[place - 1] if "." not in label and 1 < len(parts) >= place else ""
+
+
+def _parts(scene: Scene) -> list[str]:
+    """Give how all that is planned or running is labelled, as it was said."""
+    found = [one.identifier for one in scene.plan.skills]
+    found += [one.identifier for one in scene.conversation.running(scene.now)]
+    return sorted(dict.fromkeys(found), key=lambda label: [int(n) for n in LABEL_NUMBERS.findall(label)])
+
+
 def _things_of(scene: Scene, entry: Entry) -> frozenset[str]:
     """Give the words that an entry itself says of what is done, and not of when."""
-    skills = (one for one in scene.plan.skills if one.wish.identifier == entry.identifier)
+    skills = (one for one in scene.plan.everything if one.wish.identifier == entry.identifier)
     return content_words(entry.text) & frozenset[str]().union(
         *(content_words(one.skill.name) for one in skills)
     )
@@ -86,7 +120,7 @@ def entries_meant(scene: Scene, about: About) -> list[Entry]:
     entry = entry_of(scene, about.names)
     if entry is None or not about.several:
         return [] if entry is None else [entry]
-    asked = [one for one in scene.plan.skills if not one.stated]
+    asked = [one for one in scene.plan.everything if not one.stated]
     named = {one.wish.identifier for one in asked if about.names <= content_words(one.skill.name)}
     # "The guests" are those who come, and not what waits for them.
     return [one for one in left if one.identifier in named] if entry.identifier in named else [entry]
@@ -104,17 +138,48 @@ def _next_of(scene: Scene) -> list[Entry]:
     starts = [
         (schedule.start_times[place], one.wish.identifier)
         for place, one in waiting(scene)
-        if not schedule.rejected[place]
+        if scene.plan.has_time(place)
     ]
     if not starts:
         raise FuzzytimeError("nothing starts next (:list shows what is asked for)")
     return [one for one in scene.conversation.state.entries if one.identifier == min(starts)[1]]
 
 
+def time_of(scene: Scene, words: str) -> TimeRequirement:
+    """Read a time.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is none.
+    """
+    found = find_times(words, scene.now, scene.conversation.interpreter.language.lexicon).requirements
+    if not found:
+        raise FuzzytimeError(f"{words!r} is no time")
+    return found[0]
+
+
+def bounds_of(scene: Scene, time: TimeRequirement) -> tuple[datetime | None, datetime | None]:
+    """Give from when to when a time is, as instants; None where a side is open."""
+    sides = (time.earliest if time.earliest is not None else time.t_spec, time.latest)
+    first, end = (None if side is None else instant_after(scene.now, side) for side in sides)
+    return first, end
+
+
+def starts_of_entry(scene: Scene, entry: Entry) -> list[datetime]:
+    """Give when what an entry asks for is planned to start, as far as it has not."""
+    schedule = scene.plan.schedule
+    return [
+        scene.plan.instant(schedule.start_times[place])
+        for place, _ in waiting(scene, entry.number)
+        if scene.plan.has_time(place)
+    ]
+
+
 def words_of_entry(scene: Scene, entry: Entry) -> frozenset[str]:
     """Give the words that name what an entry asks for: its things, and its verbs as nouns too."""
     lexicon = scene.conversation.interpreter.language.lexicon
-    skills = [one for one in scene.plan.skills if one.wish.identifier == entry.identifier]
+    skills = [one for one in scene.plan.everything if one.wish.identifier == entry.identifier]
     verbs = (one.operation.lemma for one in skills if one.operation is not None)
     nouns = frozenset(
         noun
@@ -154,7 +219,7 @@ def identifier_meant(scene: Scene, text: str) -> str:
 
 def called(scene: Scene, number: int) -> str | None:
     """Give the identifier of an instruction's first skill in the plan; None where none is planned."""
-    found = (one.identifier for one in scene.plan.skills if one.wish.identifier == f"s{number}")
+    found = (one.identifier for one in scene.plan.everything if one.wish.identifier == f"s{number}")
     return next(found, None)
 
 
@@ -167,6 +232,10 @@ def running_one(scene: Scene, names: frozenset[str]) -> Started | None:
         If nothing is named, and several are running.
     """
     running = scene.conversation.running(scene.now)
+    if label := label_meant(scene, names):
+        return next(
+            (one for one in running if label in {one.identifier, f"s{number_of(one.identifier)}"}), None
+        )
     if names:
         return next((one for one in reversed(running) if names <= _words(scene, one)), None)
     if len(running) > 1:
@@ -182,6 +251,9 @@ def running_one(scene: Scene, names: frozenset[str]) -> Started | None:
 
 def part_meant(scene: Scene, number: int, names: frozenset[str]) -> str | None:
     """Give the only one of several things to do of an instruction that words name; None for the whole."""
+    label = label_meant(scene, names)
+    if "." in label and number_of(label) == number:
+        return label
     begun = {one.identifier: one.name for one in scene.conversation.running(scene.now)}
     parts = begun | {one.identifier: one.skill.name for _, one in waiting(scene, number)}
     mine = {key: name for key, name in parts.items() if number_of(key) == number}

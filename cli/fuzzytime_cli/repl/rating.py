@@ -89,8 +89,8 @@ def _start(scene: Scene, identifier: str) -> tuple[datetime, bool]:
     for one in scene.conversation.store.started(scene.conversation.name):
         if one.identifier == identifier:
             return one.start, True
-    for position, interpreted in enumerate(scene.plan.skills):
-        if interpreted.identifier == identifier and not scene.plan.schedule.rejected[position]:
+    for position, interpreted in enumerate(scene.plan.everything):
+        if interpreted.identifier == identifier and scene.plan.has_time(position):
             return scene.plan.instant(scene.plan.schedule.start_times[position]), False
     raise FuzzytimeError(f"a rated skill must have a start, and {identifier} has none")
 

@@ -11,6 +11,7 @@ from fuzzytime.language import (
     About,
     AboutKind,
     Operation,
+    Reading,
     content_words,
     find_times,
     in_its_place,
@@ -19,7 +20,8 @@ from fuzzytime.language import (
     with_names,
 )
 from fuzzytime.requirement import Constraint, TimeRequirement
-from fuzzytime_cli.repl.naming import entries_meant
+from fuzzytime_cli.repl.naming import entries_meant, starts_of_entry
+from fuzzytime_cli.repl.parts import with_time_of_part
 from fuzzytime_cli.repl.scene import Scene, number_of, waiting
 from fuzzytime_cli.session import Entry
 
@@ -39,9 +41,6 @@ BETWEEN = re.compile(r",\s*(?:and\s+)?|\s+and\s+")
 
 AT = re.compile(r"(^| )at ")
 """The preposition of a time that is no bound."""
-
-ONE = frozenset({"1", "one", "a", "an"})
-"""Numbers behind which a unit has no s."""
 
 
 def said_anew(scene: Scene, words: str) -> str | None:
@@ -66,13 +65,13 @@ def same_anew(scene: Scene, anew: str) -> str | None:
         If the instruction asks for more than that.
     """
     language = scene.conversation.interpreter.language
-    reading = language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.skills])
+    reading = language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.everything])
     if len(reading.instructions) != 1:
         return None
     operation, times = reading.instructions[0].operation, reading.instructions[0].requirements
     if operation is None or not times:
         return None
-    same = [one for one in scene.plan.skills if one.reading and _is_same(one.operation, operation)]
+    same = [one for one in scene.plan.everything if one.reading and _is_same(one.operation, operation)]
     same.sort(key=lambda one: number_of(one.identifier) == scene.focus)
     if not same:
         return None
@@ -85,6 +84,37 @@ def same_anew(scene: Scene, anew: str) -> str | None:
         moved = About(kind=AboutKind.MOVE, time=times[0].text)
         anew = with_time(scene, scene.conversation.state.entry(number), moved, own)
     return f":edit {number} {anew}"
+
+
+def timed_now(scene: Scene, words: str, reading: Reading) -> str | None:
+    """Give the command that gives its time to what was asked for without one; None where nothing was.
+
+    Who asks to "trim the hedge", and then to "trim the hedge at four", means one and the same.
+    """
+    lexicon = scene.conversation.interpreter.language.lexicon
+    forms = lexicon.conversation["closing"] | lexicon.conversation["again"]
+    more = {form[0] for form in forms if len(form) == 1}
+    if len(reading.instructions) != 1 or not more.isdisjoint(words.lower().split()):
+        return None
+    operation, times = reading.instructions[0].operation, reading.instructions[0].requirements
+    if operation is None or not operation.object or not times:
+        return None
+    same = [one for _, one in waiting(scene) if _is_same(one.operation, operation)]
+    if len(same) == 1 and same[0].instruction is not None and not same[0].instruction.requirements:
+        number, time = number_of(same[0].identifier), " ".join(part.text for part in times)
+        entry = scene.conversation.state.entry(number)
+        return f":edit {number} {with_time_of_part(scene, entry, time, same[0].identifier)}"
+    # What may be done at any time is taken to have begun at once.
+    begun = {
+        number_of(one.identifier) for one in scene.conversation.running(scene.now) if one.end > scene.now
+    }
+    language = scene.conversation.interpreter.language
+    for entry in (entry for entry in scene.conversation.state.entries if entry.number in begun):
+        read = language.read(entry.text, now=entry.given).instructions
+        untimed = len(read) == 1 and not read[0].requirements
+        if not same and untimed and _is_same(read[0].operation, operation):
+            return f":edit {entry.number} {words}"
+    return None
 
 
 def wished_instead(scene: Scene, words: str) -> str | None:
@@ -107,7 +137,7 @@ def wished_instead(scene: Scene, words: str) -> str | None:
     meant = entries_meant(scene, about)
     if len(meant) != 1:
         return None
-    old = [one.operation for one in scene.plan.skills if one.wish.identifier == meant[0].identifier]
+    old = [one.operation for one in scene.plan.everything if one.wish.identifier == meant[0].identifier]
     read = language.read(wish, now=scene.now, given=old).instructions
     asked = [one.operation for one in read if one.operation is not None]
     told = wish.split()[0].lower() in language.lexicon.closed.condition_openers
@@ -119,11 +149,12 @@ def wished_instead(scene: Scene, words: str) -> str | None:
 
 def without_thing(scene: Scene, entry: Entry, names: frozenset[str]) -> str:
     """Give an entry's words without one of several things that it is about; empty where it is about one."""
-    operations = (one.operation for one in scene.plan.skills if one.wish.identifier == entry.identifier)
-    for operation in operations:
+    read = scene.conversation.interpreter.language.read(entry.text, now=entry.given)
+    for operation in (one.operation for one in read.instructions):
         said = "" if operation is None else operation.object or ""
+        verb = frozenset() if operation is None else {operation.lemma}
         things = [thing for thing in BETWEEN.split(said) if thing]
-        left = [thing for thing in things if content_words(thing) != names]
+        left = [thing for thing in things if content_words(thing) != names - verb]
         if 0 < len(left) < len(things) and said in entry.text:
             front = ", ".join(left[:-1])
             return entry.text.replace(said, f"{front} and {left[-1]}" if front else left[-1], 1)
@@ -140,17 +171,26 @@ def _is_same(one: Operation | None, other: Operation) -> bool:
     return places and (things == content_words(one.object) or (bool(other.object) and not things))
 
 
-def with_time(scene: Scene, entry: Entry, about: About, own: Sequence[TimeRequirement] | None = None) -> str:
+def with_time(
+    scene: Scene,
+    entry: Entry,
+    about: About,
+    own: Sequence[TimeRequirement] | None = None,
+    part: str | None = None,
+) -> str:
     """Give an entry's words with another time, or length, in place of its own; of several, of those given.
 
-    A number alone ("make it six") counts what the entry counts: six minutes where it has ten of them.
+    A number alone ("make it six") counts what the entry counts: six minutes where it has ten of them. Of
+    several things that an entry asks for, ``part`` labels the one that is meant.
 
     Raises
     ------
     FuzzytimeError
         If it has several.
     """
-    mine = [one for one in scene.plan.skills if one.wish.identifier == entry.identifier]
+    if part is not None:
+        return with_time_of_part(scene, entry, about.time, part)
+    mine = [one for one in scene.plan.everything if one.wish.identifier == entry.identifier]
     if len(mine) == 1 and mine[0].told_by:
         # "They are ten minutes late" has no time of its own to be replaced.
         return f"{mine[0].skill.name} {about.time} instead"
@@ -187,12 +227,7 @@ def days_on(scene: Scene, entry: Entry, days: int) -> str:
     FuzzytimeError
         If it has no day, or several times.
     """
-    schedule = scene.plan.schedule
-    starts = [
-        scene.plan.instant(schedule.start_times[place])
-        for place, _ in waiting(scene, entry.number)
-        if not schedule.rejected[place]
-    ]
+    starts = starts_of_entry(scene, entry)
     if not starts:
         raise FuzzytimeError(f"instruction {entry.number} has no day: say it anew, with :edit")
     day = min(starts) + timedelta(days=days)
@@ -220,7 +255,7 @@ def _recounted(scene: Scene, entry: Entry, time: TimeRequirement, number: str) -
         said = f"for {entry.text[first:last].strip()}"
         found = find_times(said, entry.given, lexicon).requirements
         if len(found) == 1 and found[0].span == (0, len(said)) and _counts_alike(found[0], time):
-            unit = time.unit.value + ("" if number.lower() in ONE else "s")
+            unit = time.unit.value + ("" if (number.lower(),) in lexicon.conversation["one"] else "s")
             gap = " " if first > start else ""
             return f"{entry.text[:first]}{gap}{number} {unit}{entry.text[last:]}"
     return ""

@@ -93,7 +93,7 @@ def _load_lines(scene: Scene, path: Path, texts: list[str]) -> Reply:
     known = scene.conversation.state
     trial = added(known, texts)
     made = scene.conversation.understanding.interpret(scene.conversation.request(scene.now, trial))
-    planned = {interpreted.wish.identifier for interpreted in made.skills}
+    planned = {interpreted.wish.identifier for interpreted in made.everything}
     faulty = {problem.text for problem in made.problems if problem.kind in UNREAD}
     new = trial.entries[len(known.entries) :]
     unread = [entry for entry in new if entry.identifier not in planned and entry.text in faulty]

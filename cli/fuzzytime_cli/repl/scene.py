@@ -7,7 +7,7 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.interpreter import Interpreted, Plan, Problem, ProblemKind
+from fuzzytime.interpreter import IN_THE_PLAN, Interpreted, Plan, Problem, ProblemKind
 from fuzzytime.language import About
 from fuzzytime_cli.faults import underlined
 from fuzzytime_cli.formats.clock import Clock
@@ -150,7 +150,7 @@ def position_of(scene: Scene, text: str) -> int:
         If there is none.
     """
     wanted = identifier_of(text)
-    for position, interpreted in enumerate(scene.plan.skills):
+    for position, interpreted in enumerate(scene.plan.everything):
         if interpreted.identifier == wanted:
             return position
     for running in scene.conversation.running(scene.now):
@@ -159,7 +159,7 @@ def position_of(scene: Scene, text: str) -> int:
             raise FuzzytimeError(
                 f"{wanted} is running until {until}, and no longer planned (see: :done, :rate)"
             )
-    known = ", ".join(interpreted.identifier for interpreted in scene.plan.skills) or "none yet"
+    known = ", ".join(interpreted.identifier for interpreted in scene.plan.everything) or "none yet"
     raise FuzzytimeError(f"a skill of the plan must follow ({known}){got(text)}")
 
 
@@ -174,10 +174,13 @@ def running_lines(conversation: Conversation, now: datetime) -> list[Text]:
 
 def begun_of(scene: Scene, number: int) -> Started | None:
     """Give the skill of an instruction that has started, the last if several have; None if one has not."""
-    if waiting(scene, number):
-        return None
+    return None if waiting(scene, number) else next(reversed(begun_parts(scene, number)), None)
+
+
+def begun_parts(scene: Scene, number: int) -> list[Started]:
+    """Give what has started of an instruction, the latest last."""
     begun = scene.conversation.store.started(scene.conversation.name)
-    return next((one for one in reversed(begun) if number_of(one.identifier) == number), None)
+    return [one for one in begun if number_of(one.identifier) == number]
 
 
 def waiting(scene: Scene, number: int | None = None) -> list[tuple[int, Interpreted]]:
@@ -185,7 +188,7 @@ def waiting(scene: Scene, number: int | None = None) -> list[tuple[int, Interpre
     begun = {one.identifier for one in scene.conversation.store.started(scene.conversation.name)}
     return [
         (place, one)
-        for place, one in enumerate(scene.plan.skills)
+        for place, one in enumerate(scene.plan.everything)
         if one.identifier not in begun and (number is None or one.wish.identifier == f"s{number}")
     ]
 
@@ -212,7 +215,7 @@ def step(scene: Scene, what: str, change: Callable[[State], State]) -> Reply:
 
 def problem_lines(problem: Problem, width: int) -> list[Text | str]:
     """Give a problem as lines, with the words underlined; what is drawn with the plan is not said again."""
-    if problem.kind in {ProblemKind.NOTE, ProblemKind.REJECTED}:
+    if problem.kind in IN_THE_PLAN:
         return []
     lines: list[Text | str] = [Text(plain(problem.message), style="red")]
     if problem.span is not None and problem.text:

@@ -11,6 +11,7 @@ from fuzzytime.language import (
     About,
     AboutKind,
     Language,
+    Operation,
     Reading,
     about_things,
     about_wishes,
@@ -18,15 +19,19 @@ from fuzzytime.language import (
     behind_what_is_told,
     by_how_much,
     content_words,
+    perhaps_reported,
     reported,
+    respelled,
 )
+from fuzzytime.language.sentence.trees.model import is_verb
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, gaps, looking
-from fuzzytime_cli.repl.commands import command_of, what_if
-from fuzzytime_cli.repl.leaning import leaning, left_out, left_out_then, next_left_out, the_other
+from fuzzytime_cli.repl.commands import command_of, how_to, what_if
+from fuzzytime_cli.repl.leaning import leaning, the_other
+from fuzzytime_cli.repl.leaving_out import left_out, left_out_then, next_left_out
 from fuzzytime_cli.repl.meant import command_meant
-from fuzzytime_cli.repl.naming import entries_meant
-from fuzzytime_cli.repl.retiming import said_anew, same_anew, wished_instead
+from fuzzytime_cli.repl.naming import LABEL, entries_meant, entry_of, label_meant, unknown
+from fuzzytime_cli.repl.retiming import said_anew, same_anew, timed_now, wished_instead
 from fuzzytime_cli.repl.scene import Reply, Scene, whole_number
 from fuzzytime_cli.repl.telling import tells_what_is, told_state
 
@@ -68,6 +73,17 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
     FuzzytimeError
         If nothing that is known can be meant, or which of several is not said.
     """
+    reply = _reply_about(scene, words)
+    if reply is not None:
+        return reply
+    anew = respelled(words, scene.now, scene.conversation.interpreter.language.lexicon, is_verb)
+    reply = None if anew is None else _reply_about(scene, anew)
+    if reply is None or reply.anew:
+        return None
+    return replace(reply, lines=(Text(plain(f"read as: {anew}")), *reply.lines))
+
+
+def _reply_about(scene: Scene, words: str) -> Reply | None:
     lexicon = scene.conversation.interpreter.language.lexicon
     length = None if scene.asked is None else by_how_much(words, scene.now, lexicon)
     if scene.asked is not None and length is not None:
@@ -75,6 +91,8 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
     instead = wished_instead(scene, words)
     if instead is not None:
         return _run(scene, About(kind=AboutKind.MOVE), instead)
+    if (reply := _with_reason(scene, words)) is not None:
+        return reply
     about = about_wishes(words, scene.now, lexicon) or _behind_what_is_told(scene, words)
     if about is None:
         return _told(scene, words)
@@ -95,9 +113,34 @@ def _behind_what_is_told(scene: Scene, words: str) -> About | None:
     if not told:
         return about
     reading = language.read(told, now=scene.now)
-    asks = any(one.operation is not None and one.operation.is_asked for one in reading.instructions)
-    asks = asks and not tells_what_is(reading, language.lexicon)
-    return None if asks or any(one.requirements for one in reading.instructions) else about
+    return None if _asks(scene, reading) else about
+
+
+def _asks(scene: Scene, reading: Reading) -> bool:
+    """Whether words ask for something, or say a time."""
+    asked = any(one.operation is not None and one.operation.is_asked for one in reading.instructions)
+    asked = asked and not tells_what_is(reading, scene.conversation.interpreter.language.lexicon)
+    return asked or any(one.requirements for one in reading.instructions)
+
+
+def _with_reason(scene: Scene, words: str) -> Reply | None:
+    """Take what is said of wishes in front of what asks for nothing: "skip it, I'm too tired"."""
+    language = scene.conversation.interpreter.language
+    front, mark, why = words.partition(",")
+    about = about_wishes(front, scene.now, language.lexicon) if mark and why.strip() else None
+    anaphors = language.lexicon.closed.anaphors
+    if about is None or about.kind not in CHANGING or not (about.certain or entries_meant(scene, about)):
+        return None
+    if not about.names and anaphors.isdisjoint(front.lower().split()):
+        # "Never mind, it works"
+        return None
+    reading = language.read(why, now=scene.now)
+    if _asks(scene, reading) or entry_of(scene, content_words(why)) is not None:
+        return None
+    reply = _taken(scene, about)
+    if reply is None:
+        return None
+    return replace(reply, lines=(*reply.lines, Text(plain(f"{why.strip()!r} changes nothing"))))
 
 
 def _told(scene: Scene, words: str) -> Reply | None:
@@ -118,6 +161,9 @@ def _told(scene: Scene, words: str) -> Reply | None:
         state = told_state(scene, words, reading)
         if state is not None:
             return state
+        perhaps = None if meant else perhaps_reported(reading, language.lexicon)
+        if perhaps is not None and (reply := _done(scene, perhaps)) is not None:
+            return reply
         if tells_what_is(reading, language.lexicon):
             raise FuzzytimeError(f"{words!r} tells what is, and says nothing to do: say what you want done")
         if means is None or not (means.certain and means.names):
@@ -127,12 +173,30 @@ def _told(scene: Scene, words: str) -> Reply | None:
         added = None if wish else added_time(words, scene.now, language.lexicon)
         if added is not None:
             return _taken(scene, added)
-        anew = said_anew(scene, words)
+        anew = said_anew(scene, words) or timed_now(scene, words, reading)
         if anew is not None:
             return _run(scene, About(kind=AboutKind.MOVE), anew)
-        return leaning(scene, words, reading, _taken)
-    names = content_words(operation.object) | {operation.lemma}
-    return _taken(scene, About(kind=AboutKind.DONE, names=names, certain=True))
+        leant = leaning(scene, words, reading, _taken)
+        # What asks for something is no question: "could you feed the cat?"
+        return leant if leant is not None or wish else answering.asked_of(scene, words)
+    reply = _done(scene, operation)
+    if reply is None:
+        raise FuzzytimeError(
+            f"{words!r} tells what was done, and nothing like it is planned (:list shows what is)"
+        )
+    return reply
+
+
+def _done(scene: Scene, operation: Operation) -> Reply | None:
+    """Take something as done; None where nothing that is planned, or has begun, is like it."""
+    lexicon = scene.conversation.interpreter.language.lexicon
+    anaphor = (operation.object or "").lower() in lexicon.closed.anaphors
+    things = frozenset[str]() if anaphor else content_words(operation.object)
+    # "Got the milk" is of whatever was to be done with it.
+    tried = [things | {operation.lemma}]
+    tried += [things] if things and (operation.lemma,) in lexicon.conversation["done with"] else []
+    replies = (_taken(scene, About(kind=AboutKind.DONE, names=names)) for names in tried)
+    return next((reply for reply in replies if reply is not None), None)
 
 
 def _check_labels(scene: Scene, reading: Reading) -> None:
@@ -146,6 +210,8 @@ def _check_labels(scene: Scene, reading: Reading) -> None:
     labels = {entry.identifier for entry in scene.conversation.state.entries}
     objects = (one.operation.object for one in reading.instructions if one.operation is not None)
     for said in (reading.text.partition(" ")[0], *objects):
+        if said is not None and "." in said and LABEL.fullmatch(said) is not None:
+            labels.add(label_meant(scene, frozenset({said})) or unknown(frozenset({said})))
         if said in labels:
             raise FuzzytimeError(
                 f"{said} was asked for already, and this is not understood of it; say: move {said} to six, "
@@ -188,7 +254,8 @@ def _run(scene: Scene, about: About, line: str) -> Reply:
         return replace(reply, focus=focus)
     if line in {":undo", ":redo"}:
         return reply
-    back = "" if kind in HISTORY and not line.startswith(":busy") else "; :undo takes it back"
+    told = line.startswith(":done") or (kind in HISTORY and not line.startswith(":busy"))
+    back = "" if told else "; :undo takes it back"
     head = Text(plain(f"taken as {line}{f' ({dropped})' if dropped else ''}{back}"))
     return replace(reply, lines=(head, *reply.lines), focus=focus, taken=about)
 
@@ -224,5 +291,6 @@ ANSWERS: Mapping[AboutKind, Callable[[Scene, About], Reply]] = {
     AboutKind.DURING: gaps.during,
     AboutKind.ON_TIME: lambda scene, _: answering.on_time(scene),
     AboutKind.SUPPOSE: lambda scene, about: _supposed(scene, about.text),
+    AboutKind.HOW: lambda scene, about: how_to(scene, about.text),
 }
 """What answers each kind of question."""

@@ -2,21 +2,14 @@
 
 from rich.text import Text
 
-from fuzzytime.language import Lexicon, Reading, content_words, news_in
+from fuzzytime.language import Lexicon, Reading, news_in
 from fuzzytime.requirement import Condition, Constraint
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.changing import ctx
 from fuzzytime_cli.repl.conversation import context_of
 from fuzzytime_cli.repl.retiming import IDLE
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
-
-TOLD_OF = frozenset({"it", "they", "it's", "they're", "there"})
-"""First words of what is told of something that was spoken of."""
-
-YOU = "you"
-
-THINGS = frozenset({"it", "he", "she", "that", "this"})
-"""First words of what tells how something is: no order begins with them."""
+from fuzzytime_cli.told_states import as_news, is_waited_for, tells_a_state, told_of
 
 
 def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
@@ -38,9 +31,9 @@ def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
         reply = ctx(scene, text)
         head = Text(plain(f"taken as :ctx {text}; :undo takes it back"))
         return Reply((head, *reply.lines), changed=reply.changed)
-    if not _is_waited_for(scene, said):
+    if not is_waited_for(said, (one for _, one in waiting(scene))):
         return None
-    anew = f"{said} now"
+    anew = as_news(said)
     return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
 
 
@@ -57,20 +50,19 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     verb = operation.verb.lower()
     past = verb != operation.lemma or any(verb in forms for forms in lexicon.past.values())
     owed = any(token.text.lower() in lexicon.closed.verbs_of_obligation for token in reading.tokens)
-    return (first == YOU and past and not operation.stated) or (first in THINGS and not owed)
+    closed = lexicon.closed
+    if first in closed.second_person:
+        return past and not operation.stated
+    # No order begins with "she" or "that".
+    return first in closed.third_person_singular | closed.singular_anaphors and not owed
 
 
 def _tells(scene: Scene, said: str, reading: Reading) -> bool:
-    """Whether words tell what is so: they ask for nothing at any time, and are no news of what was told."""
-    if len(reading.instructions) != 1 or any(one.requirements for one in reading.instructions):
-        return False
+    """Whether words tell what is so, and are no news of what was told."""
     lexicon = scene.conversation.interpreter.language.lexicon
-    first = said.split(maxsplit=1)[0].lower().replace("\u2019", "'") if said else ""
-    operation = reading.instructions[0].operation
-    # No order begins with "the" or "it".
-    if operation is not None and first not in TOLD_OF | lexicon.closed.noun_openers:
+    if not reading.instructions or not tells_a_state(said, reading, lexicon):
         return False
-    happening = [one.operation for one in scene.plan.skills if one.stated and one.operation is not None]
+    happening = [one.operation for one in scene.plan.everything if one.stated and one.operation is not None]
     return not any(
         news.is_of(one, lexicon) for news in news_in(said, scene.now, lexicon) for one in happening
     )
@@ -83,7 +75,7 @@ def _condition(scene: Scene, said: str) -> Condition | None:
     found = [part.condition for one in read.instructions for part in one.requirements]
     if len(found) != 1 or found[0] is None:
         return None
-    if found[0].subject not in TOLD_OF:
+    if found[0].subject not in told_of(language.lexicon):
         return found[0]
     alike = (one for one in _awaited(scene) if one.word is not None and one.word == found[0].word)
     return next(alike, found[0])
@@ -97,14 +89,3 @@ def _awaited(scene: Scene) -> list[Condition]:
         for part in one.requirements
         if part.condition is not None and part.constraint is Constraint.WHEN
     ]
-
-
-def _is_waited_for(scene: Scene, said: str) -> bool:
-    """Whether something waits for what these words say."""
-    named = content_words(said)
-    parts = (part for _, one in waiting(scene) for part in one.requirements)
-    return bool(named) and any(
-        named <= content_words(part.text)
-        for part in parts
-        if part.condition is not None or (part.anchor is not None and part.anchor.target is None)
-    )

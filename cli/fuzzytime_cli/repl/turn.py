@@ -7,16 +7,16 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError, InstructionError
-from fuzzytime.interpreter import Plan, Problem
+from fuzzytime.interpreter import Plan, Problem, ProblemKind
 from fuzzytime.language import About, behind_an_answer, choice_meant, chooses_none, said_apart
 from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
-from fuzzytime_cli.inputs.lines import said_in
+from fuzzytime_cli.inputs.lines import is_ticked_off, said_in
 from fuzzytime_cli.render import plain, wrapped
-from fuzzytime_cli.repl.commands import BARE, command_of
-from fuzzytime_cli.repl.conversation import Conversation, answered
-from fuzzytime_cli.repl.looking import move_lines
-from fuzzytime_cli.repl.pending import Pending, asked_late, question_lines
+from fuzzytime_cli.repl.commands import command_of, without_colon
+from fuzzytime_cli.repl.conversation import Conversation, answered, lengths_of, news_of
+from fuzzytime_cli.repl.looking import move_lines, start_line
+from fuzzytime_cli.repl.pending import Pending, asked_late, question_lines, question_of, untold_notes
 from fuzzytime_cli.repl.scene import (
     UNREAD,
     AskedBackError,
@@ -25,6 +25,7 @@ from fuzzytime_cli.repl.scene import (
     number_of,
     problem_lines,
     running_lines,
+    said,
     whole_number,
 )
 from fuzzytime_cli.repl.speaking import are_about, reply_about
@@ -72,9 +73,9 @@ class Turns:
 
     def take(self, line: str, now: datetime) -> Reply:
         """Answer a line; every error of what was typed is an answer too."""
-        words = _words_of(line)
+        words = self._words_of(line)
         if not words:
-            return Reply()
+            return said(f"ticked off, and not planned: {line.strip()}") if is_ticked_off(line) else Reply()
         pending = self._question_put()
         return self._turn(lambda: self._answer_to(words, pending, now), now)
 
@@ -85,10 +86,10 @@ class Turns:
 
     def together(self, lines: Sequence[str], now: datetime) -> list[list[str]]:
         """Part lines said at once: instructions in a row stand together, all else alone."""
-        said = [line for line in lines if _words_of(line)]
+        told = [line for line in lines if self._words_of(line) or is_ticked_off(line)]
         parts: list[list[str]] = []
         went_on = False
-        for line, wish in zip(said, self._are_wishes([line.strip() for line in said], now), strict=True):
+        for line, wish in zip(told, self._are_wishes([line.strip() for line in told], now), strict=True):
             if wish and went_on:
                 parts[-1].append(line)
             else:
@@ -105,7 +106,7 @@ class Turns:
             # Taken alone, each line says what is wrong with it.
             return [False] * len(lines)
         return [
-            _words_of(line) == line and line[0] not in ":/" and not other
+            self._words_of(line) == line and line[0] not in ":/" and not other
             for line, other in zip(lines, about, strict=True)
         ]
 
@@ -121,7 +122,8 @@ class Turns:
                 reply = replace(reply, lines=(*reply.lines, *self._redrawn(now)))
             reply = replace(reply, lines=(*self._told_news(), *reply.lines))
             if self.pending is not None:
-                reply = replace(reply, lines=(*reply.lines, *question_lines(self.pending.question)))
+                asked = question_lines(self.pending.question, self.width)
+                reply = replace(reply, lines=(*reply.lines, *asked))
         except AskedBackError as error:
             self.asked = error.about
             return Reply((Text(plain(str(error)), style="red"),))
@@ -190,6 +192,11 @@ class Turns:
 
     # -- inside ---------------------------------------------------------------------------------------------
 
+    def _words_of(self, line: str) -> str:
+        """Give what was typed; a command that needs no colon as if it had it, and nothing for a comment."""
+        words = said_in(line)
+        return without_colon(words, self.conversation.interpreter.language.lexicon) if words else ""
+
     def _question_put(self) -> Pending | None:
         """Give the question that the last turn ended with; it is put once."""
         pending, self.pending = self.pending, None
@@ -226,9 +233,13 @@ class Turns:
         lines = self._told_news()
         lines += [Text(line, style="yellow") for line in move_lines(before, made, started)]
         lines += running_lines(self.conversation, now)
-        untold = tuple(problem for problem in made.problems if problem not in self.told)
-        self.told = set(made.problems)
-        lines += PlanView(replace(made, problems=untold), self.width, unicode=self.unicode).lines()
+        policy = self.conversation.interpreter.language.lexicon.policy
+        told = self.told | untold_notes(made, policy, self.pending)
+        untold = tuple(problem for problem in made.problems if problem not in told)
+        noted = {problem for problem in self.told if problem.kind is ProblemKind.NOTE}
+        self.told = noted | set(made.problems)
+        view = PlanView(replace(made, problems=untold), self.width, unicode=self.unicode)
+        lines += view.brief(news_of(before, made), lengths_of(before, made))
         lines += [line for problem in untold for line in problem_lines(problem, self.width)]
         return lines
 
@@ -246,7 +257,7 @@ class Turns:
         kept, last = [], None
         for words, entry in zip(said, trial.entries[-len(said) :], strict=True):
             faults = [one for one in made.problems if one.text == words and one.kind in UNREAD]
-            own = [one for one in made.skills if one.wish.identifier == entry.identifier]
+            own = [one for one in made.everything if one.wish.identifier == entry.identifier]
             if faults and not own:
                 lines += [line for problem in faults for line in problem_lines(problem, self.width)]
             else:
@@ -259,8 +270,10 @@ class Turns:
         number = state.entries[-1].number
         reading = last.reading if last is not None and not last.told_by else None
         # What is told anew is taken for the time nearest to the old one.
-        if self.asks and len(said) == 1 and reading is not None and reading.questions:
-            self.pending = Pending(number, reading.questions[0])
+        policy = self.conversation.interpreter.language.lexicon.policy
+        question = None if reading is None else question_of(reading, policy)
+        if self.asks and len(said) == 1 and question is not None:
+            self.pending = Pending(number, question)
         return Reply(tuple(lines), changed=True, focus=number)
 
     def _answer_in_words(self, words: str, pending: Pending, now: datetime) -> Reply | None:
@@ -290,16 +303,3 @@ class Turns:
             ),
         )
         return Reply(changed=True)
-
-
-def _words_of(line: str) -> str:
-    """Give what was typed; a command that needs no colon as one that has it, and nothing for a comment."""
-    words = said_in(line)
-    return BARE.get(words.lower().rstrip("?").rstrip(), words) if words else ""
-
-
-def start_line(started: Started) -> Text:
-    """Announce a start, or that something happens."""
-    what = "now" if started.happens else "start now"
-    line = f"{started.start:%H:%M:%S}  {what}: {plain(started.name)} ({plain(started.identifier)})"
-    return Text(line, style="bold green")

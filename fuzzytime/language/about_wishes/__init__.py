@@ -9,7 +9,8 @@ from fuzzytime.language.about_wishes.merging import merged_time
 from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
 from fuzzytime.language.about_wishes.reading import about_wishes, behind_what_is_told
 from fuzzytime.language.about_wishes.replacing import behind_an_answer, in_its_place, said_apart, with_names
-from fuzzytime.language.about_wishes.reports import reported
+from fuzzytime.language.about_wishes.reports import perhaps_reported, reported
+from fuzzytime.language.about_wishes.respelling import respelled
 from fuzzytime.language.about_wishes.rewording import (
     is_person,
     is_thing,
@@ -45,7 +46,9 @@ __all__ = [
     "merged_time",
     "names_thing",
     "news_in",
+    "perhaps_reported",
     "reported",
+    "respelled",
     "restated",
     "reworded",
     "said_apart",

@@ -51,6 +51,7 @@ class AboutKind(StrEnum):
     BESIDE = "beside"
     DURING = "during"
     ON_TIME = "on time"
+    HOW = "how"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,8 +85,8 @@ class About:
     by
         Seconds: by how much later, earlier (below 0), or longer; None where that is not said.
     text
-        What is supposed: "what if I call mum at six" has "call mum at six"; or how much later, where that is
-        vague: "a bit later".
+        What is supposed: "what if I call mum at six" has "call mum at six"; how much later, where that is
+        vague: "a bit later"; or the kind of what somebody asks how to say.
     thing
         What stands in the place of something that was asked for, or is wished beside it: "the roses" of "same
         for the roses", "dad" of "no, dad".

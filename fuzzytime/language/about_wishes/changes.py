@@ -5,9 +5,9 @@ from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
-from fuzzytime.language.about_wishes.exceptions import exception
+from fuzzytime.language.about_wishes.exceptions import cleared, exception
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, days_on, later_by, minutes_alone
-from fuzzytime.language.about_wishes.said import TO, Said
+from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.about_wishes.turns import all_but, several_in, turned
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import longest_match
@@ -18,7 +18,6 @@ FIRST = "first"
 FOR = "for"
 EVERY = "every"
 
-ROUND = {("around",), ("over",), ("back",)}
 OWNER = re.compile(r"(?<=\w)['\u2019]s\b")
 """What tells whose something is."""
 
@@ -33,6 +32,7 @@ def change(said: Said) -> About | None:
         _undone(said)
         or turned(said)
         or _swapped(said)
+        or cleared(said)
         or exception(said)
         or _dropped(said)
         or _ordered(said)
@@ -68,7 +68,7 @@ def _swapped(said: Said) -> About | None:
     rest = said.after("swapping")
     if rest is None:
         return None
-    rest = rest.until(len(rest.words) - 1) if rest.forms[-1:] in ROUND else rest
+    rest = rest.until(len(rest.words) - 1) if rest.forms[-1:] in said.table("behind swapping") else rest
     if not rest.words or rest.is_in("both"):
         return About(kind=AboutKind.SWAP, both=True, certain=True)
     if (both := several_in(rest)) is not None:
@@ -258,7 +258,11 @@ def _delayed(said: Said) -> About | None:
         return None
     if delaying is not None and not rest.words:
         return About(kind=AboutKind.DELAY, certain=True)
-    if not rest.words or not rest.is_one or any(f" {joint}" in f" {rest.text.lower()}" for joint in TO):
+    if (
+        not rest.words
+        or not rest.is_one
+        or any(f" {joint}" in f" {rest.text.lower()}" for joint in said.towards)
+    ):
         return None
     thing, directions = rest.without(*DIRECTIONS)
     found = thing.length() or minutes_alone(thing, directed=bool(directions))
@@ -285,11 +289,15 @@ def _delayed(said: Said) -> About | None:
 
 
 def _moved(said: Said) -> About | None:
+    wanted = said.after("wanted by")
+    if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
+        # "I need it by three"
+        return About(kind=AboutKind.MOVE, time=time, certain=True)
     delaying = said.after("delaying")
     if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
         return None
     behind = (delaying or said.behind(1)).text
-    joint = next((to for to in TO if f" {to}" in f" {behind.lower()}"), "")
+    joint = next((to for to in said.towards if f" {to}" in f" {behind.lower()}"), "")
     if not joint:
         return _moved_at(said, behind) if delaying is not None else _moved_beside(said)
     place = f" {behind.lower()}".rfind(f" {joint}")
@@ -327,4 +335,7 @@ def _moved_at(said: Said, behind: str) -> About | None:
     first = found[0].span[0]
     thing = Said(behind[:first].rstrip(), said.now, said.lexicon)
     time = Said(behind[first:], said.now, said.lexicon).as_time()
-    return replace(_about(AboutKind.MOVE, thing), time=time) if time and thing.words else None
+    if not thing.words:
+        # "Reschedule for friday"
+        return About(kind=AboutKind.MOVE, time=time, certain=True) if time else None
+    return replace(_about(AboutKind.MOVE, thing), time=time) if time else None

@@ -1,7 +1,7 @@
 """What is not to be once, or on some days: "not this monday", "skip tomorrow's", "no swimming today"."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import Said, one_time
 from fuzzytime.requirement import Constraint
 
 OF = ("'s", "’s", "'", "’")
@@ -9,8 +9,26 @@ NO = "no"
 COMMA = ","
 FOR = "for "
 
+STRETCHES = frozenset({Constraint.BETWEEN, Constraint.BEFORE, Constraint.AFTER})
+"""Times in which there may be much."""
+
 LONGEST_DAY = 3
 """Words that a day has at most in front of what it is of."""
+
+
+def cleared(said: Said) -> About | None:
+    """Read a stretch of which all is to go: "clear my afternoon", "cancel everything after three"."""
+    rest = said.after("clearing")
+    whole = (rest if rest is not None else said.after("dropping")) or said
+    everything = whole.after("everything")
+    stretch = everything if everything is not None and everything.words else rest
+    if stretch is None or not stretch.has_time or stretch.label:
+        return None
+    time = stretch.as_time()
+    read = one_time(time, said.now, said.lexicon) if time else None
+    if read is None or read.constraint not in STRETCHES:
+        return None
+    return About(kind=AboutKind.DROP, everything=True, time=time, certain=True)
 
 
 def exception(said: Said) -> About | None:
@@ -53,6 +71,9 @@ def _as_day(text: str, said: Said) -> str:
     bare = text.strip()
     bare = bare[len(FOR) :] if bare.lower().startswith(FOR) else bare
     time = Said(bare, said.now, said.lexicon).one_time()
-    if time is None or time.constraint is not Constraint.BETWEEN or time.recurrence is not None:
+    if time is None:
         return ""
-    return bare
+    # "Not on fridays"
+    days = time.constraint is Constraint.EVERY and time.recurrence is not None
+    once = time.constraint is Constraint.BETWEEN and time.recurrence is None
+    return bare if days or once else ""

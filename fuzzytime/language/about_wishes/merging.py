@@ -69,7 +69,9 @@ def _at_that_hour(text: str, clock: str, old: str, said: datetime, now: datetime
     if len({_hour_of(time, now) for _, time in read if _is_at_clock(time)}) < len(HALVES):
         return text
     words, time = min(read, key=lambda pair: abs(_hour_of(pair[1], now) - hour))
-    return text if _hour_of(time, now) == _hour_of(anew, now) else words
+    # "At ten", and then "no, at seven", is this evening rather than tomorrow morning.
+    same_day = instant_after(now, time.t_spec or 0.0).date() == instant_after(now, anew.t_spec or 0.0).date()
+    return words if same_day and _hour_of(time, now) != _hour_of(anew, now) else text
 
 
 def _past_hour_said(new: str, old: str, said: datetime, now: datetime, lexicon: Lexicon) -> str:

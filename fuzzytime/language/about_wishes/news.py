@@ -7,7 +7,7 @@ from datetime import datetime
 from enum import StrEnum
 
 from fuzzytime.english import EMPTY, singular
-from fuzzytime.language.about_wishes.said import CLOCKED, TO, Said
+from fuzzytime.language.about_wishes.said import CLOCKED, Said
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span
@@ -151,7 +151,7 @@ class _Clause:
         if found is not None and tables & (SOONER | LATER):
             by = -found.seconds if tables & SOONER else found.seconds
             return None if ABSENT in tables else self._news_of(NewsKind.LATER, found.rest, tables, by=by)
-        if said.has_time or ("rescheduled" in tables and _joint(words)):
+        if said.has_time or ("rescheduled" in tables and self._joint(words)):
             return self._timed(words, tables)
         if ABSENT in tables:
             known = LATE if {"present", "perfect"} & tables else CANCELLED
@@ -161,12 +161,17 @@ class _Clause:
         kind = next((kind for name, kind in kinds.items() if name in tables), None)
         return None if kind is None else self._news_of(kind, left, tables)
 
+    def _joint(self, words: str) -> int:
+        """Give where "to", "until" begins, behind which a new time stands; 0 for nowhere."""
+        joints = Said(words, self.now, self.lexicon).towards
+        return max((words.lower().rfind(f" {joint}") + 1 for joint in joints), default=0)
+
     def _timed(self, words: str, tables: frozenset[str]) -> News | None:
         """Read a new time: "they come at eight", "the meeting was moved to four"."""
         parts = find_times(words, self.now, self.lexicon).found
         # "The meeting is at four now"
         parts = tuple(part for part in parts if part.requirement.word != NOW or len(parts) == 1)
-        joint = _joint(words) if "rescheduled" in tables and not parts else 0
+        joint = self._joint(words) if "rescheduled" in tables and not parts else 0
         if joint and (at := Said(words[joint:], self.now, self.lexicon).as_time()):
             # "It was moved to four"
             parts = find_times(at, self.now, self.lexicon).found
@@ -214,11 +219,6 @@ class _Clause:
         words = self.text[self.span[0] : self.span[1]].lower()
         several = re.search(SEVERAL, words) is not None if "they" in tables else None
         return News(kind=kind, span=self.span, names=names, several=several, by=by)
-
-
-def _joint(words: str) -> int:
-    """Give where "to", "until" begins, behind which a new time stands; 0 for nowhere."""
-    return max((words.lower().rfind(f" {joint}") + 1 for joint in TO), default=0)
 
 
 def _verbs(happening: Operation, lexicon: Lexicon) -> frozenset[str]:

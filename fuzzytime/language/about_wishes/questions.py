@@ -4,9 +4,6 @@ from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.sentence.trees.content_words import content_words
 
-CLOCK = frozenset({"time"})
-"""What "what's the time" asks for."""
-
 
 def question(said: Said) -> About | None:
     """Read a question about the plan; None where it is none."""
@@ -30,7 +27,9 @@ def _supposed(said: Said) -> About | None:
 
 def _why(said: Said) -> About | None:
     rest = said.after("why")
-    names = frozenset() if rest is None else _names(rest.without("last")[0])
+    named = None if rest is None or rest.as_time() else rest.without("last")[0]
+    # "Why friday?"
+    names = frozenset() if named is None else _names(named)
     if rest is None or (names and _asks_for_something(said)):
         return None
     return About(kind=AboutKind.WHY, names=names, certain=True)
@@ -53,7 +52,9 @@ def _when(said: Said) -> About | None:
     if rest.is_in("moment") and said.forms[0] != "when":
         return About(kind=AboutKind.CLOCK, certain=True)
     names = _names(rest)
+    # "What time do I start then?"
     about_it = not names and any((word,) in said.table("last") for word in rest.forms)
+    about_it |= not names and rest.forms[:2] in said.table("done next")
     return About(kind=AboutKind.WHEN, names=names, certain=True) if names or about_it else None
 
 
@@ -94,7 +95,7 @@ def _open(said: Said) -> About | None:
     if asking is None:
         return None
     rest = asking.names
-    if rest - _words(said, "filling") == CLOCK and said.after("what") is not None:
+    if rest - _words(said, "filling") == _words(said, "clock") and said.after("what") is not None:
         return About(kind=AboutKind.CLOCK, certain=True)
     plan, open_ = (_words(said, name) for name in ("plan", "open"))
     filling = _words(said, "filling")

@@ -11,9 +11,6 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
 
-JOINTS = frozenset({",", ".", ";", "!", "-", "and", "but", "then"})
-"""What stands between what is let be and what is wished in its place."""
-
 TAKEN = frozenset(AboutKind) - {
     AboutKind.ANSWER,
     AboutKind.SUPPOSE,
@@ -99,13 +96,13 @@ def in_its_place(text: str, now: datetime, lexicon: Lexicon) -> tuple[About, str
     """
     said = Said.of(text, now, lexicon)
     for place in range(1, len(said.words)):
-        if said.forms[place] not in JOINTS:
+        if said.forms[place : place + 1] not in said.table("parting"):
             continue
         about = about_wishes(said.until(place).text, now, lexicon)
         if about is None or about.kind is not AboutKind.DROP or about.everything:
             continue
         rest = said.behind(place)
-        while rest.forms[:1] and rest.forms[0] in JOINTS:
+        while rest.forms[:1] in said.table("parting"):
             rest = rest.behind(1)
         closing = (form for form in said.table("instead") if rest.forms[-len(form) :] == form != rest.forms)
         rest = rest.until(len(rest.words) - max(map(len, closing), default=0))

@@ -8,6 +8,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
 
 PAST = frozenset({"VBN", "VBD"})
+SUBJECTS = frozenset({"nsubj", "nsubjpass", "nsubj:pass", "csubj", "expl"})
 WITH = "with"
 ON = "on"
 TO = "to"
@@ -44,6 +45,11 @@ def _of_last(said: Said) -> About | None:
 
 
 def _late(said: Said) -> About | None:
+    """Read who is late, or needs a while: "I'm ten minutes late", "give me five minutes"."""
+    while_ = said.after("asking for a while")
+    alone = None if while_ is None or while_.without("more")[1] else while_.length()
+    if alone is not None and not alone.rest.words and alone.joint != FOR:
+        return About(kind=AboutKind.LATE, by=alone.seconds, certain=True)
     found = said.length()
     left, tables = (said if found is None else found.rest).without("late", "speaker")
     if "late" in tables and "speaker" in tables and not left.names:
@@ -78,7 +84,7 @@ def _made_longer(said: Said) -> About | None:
         found = without.behind(place).length()
         if "more" in tables and found is not None and not found.rest.words:
             thing = without.until(place)
-            names = frozenset() if thing.is_in("last") else thing.names
+            names = thing.meant
             return About(kind=AboutKind.MORE, names=names, by=found.seconds, certain=True)
     return None
 
@@ -91,7 +97,7 @@ def _added(said: Said) -> About | None:
     if found is None or found.joint or found.rest.forms[1:2] not in {(TO,), (ON,)}:
         return None
     thing = found.rest.behind(2)
-    names = frozenset() if thing.is_in("last") else thing.names
+    names = thing.meant
     return About(kind=AboutKind.MORE, names=names, by=found.seconds) if names or thing.words else None
 
 
@@ -103,7 +109,7 @@ def _so_long(said: Said) -> About | None:
             continue
         thing, time = said.until(place), rest.as_time()
         if time.lower().startswith(FOR) and (thing.is_in("last") or thing.label):
-            names = frozenset({thing.label}) if thing.label else frozenset[str]()
+            names = thing.meant
             return About(kind=AboutKind.TAKES, names=names, time=time, certain=True)
     return None
 
@@ -119,7 +125,7 @@ def _unstarted(said: Said) -> About | None:
     thing = thing.without("yet")[0]
     # "With the soup", "on the soup"
     thing = thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
-    names = frozenset() if not thing.words or thing.is_in("last") else thing.names
+    names = thing.meant
     return About(kind=AboutKind.UNSTARTED, names=names, certain=True)
 
 
@@ -137,7 +143,7 @@ def _started(said: Said) -> About | None:
     if thing.has_time:
         return None
     thing = thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
-    names = frozenset() if not thing.words or thing.is_in("last") else thing.names
+    names = thing.meant
     return About(kind=AboutKind.STARTED, names=names, upcoming=not thing.words, certain=True)
 
 
@@ -165,8 +171,7 @@ def _finished(said: Said) -> About | None:
             return None
         if thing.is_in("everything"):
             return About(kind=AboutKind.DROP, everything=True, certain=True)
-        names = frozenset() if thing.is_in("last") else thing.names
-        return About(kind=AboutKind.DONE, names=names, certain=True)
+        return About(kind=AboutKind.DONE, names=thing.meant, certain=True)
     for place, word in enumerate(said.forms):
         subject, mark, being = word.partition("'")
         state = said.behind(place + 1)
@@ -174,15 +179,14 @@ def _finished(said: Said) -> About | None:
             # "The soup is ready", "it's done"
             thing = said.until(place)
             owner = thing if not mark else Said(f"{thing.text} {subject}".strip(), said.now, said.lexicon)
-            names = frozenset() if owner.is_in("last") else owner.names
-            if owner.has_time or any(
+            if (owner.has_time and not owner.label) or any(
                 len(form) == 1 and form[0] in owner.forms for form in said.lexicon.clauses
             ):
                 # "Serve the rice after the soup is done"
                 return None
             # "Check that the soup is ready" is no report.
-            named = len(owner.words) < 2 or owner.forms[0] in EMPTY
-            return About(kind=AboutKind.DONE, names=names, certain=named)
+            named = len(owner.words) < 2 or owner.forms[0] in EMPTY or bool(owner.label)
+            return About(kind=AboutKind.DONE, names=owner.meant, certain=named)
     return _stated_over(said)
 
 
@@ -192,7 +196,7 @@ def _stated_over(said: Said) -> About | None:
         (len(form) for form in said.table("finished") if said.forms[-len(form) :] == form), default=0
     )
     thing = said.until(len(said.words) - closing)
-    if not closing or not thing.words or thing.has_time:
+    if not closing or not thing.words or (thing.has_time and not thing.label):
         return None
     if thing.label:
         return About(kind=AboutKind.DONE, names=frozenset({thing.label}), certain=True)
@@ -209,7 +213,19 @@ def _is_over(state: Said) -> bool:
 
 
 def reported(reading: Reading, lexicon: Lexicon) -> Operation | None:
-    """Give what somebody tells to have done: "I've fed the cat", "we called mum"; None without one."""
+    """Give what somebody tells to have done: "I've fed the cat", "called mum"; None without one."""
+    told = _told_of(reading, lexicon)
+    return told[0] if told is not None and told[1] else None
+
+
+def perhaps_reported(reading: Reading, lexicon: Lexicon) -> Operation | None:
+    """Give what somebody may tell to have done, if that is known: "watered plants", but also "fried eggs"."""
+    told = _told_of(reading, lexicon)
+    return None if told is None else told[0]
+
+
+def _told_of(reading: Reading, lexicon: Lexicon) -> tuple[Operation, bool] | None:
+    """Give what words tell to have been done, and whether they surely do."""
     if len(reading.instructions) != 1:
         return None
     (instruction,) = reading.instructions
@@ -219,11 +235,16 @@ def reported(reading: Reading, lexicon: Lexicon) -> Operation | None:
     place = next((n for n, token in enumerate(reading.tokens) if token.span == operation.span), None)
     if place is None or reading.tokens[place].tag not in PAST:
         return None
-    parts = [token for token in reading.tokens if token.head == place]
-    if operation.verb.lower() == operation.lemma:
+    verb = operation.verb.lower()
+    if verb == operation.lemma or verb in lexicon.doing.past_alike:
         # "I put the bins out" may be what who speaks does, or did
         return None
-    speaks = any(
-        part.relation == "nsubj" and part.text.lower() in lexicon.closed.first_person for part in parts
-    )
-    return operation if speaks and operation.object not in lexicon.closed.anaphors else None
+    parts = [token for token in reading.tokens if token.head == place and token.relation in SUBJECTS]
+    if parts:
+        speaks = any(part.text.lower() in lexicon.closed.first_person for part in parts)
+        return (operation, True) if speaks else None
+    # No order has a past verb; what has one in front may be named so: "fried eggs".
+    thing = (operation.object or "").lower()
+    first, closed = thing.partition(" ")[0], lexicon.closed
+    named = first in closed.noun_openers | closed.anaphors | closed.personal_pronouns | lexicon.persons
+    return operation, named or not thing

@@ -15,11 +15,8 @@ from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 
 Form = tuple[str, ...]
 
-LABEL = re.compile(r"s[1-9]\d{0,8}")
-"""How the list calls what was asked for."""
-
-TO = ("back to ", "forward to ", "to ", "back until ", "until ", "till ")
-"""Words between what is moved and the time that it is moved to."""
+LABEL = re.compile(r"s[1-9]\d{0,8}(?:\.[1-9]\d{0,8})?")
+"""How the list calls what was asked for, or one of several things that a line asks for."""
 
 CLOCKED = frozenset({Unit.HOUR, Unit.MINUTE, Unit.SECOND})
 """The grains of clock times."""
@@ -117,6 +114,12 @@ class Said:
             said = rest.behind(1) if rest.forms[:1] == (",",) and len(rest.words) > 1 else rest
         return said
 
+    @property
+    def towards(self) -> tuple[str, ...]:
+        """The words between what is moved and the time that it is moved to, each with a space behind it."""
+        found = (f"{' '.join(form)} " for form in self.table("towards"))
+        return tuple(sorted(found, key=lambda words: (-len(words), words)))
+
     def opens_with(self, name: str) -> int:
         """Give how many words an entry of a table has with which it begins; 0 for none."""
         return len(longest_match(self.words, 0, self.table(name)) or ()) if self.words else 0
@@ -158,6 +161,13 @@ class Said:
         known = rest is not self or word.isdecimal()
         number = self.lexicon.numbers.get(word, word)
         return f"s{int(number)}" if known and str(number).isdecimal() and len(word) <= LONGEST else ""
+
+    @property
+    def meant(self) -> frozenset[str]:
+        """Give the words, or the label, that name what is meant; none where that was spoken of last."""
+        if self.label:
+            return frozenset({self.label})
+        return frozenset() if self.is_in("last") else self.names
 
     @cached_property
     def places(self) -> tuple[int, ...]:
@@ -210,7 +220,7 @@ class Said:
 
     def as_time(self) -> str:
         """Give it as a new time, as that would be said with what is to be done; empty where it is none."""
-        joint = next((to for to in TO if self.text.lower().startswith(to)), "")
+        joint = next((to for to in self.towards if self.text.lower().startswith(to)), "")
         bare = self.text[len(joint) :]
         # "Move it to the afternoon"
         counted = bool(Said(bare, self.now, self.lexicon).places)

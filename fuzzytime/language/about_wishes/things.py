@@ -12,7 +12,6 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 COMMA = ","
 NOT = "not"
 BUT = "but"
-INSTEAD_OF = ("instead", "of")
 FOR = "for"
 FIRST = "first"
 NO = "no"
@@ -48,6 +47,9 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         return None
     if opened and (more := continuing(rest.text, now, lexicon)) is not None and more.certain:
         return more
+    if opened and rest.has_time and rest.as_time() == rest.text:
+        # "And at half past seven"; but "and dinner at seven"
+        return About(kind=AboutKind.AGAIN, time=rest.text, certain=True)
     thing, time = rest.parted()
     named = bool(thing) and not is_of_all(Said(thing, now, lexicon))
     return About(kind=AboutKind.LIKE, thing=thing, time=time, text=follows) if named else None
@@ -64,10 +66,13 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     instead = _instead(whole) or _instead(said)
     if instead is not None:
         return instead
-    denied = said.after("denying") if not place else None
+    denied = said.after("denying") if not place or said.forms[:1] == (NOT,) else None
+    if place and said.forms[:1] and said.forms[0] in lexicon.doing.keeping:
+        # "No wait, keep the plumber", where all was dropped
+        denied = said.behind(1)
     if denied is not None and denied.names and COMMA not in denied.forms and not denied.has_time:
         # "Not the carrots"
-        return About(kind=AboutKind.DROP, names=denied.names, thing=denied.text)
+        return About(kind=AboutKind.DROP, names=denied.names, thing=denied.text, certain=place > 0)
     if len(said.words) > 1 and (placed := _placed(said)) is not None:
         return placed
     later = later_by(said)
@@ -130,14 +135,15 @@ def is_of_all(said: Said) -> bool:
 def _instead(said: Said) -> About | None:
     """Read what stands in the place of what: "not the soup, the rice", "butter, not bread"."""
     forms = said.forms
-    joint = next((n for n, word in enumerate(forms) if word in {COMMA, BUT} and n), None)
+    corrected = opening_correction(said)
+    joint = next((n for n, word in enumerate(forms) if word in {COMMA, BUT} and n >= max(corrected, 1)), None)
     if forms[:1] == (NOT,) and joint is not None:
         old, new = said.until(joint).behind(1), said.behind(joint + 1)
         new = new.behind(1) if new.forms[:1] == (BUT,) else new
     elif joint is not None and forms[joint + 1 : joint + 2] == (NOT,):
         old, new = said.behind(joint + 2), said.until(joint)
     elif (place := _instead_of(said)) is not None:
-        old, new = said.behind(place + len(INSTEAD_OF)), said.until(place)
+        old, new = said.behind(place).after("in its place of") or said, said.until(place)
     else:
         return None
     if new.as_time() and old.as_time():
@@ -151,5 +157,5 @@ def _instead(said: Said) -> About | None:
 
 
 def _instead_of(said: Said) -> int | None:
-    size = len(INSTEAD_OF)
-    return next((n for n in range(1, len(said.forms)) if said.forms[n : n + size] == INSTEAD_OF), None)
+    places = range(1, len(said.words))
+    return next((place for place in places if said.behind(place).opens_with("in its place of")), None)

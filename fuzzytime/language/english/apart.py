@@ -7,6 +7,9 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Said
 from fuzzytime.requirement import Constraint
 
+SIDES = 2
+"""Of what is turned once."""
+
 grammar = Grammar()
 
 
@@ -48,6 +51,20 @@ def times_each(times: int, length: Duration) -> Said | None:
 def each_alone(length: Duration) -> Said:
     """(Three walks a day,) twenty minutes each: how long every one takes."""
     return Said(replace(length, hedges=()), Constraint.FOR, "for", length.hedges)
+
+
+@grammar.rule(
+    "said",
+    "for? <duration> each|per|a side",
+    "for? <duration> on|for? each|either|both side|sides",
+    weight=0.6,
+)
+def on_both_sides(length: Duration) -> Said | None:
+    """(Sear it) two minutes a side: on one, and then on the other."""
+    if length.until is not None:
+        return None
+    terms = tuple((SIDES * amount, unit) for amount, unit in length.terms)
+    return each_alone(replace(length, terms=terms))
 
 
 @grammar.rule("repeat", "<apart>", weight=0.2)

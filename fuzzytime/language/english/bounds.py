@@ -6,6 +6,7 @@ from fuzzytime.language.english.clocks import number
 from fuzzytime.language.english.counted import coming_deadline
 from fuzzytime.language.english.feasts import feast_in
 from fuzzytime.language.english.prepositions import said_of
+from fuzzytime.language.english.ranges import between
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
@@ -68,6 +69,12 @@ def bound_days_away(preposition: Preposition, clock: Clock, days: Calendar) -> S
 def due(goal: Goal) -> Said | None:
     """(pay the rent) due: fri, (due friday): as lists of things to do have it."""
     return said_of(_as_clock(goal), "by", Constraint.BEFORE, Edge.DUE)
+
+
+@grammar.rule("said", "due|deadline by|on|at? <goal>", weight=0.4)
+def due_behind_thing(goal: Goal) -> Said | None:
+    """(Create a task) due friday, (the report) due on the 15th."""
+    return due(goal)
 
 
 def _is_prepared_for(goal: Goal) -> bool:
@@ -154,10 +161,11 @@ def ending_on(wall: Wall) -> Said | None:
 
 @grammar.rule("said", "past the? <goal>", weight=0.15)
 def past_goal(goal: Goal) -> Said | None:
-    """Past the weekend, past tomorrow evening; but "past tuesday" is the last one."""
+    """Past the weekend, past tomorrow evening, past the 15th; but "past tuesday" is the last one."""
     time = goal.time
     days = time.days if isinstance(time, Wall) else None
     timed = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
+    timed = timed or (isinstance(days, Fields) and days.day is not None)
     if not (isinstance(time, Ending) or timed or isinstance(days, (Deictic, Relative))):
         return None
     return said_of(goal, "after", Constraint.AFTER, Edge.END)
@@ -205,6 +213,8 @@ def from_then_on(goal: Goal) -> Said:
     "<said> ,? or|and before that",
     "<said> ,? if not before|earlier|sooner",
     "<said> ,? no later",
+    "<said> ,? no|not later than that",
+    "<said> ,? and|but no|not later",
     weight=0.5,
 )
 def latest(said: Said) -> Said | None:
@@ -244,6 +254,18 @@ def earliest(said: Said) -> Said | None:
 def any_but(said: Said) -> Said | None:
     """Any day but friday, anytime except lunchtime."""
     return None if said.denied or isinstance(said.time, TimeWord) else replace(said, denied=True)
+
+
+@grammar.rule(
+    "said",
+    "any|some time ,? but|except|excluding|bar|save for|from? <clock> to|- <clock>",
+    "anytime|whenever ,? but|except|excluding|bar|save for|from? <clock> to|- <clock>",
+    weight=2.4,
+)
+def any_but_hours(first: Clock, last: Clock) -> Said | None:
+    """Any time except 12 to 2."""
+    hours = between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
+    return None if hours is None else any_but(hours)
 
 
 @grammar.rule("said", "apart|aside from on|at|in? <said>", weight=0.5)

@@ -143,10 +143,16 @@ def hundreds_with_hours(hour: Integer) -> Clock | None:
 # Behind "at", and only there, these are clock times.
 
 
-@grammar.rule("clock behind at", "<integer> hours")
+@grammar.rule("clock behind at", "<integer> hours|hrs")
 def hours(hour: Integer) -> Clock | None:
     """(at) five hours."""
     return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
+
+
+@grammar.rule("clock behind at", "<hh.mm> hours|hrs")
+def dotted_hours(numbers: Typed) -> Clock | None:
+    """(at) 18.30 hrs."""
+    return typed(numbers)
 
 
 @grammar.rule("clock", "<hh.mm>", weight=-0.3)

@@ -227,6 +227,12 @@ def days_after(duration: Duration, anchor: Calendar) -> Calendar | None:
     return days_away(duration, anchor, 1) if not duration.hedges else None
 
 
+@grammar.rule("days", "<duration> into <days>|<weak date>", weight=0.2)
+def days_into(duration: Duration, period: Calendar) -> Calendar | None:
+    """Ten days into april; but "an hour into the film" is no day."""
+    return None if period.grain is Unit.DAY or duration.hedges else days_away(duration, period, 1)
+
+
 @grammar.rule("days", "<duration> before <days>|<date>|<day of month>", weight=0.2)
 @grammar.rule("days", "<duration> prior to <days>|<date>|<day of month>", weight=0.2)
 def days_before(duration: Duration, anchor: Calendar) -> Calendar | None:

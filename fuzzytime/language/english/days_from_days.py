@@ -117,9 +117,10 @@ def day_week(day: Relative) -> Calendar | None:
 
 @grammar.rule("days", "<deictic> <date>", weight=0.5)
 def which_date(which: Which, date: Calendar) -> Calendar | None:
-    """Next july 5, last march 3rd."""
+    """Next july 5, last march 3rd; but "past march 3rd" is after it."""
     dated = isinstance(date, Fields) and date.month is not None and date.year is date.weekday is None
-    return Deictic(which, date) if dated and date.grain is Unit.DAY and which is not Which.THIS else None
+    said = dated and date.grain is Unit.DAY and which not in {Which.THIS, Which.PAST}
+    return Deictic(which, date) if said else None
 
 
 @grammar.rule(

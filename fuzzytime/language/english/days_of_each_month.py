@@ -64,9 +64,15 @@ def weekdays_of(places: tuple[int, ...], series: Calendar, outer: Calendar) -> R
     return Repeat(walls=_walls(places, series, outer))
 
 
-@grammar.rule("repeat", "<repeat> on the? <places inside> <weekday>", weight=0.6)
-def on_weekdays_of(repeat: Repeat, places: tuple[int, ...], weekday: int) -> Repeat | None:
-    """Every other month on the first and third monday."""
+@grammar.rule(
+    "repeat",
+    "<repeat> on the? <places inside> <weekday>",
+    "<repeat> on the? <place inside> <weekday>",
+    weight=0.6,
+)
+def on_weekdays_of(repeat: Repeat, said: int | tuple[int, ...], weekday: int) -> Repeat | None:
+    """Every other month on the first and third monday, every month on the last friday."""
+    places = said if isinstance(said, tuple) else (said,)
     return on_named_days(repeat, _walls(places, Fields(weekday=weekday), Cycle(Unit.MONTH)))
 
 
@@ -117,6 +123,12 @@ def days_of_month(first: int, second: int | None = None) -> Repeat | None:
     if not all(1 <= day <= LONGEST_MONTH for day in days):
         return None
     return Repeat(walls=tuple(Wall(Fields(day=day)) for day in days))
+
+
+@grammar.rule("repeat", "every|each <ordinal>", weight=-0.3)
+def day_of_each_month(day: int) -> Repeat | None:
+    """Every 15th: of each month."""
+    return days_of_month(day)
 
 
 @grammar.rule(

@@ -61,3 +61,15 @@ def weekdays_of_month(weekday: int, first: int, again: int, last: int, month: in
 def weekdays_of_month_before(weekday: int, month: int, first: int, again: int, last: int) -> Said | None:
     """Thu march 5 - sat 7."""
     return weekdays_of_month(weekday, first, again, last, month)
+
+
+@grammar.rule(
+    "said",
+    "on? the? <ordinal> or|/ the? <ordinal> of? <month>",
+    "on <month day> or|/ <month day> of? <month>",
+    weight=1.4,
+)
+def either_day(first: int, last: int, month: int) -> Said:
+    """The 3rd or 4th of may, on the 3rd/4th of may: one of the two."""
+    days = [Wall(Fields(month=month, day=day)) for day in (first, last)]
+    return Said(days[0], listed=(Said(days[1], alternative=True),))

@@ -33,6 +33,9 @@ SHORT_OF = frozenset({"less than"})
 ISH = "ish"
 """The hedge behind a clock time: "sevenish"."""
 
+SOME = "some"
+"""The hedge before a length, that says how much of a thing as well: "some ten minutes", "some dinner"."""
+
 
 @grammar.rule("goal", "<wall>|<end>|<stretch>|<rest>|<word>")
 def goal(time: Time) -> Goal:
@@ -104,8 +107,12 @@ def goal_like_now(time: SameTime | HourMark) -> Goal:
 def hedged(hedge: str, goal: Goal) -> Goal | None:
     """About noon, almost six."""
     clock = goal.time.clock if isinstance(goal.time, Wall) else None
+    part = goal.time.part if isinstance(goal.time, Wall) else None
     if clock is not None and clock.apart and hedge in LOWER | UPPER:
         # "At least ten minutes before noon": how far, at least.
+        return None
+    if hedge == SOME and part is not None and part.meal:
+        # "Eat some breakfast", "cook some dinner tonight": as much of it as there is.
         return None
     return replace(goal, hedges=(hedge, *goal.hedges)) if len(goal.hedges) < 3 else None
 

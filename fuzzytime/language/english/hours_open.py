@@ -30,20 +30,20 @@ def spoken_to_hour_on_day(day: Wall, minutes: float, hour: Wall) -> Said | None:
 # Of what goes on for hours, and only there, these are from when to when.
 
 
-@grammar.rule("hours open", "<clock> to|till|til|until <clock>", weight=1.0)
+@grammar.rule("hours open", "<clock> to|till|til|until|- <clock>", weight=1.0)
 def open_between(first: Clock, last: Clock) -> Said | None:
     """(open) ten to six."""
     return between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
 
 
-@grammar.rule("hours open", "<clock> to|till|til|until <clock> ,? on? <wall>", weight=1.0)
+@grammar.rule("hours open", "<clock> to|till|til|until|- <clock> ,? on? <wall>", weight=1.0)
 def open_between_on(first: Clock, last: Clock, day: Wall) -> Said | None:
     """(work) ten to six tomorrow."""
     hours = open_between(first, last)
     return None if hours is None or day.days is None else refined(hours, day)
 
 
-@grammar.rule("hours open", "on? <wall> ,? <clock> to|till|til|until <clock>", weight=1.0)
+@grammar.rule("hours open", "on? <wall> ,? <clock> to|till|til|until|- <clock>", weight=1.0)
 def open_on_day_between(day: Wall, first: Clock, last: Clock) -> Said | None:
     """(open) tomorrow ten to six."""
     return open_between_on(first, last, day)

@@ -180,7 +180,9 @@ def half_of_year(outer: int, number: Integer) -> Calendar | None:
     return half_year(number, Fields(year=outer))
 
 
-@grammar.rule("date", "the? <weekday series> after|following <feast>|<date>|<day of month>", weight=0.4)
+@grammar.rule(
+    "date", "the? <weekday series> after|following <feast>|<date>|<day of month>|<days>", weight=0.4
+)
 @grammar.rule("date", "the <series> after|following <feast>|<date>|<day of month>", weight=0.4)
 def next_after(series: Calendar, anchor: Calendar) -> Calendar | None:
     """The tuesday after easter, the weekend after the 5th of april."""

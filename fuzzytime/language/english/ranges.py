@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.beside import in_hour_of, lasts_then, refined
-from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Ending,
@@ -118,14 +118,29 @@ def _side_by_side(first: Goal, last: Goal, *, minutes: bool = False) -> Said | N
         return None
     if minutes and _is_minutes(first.time, last.time):
         return None
+    if isinstance(first.time, Wall) and first.time.clock is not None and _is_number_of_day(last.time):
+        # "6 pm to the second" is exact.
+        return None
     if isinstance(first.time, Wall) and is_meal(first.time):
         # "Move lunch to one": a meal is what is moved; "close to six".
         return None
     grains = {wall.days.grain for wall in walls if wall.days is not None and wall.clock is None}
-    if len(grains) > 1 and walls[0].days is not None and not walls[0].days.fixed:
-        # "Q1-2019" and "aug-01-2019" are one date each.
+    if len(grains) > 1 and walls[0].days is not None and not walls[0].days.fixed and not _is_day(walls[1]):
+        # "Q1-2019" and "aug-01-2019" are one date each; "nov - feb 5th" is none.
         return None
     return range_of(first, last, "between", minutes=minutes)
+
+
+def _is_number_of_day(time: Time) -> bool:
+    """Whether it is a day of whichever month: "the second"."""
+    days = time.days if isinstance(time, Wall) and time.clock is None else None
+    return isinstance(days, Fields) and days == Fields(day=days.day)
+
+
+def _is_day(wall: Wall) -> bool:
+    """Whether it is a day of a month that is said with it."""
+    days = wall.days
+    return isinstance(days, Fields) and days.month is not None and days.day is not None
 
 
 def _is_minutes(first: Time, last: Time) -> bool:

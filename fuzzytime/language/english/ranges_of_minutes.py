@@ -5,14 +5,17 @@ from dataclasses import replace
 from fuzzytime.language.english.minutes_past import moved
 from fuzzytime.language.english.ranges import range_of
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.expressions import Goal, Said, Wall
+from fuzzytime.language.meaning.expressions import Goal, HourMark, Range, Said, Wall
 from fuzzytime.language.meaning.times_of_day import Clock
-from fuzzytime.requirement import Unit
+from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
 QUARTER = 15
 """Minutes that are said as a part of an hour."""
+
+HOUR = 60
+"""Minutes."""
 
 NEAR_HOURS = 2
 """Hours between two clock times of which the first may as well be minutes."""
@@ -67,6 +70,9 @@ def between_minutes(minutes: float, more: float, clock: Clock) -> Said | None:
 
     In "between ten and half past eleven" the first is an hour.
     """
+    if more < 0 < minutes:
+        # "Between half past and quarter to ten": half past nine.
+        minutes -= HOUR
     part_of_hour = more % QUARTER == 0 and minutes % QUARTER
     if part_of_hour and 0 < clock.hour - minutes <= NEAR_HOURS:
         return None
@@ -74,3 +80,15 @@ def between_minutes(minutes: float, more: float, clock: Clock) -> Said | None:
     if minutes >= more or first is None or last is None:
         return None
     return range_of(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
+
+
+@grammar.rule(
+    "said",
+    "between <minutes off> and <minutes off>",
+    "from <minutes off> to|until|till <minutes off>",
+    weight=1.1,
+)
+def between_marks(minutes: float, more: float) -> Said | None:
+    """Between quarter past and half past: of this hour, or the next."""
+    first, last = (HourMark(int(minute) % HOUR, open=True) for minute in (minutes, more))
+    return None if minutes == more else Said(Range(first, last), Constraint.BETWEEN, "between")

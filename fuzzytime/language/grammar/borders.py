@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.cuts import Cuts
 from fuzzytime.language.grammar.dining import Dining
 from fuzzytime.language.grammar.doses import Doses
+from fuzzytime.language.grammar.due import tells_when_due
 from fuzzytime.language.grammar.events import Events
 from fuzzytime.language.grammar.given_times import GivenTimes
 from fuzzytime.language.grammar.lent import counts_one
@@ -97,9 +98,11 @@ class Borders:
             or (piece.rule == CHANGED_LENGTH and not self.given.changes_length(piece))
             or self._is_from_the_past(piece)
             or self._is_asked(piece)
+            or tells_when_due(piece, self.texts, self.lexicon)
             or self._counts_nothing(piece)
             or self._says_how_much(piece)
             or self._is_way(piece)
+            or self.measures.counts_hundreds(piece)
         )
 
     def _is_state(self, piece: Piece) -> bool:
@@ -203,9 +206,10 @@ class Borders:
             return True
         starts = range(max(piece.start + 1, piece.end - LONGEST_WISH), piece.end)
         ending = (said for start in starts for said in self.around.pieces(start) if said.end == piece.end)
-        # "Before the walk at six, at least | half an hour before"
+        # "Cook lunch roughly | an hour from now", "before the walk at six, at least | half an hour before"
         return any(
-            said.category.startswith("hedge") and (said.value == "about" or self.texts[said.start - 1] == ",")
+            said.category == "hedge"
+            or (said.category.startswith("hedge") and self.texts[said.start - 1] == ",")
             for said in ending
         )
 

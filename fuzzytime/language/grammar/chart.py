@@ -167,7 +167,7 @@ def _close(index: _Index, chart: "Chart", start: int, agenda: list[Piece]) -> No
             continue
         known[piece.end] = piece
         for rule in index.single.get(piece.category, ()):
-            _make(rule, (piece,), agenda)
+            _make(rule, (piece,), cell, agenda)
         longer = index.longer.get(piece.category)
         if longer is not None:
             for second in chart.following(piece.end):
@@ -213,7 +213,7 @@ def _extend(
             continue
         more = (*found, piece)
         if len(more) == len(rule.symbols):
-            _make(rule, more, agenda)
+            _make(rule, more, chart.cells[more[0].start], agenda)
             continue
         symbol = rule.symbols[len(more)]
         for cell in chart.following(piece.end):
@@ -221,12 +221,15 @@ def _extend(
                 _extend(chart, rule, more, cell[symbol], agenda)
 
 
-def _make(rule: Rule, found: tuple[Piece, ...], agenda: list[Piece]) -> None:
-    """Make the piece of a rule whose symbols are all found."""
+def _make(rule: Rule, found: tuple[Piece, ...], cell: Cell, agenda: list[Piece]) -> None:
+    """Make the piece of a rule whose symbols are all found, unless one is held that weighs as much."""
+    weight, end = rule.weight + sum([piece.weight for piece in found]), found[-1].end
+    held = cell[rule.category].get(end) if rule.category in cell else None
+    if held is not None and held.weight >= weight:
+        return
     value = rule.action(*[None if slot is None else found[slot].value for slot in rule.slots])
     if value is not None:
-        weight = rule.weight + sum(piece.weight for piece in found)
-        agenda.append(Piece(rule.category, found[0].start, found[-1].end, value, weight, rule.name))
+        agenda.append(Piece(rule.category, found[0].start, end, value, weight, rule.name))
 
 
 def unfolded(pattern: str) -> list[tuple[tuple[str, ...], tuple[int | None, ...]]]:

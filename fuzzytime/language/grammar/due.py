@@ -1,9 +1,10 @@
-"""Times behind "for" by which something must be there, or ready: "be home for six", "lunch ready for one"."""
+"""Times by which something must be there, ready or done: "be home for six", "a task due friday"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.english import looks_plural
+from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Edge, Phrase, Wall
@@ -13,6 +14,12 @@ FOR, BY, GET = "for", "by", "get"
 
 NAME = 4
 """Words of a place at most, behind its preposition: "at the new swimming pool"."""
+
+DUE_BEHIND = "bounds.due_behind_thing"
+"""The rule of what is due: "create a task due friday"."""
+
+APART = frozenset({",", ":"})
+"""Marks before what is due."""
 
 
 def is_due(texts: Sequence[str], place: int, lexicon: Lexicon) -> bool:
@@ -42,6 +49,15 @@ def is_due(texts: Sequence[str], place: int, lexicon: Lexicon) -> bool:
     where = next(led, len(clause))
     name = clause[where + 1 :]
     return bool(name) and len(name) <= NAME and name[-1].isalpha() and lexicon.timing.isdisjoint(name)
+
+
+def tells_when_due(piece: Piece, texts: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether it only tells when what is due comes: "the rent is due friday", "the truck due at two"."""
+    if piece.rule != DUE_BEHIND:
+        return False
+    before = texts[piece.start - 1] if piece.start else ","
+    thing = before.isalpha() and before not in lexicon.function_words | lexicon.closed.told_auxiliaries
+    return before in lexicon.closed.coming or not (thing or before in APART)
 
 
 def due_then(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:

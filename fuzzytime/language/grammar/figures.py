@@ -103,16 +103,16 @@ class Figures(Standing):
         return self.measures.is_number(second) and not self.lexicon.no_times.measured_in.isdisjoint(units)
 
     def _is_of_decade(self, piece: Piece) -> bool:
-        """Whether its seconds are years: "in the 70s style", "people in their 40s", "the over 60s"."""
-        last = piece.end - 1
-        if not isinstance(piece.value.time, Duration | Wall) or self.texts[last] != "s" or last < 2:
+        """Whether its seconds are years: "in the 70s style", "people in their 40s", "over 60s only"."""
+        last = max((p for p in range(piece.start, piece.end) if self.texts[p] == "s"), default=0)
+        if not isinstance(piece.value.time, Duration | Wall) or last < 2:
             return False
         number = last - 1
         glued = self.words[last].glued and self.words[number].is_digits
         before = self.texts[number - 1]
-        aged = (
-            before in self.lexicon.no_times.around_ages and self.texts[number - 2] in self.closed.noun_openers
-        )
+        aged = before in self.lexicon.no_times.around_ages
+        alone = number == 1 and last + 1 < len(self.words)
+        aged = aged and (alone or self.texts[number - 2] in self.closed.noun_openers)
         owned = before in self.closed.possessives | {"the", "early", "late"} and self.texts[number] in DECADES
         return glued and (aged or owned)
 

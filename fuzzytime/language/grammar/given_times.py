@@ -38,6 +38,9 @@ class GivenTimes:
     def puts_off(self, piece: Piece) -> bool:
         """Whether it is the new time of what has one: "move my 3 o'clock to 5", "change the alarm to 7"."""
         place = piece.start - 1
+        if place >= 0 and (self.texts[place],) in self.lexicon.conversation["rescheduled"]:
+            # "The meeting has been moved to six"
+            return True
         while place > 0 and self.texts[place] in self.beside.put_off:
             place -= 1
         begin = place

@@ -205,7 +205,7 @@ class Judge:
         ):
             # "Gate 22 an hour before take-off"
             return False
-        if "to" in {piece.value.preposition, self.around.before(piece)}:
+        if "to" in {piece.value.preposition, self.around.before(piece)} or self._counts_things(piece):
             # "Hand over to nights"
             return False
         if self.texts[piece.end - 1] == "annual" and not self.around.may_end(piece):
@@ -226,6 +226,13 @@ class Judge:
         # "To twenty | at seven each weekday"
         bound = self.texts[piece.start] in self.closed.prepositions_of_points
         return not some and (parted or bound or not self.measures.is_rate(piece))
+
+    def _counts_things(self, piece: Piece) -> bool:
+        """Whether ordinals behind "every" count things: "every 10th customer", "tighten every third"."""
+        each, last = self.texts[piece.start], self.texts[piece.end - 1]
+        spelt = last in self.lexicon.ordinals and piece.end - piece.start == len((each, last))
+        typed = last in self.beside.ordinal_endings and not self.around.may_end(piece)
+        return each in {"every", "each"} and bool(piece.value.time.walls) and (spelt or typed)
 
     def _lasts(self, piece: Piece) -> bool:
         """Whether "for" stands before it, or before its hedges: "for at least an hour beforehand"."""

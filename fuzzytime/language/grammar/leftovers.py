@@ -94,7 +94,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     continue
                 if not named.isdisjoint(range(piece.start, piece.end)) or figures.has(piece):
                     continue
-                if is_of_thing(piece, around) or is_event(piece, around):
+                if is_of_thing(piece, around) or is_event(piece, around) or around.is_of_several(start):
                     continue
                 if says_of_thing(piece, around) or says_which(piece, around) or is_played(start, around):
                     continue

@@ -195,14 +195,15 @@ def appointed(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase
 def one_by_one(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> list[Phrase]:
     """Give each time of a list as a phrase of its own: "in 10, 20 and 30 minutes"."""
     times = (replace(phrase.said, listed=()), *phrase.said.listed)
+    joints = lexicon.closed.coordinators | {"/"}
     found = []
     first = phrase.first
     for place, said in enumerate(times):
-        while words[first].text in lexicon.closed.coordinators:
+        while words[first].text in joints:
             first += 1
         rest = range(first, phrase.end)
         last = place == len(times) - 1
-        end = phrase.end if last else next(at for at in rest if words[at].text in lexicon.closed.coordinators)
+        end = phrase.end if last else next(at for at in rest if words[at].text in joints)
         found.append(
             replace(phrase, said=said, first=first, end=end, span=(words[first].start, words[end - 1].end))
         )

@@ -168,4 +168,12 @@ class Lent:
         first = self.texts[begin]
         counted = (first.isdigit() or first in self.lexicon.numbers) and not laid and not piece.value.hedges
         counted = counted and worded
-        return hour and counted and self.texts[max(0, begin - 2) : begin] == ["table", "for"]
+        seated = self.texts[max(0, begin - 2) : begin] == ["table", "for"]
+        if self.texts[begin - 1 : begin] == ["for"] and self.texts[piece.end : piece.end + 1] in (
+            ["at"],
+            ["from"],
+        ):
+            # So many people have the room "for six from 2:30 on"
+            hour_behind = self.texts[piece.end + 1 : piece.end + 2]
+            seated = seated or any(one[:1].isdigit() or one in self.lexicon.numbers for one in hour_behind)
+        return hour and counted and seated

@@ -123,8 +123,9 @@ class Lexicon:
         In what state something is for a while: "the bridge is closed until noon".
     happening
         What has a time without a verb: "dinner at seven".
-    persons, addressing, animals
-        Words for people, and verbs whose object is one: "it" stands for neither; what is "him" and "it".
+    persons, names, names_like_words, addressing, animals
+        Words for people, those of them that are given names, further names that are other words, too, and
+        verbs whose object is one: "it" stands for neither; what is "him" and "it".
     rescheduling, events
         Verbs that give another time to what has one, and what has one: "change the alarm to seven".
     machines
@@ -215,6 +216,8 @@ class Lexicon:
     frames: frozenset[str]
     standing: frozenset[str]
     persons: frozenset[str]
+    names: frozenset[str]
+    names_like_words: frozenset[str]
     animals: frozenset[str]
     machines: frozenset[str]
     workers: frozenset[str]
@@ -245,7 +248,10 @@ class Lexicon:
 
     def pieces(self, words: Sequence[Word], start: int) -> Iterator[Piece]:
         """Give what the tables say of the words from one place on."""
+        following = {word.text for word in words[start + 1 : start + 3]}
         for entry in self.entries.get(words[start].text, ()):
+            if len(entry.words) > 1 and entry.words[1] not in following:
+                continue
             end = _matched(words, start, entry.words)
             if end and not (entry.category == "unit" and _ends_sentence(words, end)):
                 yield Piece(entry.category, start, end, entry.value, entry.weight, "word")

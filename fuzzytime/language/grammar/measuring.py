@@ -24,6 +24,11 @@ NEAR = 8
 
 COLON = ":"
 
+HOURS = "hours"
+
+STATED = frozenset({"when", "if"})
+"""Kinds of clauses that say what must be so."""
+
 
 class Measures:
     """What is measured in a text."""
@@ -88,6 +93,17 @@ class Measures:
         levels = before[verb] in self.beside.kept_at
         return levels or not self.beside.with_levels.isdisjoint(thing[-1:])
 
+    def counts_hundreds(self, piece: Piece) -> bool:
+        """Whether hundreds in it are how much there is: "when it's two hundred and five | inside"."""
+        hundreds = [p for p in range(piece.start, piece.end) if self.texts[p] in self.lexicon.magnitudes]
+        if not hundreds or HOURS in self.texts[piece.start : piece.end]:
+            # "When it's fourteen hundred hours"
+            return False
+        behind = self.texts[piece.end : piece.end + 1]
+        cut = hundreds[-1] == piece.end - 1 and behind == ["and"] and self.is_number(piece.end + 1)
+        stated = self.lexicon.clauses.get((self.texts[piece.start],)) in STATED
+        return stated or cut
+
     @property
     def _keeping(self) -> frozenset[str]:
         return self.beside.kept_at | self.beside.left_at
@@ -111,16 +127,18 @@ class Measures:
         if place and self.texts[place - 1] in lexicon.levels and place + 1 == piece.start:
             # "On low heat at six": how high it is was said.
             return False
+        if _is_near_hour(said):
+            # "Bake the bread around six"; but "pick about five", "dim it to about six"
+            amount = place + 1 == piece.start or self.texts[piece.start - 1] == "to"
+            return (amount and text in lexicon.measure_verbs) or self._has_amount(place)
         if not _is_bound_to_hour(said):
-            # "In the oven around ten": things are near an hour, too.
-            nouns = lexicon.amount_nouns if _is_near_hour(said) else lexicon.measure_nouns
-            return text in lexicon.measure_verbs or text in nouns
+            return text in lexicon.measure_verbs or text in lexicon.measure_nouns
         if said.preposition not in AMOUNTED:
             return False
         if text in lexicon.counting and said.preposition == "by" and place + 1 < piece.start:
             # "Choose one by five", "count the till by ten"
             return False
-        if text in lexicon.amount_nouns or text in lexicon.counting:
+        if self._has_amount(place) or text in lexicon.counting:
             return True
         if self.texts[piece.start] not in {"by", "from", "up"}:
             return False
@@ -135,6 +153,12 @@ class Measures:
             # "The late shift from 2 to 10"
             return False
         return any(verb == text and set(rest) <= set(following) for verb, *rest in lexicon.changing)
+
+    def _has_amount(self, place: int) -> bool:
+        """Whether a word is what has an amount, and no verb: "turn the heat up", but "heat the soup"."""
+        following = {*self.texts[place + 1 : place + 2]}
+        verb = following & (self.closed.noun_openers | self.closed.object_pronouns)
+        return self.texts[place] in self.lexicon.amount_nouns and not verb
 
     def _is_read(self, place: int) -> bool:
         """Whether something is found out of what has an amount: "check the speed at six"."""
@@ -202,8 +226,8 @@ class Measures:
 
     def named(self, piece: Piece) -> bool:
         """Whether what has an amount stands right before: "the thermostat at 20", "seat 12A"."""
-        # "Floor 5" is a place, and "the floor just after 5" is swept.
-        bare = piece.value.preposition is None and self.is_number(piece.start)
+        # "Floor 5" is a place, "the floor just after 5" is swept, and so is "the floor fiveish".
+        bare = piece.value.preposition is None and self.is_number(piece.start) and not piece.value.hedges
         # "Flight 6:40 am on friday" leaves then.
         bare = bare and self.lexicon.beside.of_hours.isdisjoint(self.texts[piece.start : piece.end])
         nouns = self.called_by_number if bare else self.lexicon.amount_nouns
@@ -218,7 +242,9 @@ class Measures:
 def _is_near_hour(said: Said) -> bool:
     """Whether it is near a number that can be an hour: "around ten"."""
     clock = said.time.clock if isinstance(said.time, Wall) else None
-    near = said.constraint in {None, Constraint.AT} and said.preposition in NEARLY
+    near = said.constraint in {None, Constraint.AT} and (
+        said.preposition in NEARLY or (said.preposition is None and bool(said.hedges))
+    )
     return near and clock is not None and clock.grain is Unit.HOUR
 
 

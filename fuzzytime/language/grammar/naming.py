@@ -30,7 +30,9 @@ class Naming(Standing):
         if said.preposition is None and wall.clock is not None and self.around.is_owned(piece):
             # "Cancel my three o'clock", "move tomorrow's ten o'clock"
             return True
-        if wall.clock is not None and self._is_called(piece, said, wall):
+        if (wall.clock is not None and self._is_called(piece, said, wall)) or self.around.is_of_several(
+            piece.start
+        ):
             return True
         if (said.preposition is None or wall.clock is not None) and self._is_next_in_row(piece, wall):
             return True
@@ -82,8 +84,8 @@ class Naming(Standing):
 
     def _is_called(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether something is called by a clock time, or by two numbers that look like one."""
-        if said.preposition in {None, "of"} and self.around.cites(piece.start):
-            # As in "Read John 3:16".
+        if said.preposition in {None, "of"} and not said.hedges and self.around.cites(piece.start):
+            # As in "Read John 3:16"; but "prepare the slide sixish".
             return True
         if wall.days is not None or wall.clock is None:
             return False

@@ -84,9 +84,7 @@ def numeral_pieces(words: Sequence[Word], start: int, lexicon: Lexicon) -> Itera
             yield from _typed(words, start, lexicon)
         elif date.start == start:
             yield date
-    elif (
-        word.text == "." and start + 1 < len(words) and words[start + 1].is_digits and words[start + 1].glued
-    ):
+    elif word.text == "." and _begins_decimal(words, start):
         digits = words[start + 1].text
         if len(digits) <= LONGEST_DIGITS:
             yield Piece(
@@ -95,6 +93,13 @@ def numeral_pieces(words: Sequence[Word], start: int, lexicon: Lexicon) -> Itera
     else:
         yield from _typed_length(words, start)
         yield from _spoken(words, start, lexicon)
+
+
+def _begins_decimal(words: Sequence[Word], point: int) -> bool:
+    """Whether digits follow a point, and none stand in front of it: ".5"; but not the ".30" of "18.30"."""
+    behind = words[point + 1 : point + 2]
+    inside = point > 0 and words[point].glued and words[point - 1].is_digits
+    return bool(behind) and behind[0].is_digits and behind[0].glued and not inside
 
 
 def _sure_date(words: Sequence[Word], place: int) -> Piece | None:

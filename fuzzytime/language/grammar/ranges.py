@@ -36,6 +36,8 @@ class Ranges(Standing):
         if self.texts[piece.start] == "one" and self.around.before(piece).isalpha():
             # "Reserve the blue one until friday"
             return False
+        if self._is_meal_until(piece, time):
+            return False
         if isinstance(time.first, Offset) or isinstance(time.last, Offset):
             # "At most half an hour after 1730"
             return self.around.may_end(piece)
@@ -52,11 +54,18 @@ class Ranges(Standing):
             # "Keep it above 15 until the end of april"
             return False
         if ends and all(end.bare or end.weak for end in ends):
-            between = said.preposition == "between" and self._binds(piece)
+            between = said.preposition == "between" and (said.denied or self._binds(piece))
             # "Book a room from the 10th to the 12th", "let the flat from may to august"
             dated = all(isinstance(end.days, Fields) for end in ends)
             return between and (dated or not self.measures.measured(piece)) and self.around.may_end(piece)
         return True
+
+    def _is_meal_until(self, piece: Piece, time: Range) -> bool:
+        """Whether a meal is served until then: "serve lunch until three", not "tomorrow lunch to two"."""
+        first, before = time.first, self.around.before(piece)
+        meal = isinstance(first, Wall) and first.clock is None and first.part is not None and first.part.meal
+        led = before.isalpha() and not self.around.timely(piece.start - 1)
+        return meal and led and self.around.is_part_or_meal(piece.start)
 
     def _are_levels(self, piece: Piece, ends: Sequence[Wall]) -> bool:
         """Whether the hour stands behind two numbers: "turn the heating from 17 to 20 at half past four"."""

@@ -1,10 +1,12 @@
 """Several clock times in a row, as on one day: "for six six fifteen and six thirty", "at 8, 12 and 4"."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.times_of_day import Clock
 
 LAST = "and"
@@ -13,6 +15,9 @@ FEWEST_MINUTES = 10
 MINUTES = 60
 LEAST = 2
 """Clock times behind the first of such a list, at least."""
+
+OPENING = frozenset({"at", "@"})
+JOINTS = frozenset({"and", "or", "&"})
 
 Stretch = tuple[int, int]
 """Places of words, from the first to behind the last."""
@@ -69,3 +74,20 @@ class RunOnHours:
         text = self.texts[place] if 0 <= place < len(self.texts) else ""
         known = self.lexicon.numbers.get(text)
         return int(text) if text.isdecimal() else None if known is None else int(known)
+
+
+def typed_apart(words: Sequence[Word]) -> list[Word]:
+    """Give the words of a list of hours that was typed without spaces as if it had some: "at 1,2 or 3"."""
+    found = list(words)
+    for place in (p + 1 for p, word in enumerate(words) if word.text in OPENING):
+        end = place
+        while _is_hour(words, end) and [word.text for word in words[end + 1 : end + 2]] == [","]:
+            end += 2
+        if end > place and _is_hour(words, end) and words[end + 1 :] and words[end + 1].text in JOINTS:
+            found[place + 1 : end + 1] = [replace(word, glued=False) for word in words[place + 1 : end + 1]]
+    return found
+
+
+def _is_hour(words: Sequence[Word], place: int) -> bool:
+    word = next(iter(words[place : place + 1]), None)
+    return word is not None and word.is_digits and 1 <= int(word.text) <= HOURS

@@ -24,6 +24,7 @@ from fuzzytime.language.grammar.lending import (
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.quotes import quotes_in
+from fuzzytime.language.grammar.run_on_hours import typed_apart
 from fuzzytime.language.grammar.timetables import holds_stretch
 from fuzzytime.language.grammar.typed_hours import clock_of_alarm, gone_by, lasting_on_day
 from fuzzytime.language.grammar.words import Word, joins, words_of
@@ -51,7 +52,8 @@ class Scanned:
     @classmethod
     def of(cls, text: str, grammar: Grammar, lexicon: Lexicon) -> "Scanned":
         """Apply a grammar to a text."""
-        words = _parted([_spelt(word, lexicon) for word in _with_quotes(text, grammar, lexicon)], lexicon)
+        typed = typed_apart(_with_quotes(text, grammar, lexicon))
+        words = _parted([_spelt(word, lexicon) for word in typed], lexicon)
         lexical = {}
         for start in range(len(words)):
             found = [*numeral_pieces(words, start, lexicon), *lexicon.pieces(words, start)]

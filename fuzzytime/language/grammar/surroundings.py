@@ -31,6 +31,8 @@ class Surroundings(LookedUp):
             return follower not in {"%", "°", "€", "$"}
         known = follower in self.lexicon.function_words or self.timely(piece.end)
         known = known or self._is_taken_back(piece.end) or follower in self.beside.saying_more
+        # "At six don't forget"
+        known = known or tuple(self.texts[piece.end :]) in self.lexicon.courtesies
         return known or self._is_in_front(piece) or self._is_before_order(piece)
 
     def _is_taken_back(self, place: int) -> bool:
@@ -51,6 +53,8 @@ class Surroundings(LookedUp):
         last, follower = self.texts[piece.end - 1], self.follower(piece)
         several = last in self.lexicon.numbers and last not in self.closed.singular_determiners
         several = several or self.words[piece.end - 1].is_digits
+        # "It needs forty minutes take it out"
+        lasts = self.is_unit(piece.end - 1)
         # "On the fourteenth at seven put it in"
         led = not self.closed.prepositions_of_points.isdisjoint(
             (self.texts[piece.start], self.texts[piece.end - 2])
@@ -58,7 +62,7 @@ class Surroundings(LookedUp):
         one = not follower.endswith("s") and follower not in self.beside.plurals
         behind = self.texts[piece.end + 1 : piece.end + 2]
         opened = bool(behind) and behind[0] in self.closed.noun_openers | self.closed.object_pronouns
-        return several and led and follower.isalpha() and one and opened
+        return (lasts or (several and led)) and follower.isalpha() and one and opened
 
     def _is_in_front(self, piece: Piece) -> bool:
         """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
@@ -256,6 +260,11 @@ class Surroundings(LookedUp):
         """Whether "her" is who, and not whose: "remind her tomorrow", "ring her between nine and ten"."""
         bound = self.texts[piece.start] in self.closed.prepositions_of_time | self.beside.binding_ranges
         return bound or ({*self.texts[: piece.start - 1][-1:]} <= self.lexicon.addressing and piece.start > 1)
+
+    def is_of_several(self, place: int) -> bool:
+        """Whether a part of the day there is named by whose it is: "parents' evening"."""
+        *_, owners, mark = ("", "", *self.texts[:place])
+        return mark == "'" and owners.endswith("s") and self.is_part(place)
 
     def cites(self, place: int) -> bool:
         """Whether two numbers with a colon are of a text, or a ratio: "John 3:16"; but "call John 3:16"."""

@@ -39,6 +39,8 @@ CALLED = 3
 """Words of an entry that says who is called when: "call ann 9"."""
 LONE = 1
 """Words of a number that is not from when to when."""
+PAIR = 2
+"""Numbers that are from when to when."""
 SHORTEST = 2
 """Entries of a list at least, and words of an entry."""
 
@@ -77,10 +79,14 @@ def leads_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -
 def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
     """Whether two numbers are from when to when an entry is: "lecture 10-12", "9-10 gym, 10-11 mails".
 
-    It, or another entry with such numbers, names what has a time.
+    It, or another entry with such numbers, names what has a time; or they are all that is said: "12-2".
     """
+    if (start, end) == (0, len(words)):
+        numbers = [word.text for word in words if word.is_digits]
+        hours = [int(text) for text in numbers if text[0] != "0" and int(text) <= HALF_DAY]
+        return len(hours) == len(numbers) == PAIR
     entries = [(_behind_day(words, first, last, lexicon), last) for first, last in _entries(words)]
-    if not any((first == start) != (last == end) for first, last in entries):
+    if not any((first == start and end < last) or (first < start and end == last) for first, last in entries):
         return False
     found = (_beside_stretch(words[first:last]) for first, last in entries)
     named = [word.text for word in found if word is not None and word.is_letters]

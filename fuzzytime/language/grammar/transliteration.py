@@ -19,9 +19,6 @@ LEAST_OF_SEVERAL = 5
 MOST_WORDS = 8
 """Words of a name, at most, with the marks between them."""
 
-OPENING = 2
-"""Letters by which it is seen at once that no name begins with a word."""
-
 LEAST_JOINED = 4
 """Letters of a word, at least, to which the article behind it may be joined: "idul" of "idul azha"."""
 
@@ -75,7 +72,8 @@ class Names(Generic[T]):
     """What names mean, by their sounds."""
 
     by_sound: Mapping[str, T]
-    opened: frozenset[str]
+    openings: frozenset[str]
+    """What any of them begins with."""
 
     @classmethod
     def of(cls, named: Iterable[tuple[Sequence[str], T]]) -> "Names[T]":
@@ -84,13 +82,13 @@ class Names(Generic[T]):
         for form, meaning in named:
             if said := sound_of_name(form):
                 found.setdefault(said, meaning)
-        return cls(found, frozenset(said[:OPENING] for said in found))
+        return cls(found, frozenset(said[:length] for said in found for length in range(1, len(said) + 1)))
 
     def at(self, words: Sequence[Word], start: int) -> Iterator[tuple[int, T]]:
         """Give where names end that begin at a place, and what they mean."""
         first = words[start].text
         said = sound_of(first) if first[0].isalpha() and first not in INNER else ""
-        if said[:OPENING] not in self.opened:
+        if said not in self.openings:
             return
         for end in range(start + 1, min(start + MOST_WORDS, len(words)) + 1):
             text = words[end - 1].text
@@ -98,5 +96,7 @@ class Names(Generic[T]):
                 if not text[0].isalpha():
                     return
                 said = _single(said + sound_of(text))
+                if said not in self.openings:
+                    return
             if said in self.by_sound and text not in INNER:
                 yield end, self.by_sound[said]

@@ -9,6 +9,7 @@ from fuzzytime.language.grammar.word_groups import Words
 class Doing:
     """Verbs, and what is said like one, by what they say of what happens or ask for: ``doing``."""
 
+    labels: Words
     arriving: Words
     loading: Words
     leaving: Words

@@ -110,6 +110,7 @@ class ClosedClasses:
     further_conditions: Words
     additions: Words
     before_states: Words
+    foreseen: Words
     told_joints: Words
     joints_of_conditions: Words
     joints_of_instances: Words

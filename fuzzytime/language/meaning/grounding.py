@@ -36,6 +36,7 @@ from fuzzytime.language.meaning.instants import (
     over_at_midnight,
     shifted,
 )
+from fuzzytime.language.meaning.nested import thirds
 from fuzzytime.language.meaning.part_instants import part_alone, part_on, part_within
 from fuzzytime.language.meaning.range_instants import range_instants
 from fuzzytime.language.meaning.relations import Following, Relative, days_onward
@@ -246,14 +247,13 @@ class Grounding(Standpoint):
     def _ending(self, said: Ending) -> Instants:
         days = next(self.days(said.days))
         start, end = midnight(days.first), midnight(days.end)
-        length = (days.end - days.first).days
+        if (days.end - days.first).days == 1:
+            last = start if said.edge is Edge.START else end - timedelta(seconds=1)
+            return Instants(last, last, Unit.DAY if said.edge is Edge.START else Unit.SECOND)
+        opened, closes = thirds(days)
         if said.edge is Edge.START:
-            return Instants(start, start if length == 1 else start + (end - start) / 3, Unit.DAY)
-        if length == 1:
-            last = end - timedelta(seconds=1)
-            return Instants(last, last, Unit.SECOND)
-        third = timedelta(days=max(1, length // 3))
-        return Instants(end - third, end, Unit.DAY)
+            return Instants(start, midnight(opened), Unit.DAY)
+        return Instants(midnight(closes), end, Unit.DAY)
 
     def _offset(self, said: Offset) -> Instants:
         duration = said.duration

@@ -11,6 +11,7 @@ from fuzzytime.language.meaning.calendar import (
     Cycle,
     Days,
     Today,
+    moved,
 )
 from fuzzytime.requirement import Unit
 
@@ -22,6 +23,26 @@ MOST_TRIED = 64
 
 MOST_INSIDE = 40_000
 """Inner periods that are counted in one outer period at most: a century of days."""
+
+THIRD_OF_MONTH = 10
+"""Days of a month's first and second third, as calendars of weather and of markets count them."""
+
+
+def thirds(whole: Days) -> tuple[date, date]:
+    """Give the days before which the first third of a period is over and on which its last begins.
+
+    Whole months are counted in months, one month in tens of days, all else in days: of a week three.
+    """
+    if whole.first.day == whole.end.day == 1:
+        months = 12 * (whole.end.year - whole.first.year) + whole.end.month - whole.first.month
+        if months % 3 == 0:
+            third = months // 3
+            return moved(whole.first, Unit.MONTH, third), moved(whole.end, Unit.MONTH, -third)
+        if months == 1:
+            ten = timedelta(days=THIRD_OF_MONTH)
+            return whole.first + ten, whole.first + 2 * ten
+    third_of_days = timedelta(days=-(-(whole.end - whole.first).days // 3))
+    return whole.first + third_of_days, whole.end - third_of_days
 
 
 class _Inside(Calendar):

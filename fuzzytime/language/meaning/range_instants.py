@@ -5,8 +5,9 @@ from datetime import datetime, timedelta
 from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Fields
-from fuzzytime.language.meaning.expressions import Range, Time, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import HourMark, Range, Time, TimeWord, Wall
 from fuzzytime.language.meaning.instants import Instants, halved, midnight
+from fuzzytime.language.meaning.nested import Share
 from fuzzytime.language.meaning.standpoint import Standpoint
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
 from fuzzytime.language.meaning.ungrounded import UngroundedError
@@ -17,6 +18,8 @@ LATEST_TRIED = 3
 
 LONGEST_MONTH = 31
 
+MIDDLE = 0.5
+
 
 def range_instants(clock: Standpoint, said: Range) -> Instants:
     """Ground a range.
@@ -26,7 +29,7 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
     UngroundedError
         If it would end before it starts.
     """
-    first, last = said.first, said.last
+    first, last = at_middle(said.first), at_middle(said.last)
     if isinstance(first, Wall) and isinstance(last, Wall) and first.clock and last.clock:
         return _clock_range(clock, first, last)
     if (
@@ -43,14 +46,22 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
         start = replace(start, start=start.end)
     end = clock.instants(last)
     if isinstance(last, TimeWord) and isinstance(first, Wall) and start.start > end.start:
-        return _since(clock, first, start)
+        return _begun_before(clock, first, start)
     clock_end = last.clock if isinstance(last, Wall) and last.days is None else None
     if clock_end is not None and clock_end.is_open and clock_end.half is None:
         # "From sunset until eleven": the next one, however late.
         return Instants(start.start, first_after(start.start, clock_end), start.grain)
-    if end.start < start.start and isinstance(last, Wall):
+    if end.start < start.start and isinstance(last, (Wall, HourMark)):
         end = _after(clock, start.start).instants(last)
     return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
+
+
+def at_middle(said: Time) -> Time:
+    """Give the middle day of what is said as a bound: "from mid may to the middle of june", "by mid may"."""
+    share = said.days if isinstance(said, Wall) else None
+    if not isinstance(said, Wall) or not isinstance(share, Share) or not 0 < share.low < share.high < 1:
+        return said
+    return replace(said, days=replace(share, low=MIDDLE, high=MIDDLE))
 
 
 def _on_last_day(clock: Standpoint, first: Time, last: Time) -> Time:
@@ -66,7 +77,13 @@ def _on_last_day(clock: Standpoint, first: Time, last: Time) -> Time:
     return there if clock.wall(there).end <= clock.wall(last).start else first
 
 
-def _since(clock: Standpoint, first: Wall, start: Instants) -> Instants:
+def since(clock: Standpoint, said: Wall, found: Instants) -> Instants:
+    """Give the last of what is to come again: "since monday"; but "since tomorrow" names one day."""
+    once = found.start <= clock.now or (said.days is not None and said.days.fixed)
+    return found if once else _begun_before(clock, said, found)
+
+
+def _begun_before(clock: Standpoint, first: Wall, start: Instants) -> Instants:
     """Ground a range up to now: it began at the last such time, or on the last such day.
 
     Raises

@@ -129,7 +129,10 @@ class Deictic(_Single):
 
 @dataclass(frozen=True, slots=True)
 class Stretch(_Single):
-    """So many days, weeks or months after or before today: "the next three days", "the last two weeks"."""
+    """So many days, weeks or months after or before today: "the next three days", "the last two weeks".
+
+    Quarters are those of the calendar: "the next two quarters".
+    """
 
     count: int
     unit: Unit
@@ -141,9 +144,12 @@ class Stretch(_Single):
 
     def period(self, today: Today) -> Days:
         """Give the days after today, or those before."""
+        first, last = today.day + ONE_DAY, today.day
+        if self.unit is Unit.QUARTER:
+            here = Cycle(self.unit).holding(today, today.day)
+            first, last = here.end, here.first
         if self.count < 0:
-            return Days(moved(today.day, self.unit, self.count), today.day)
-        first = today.day + timedelta(days=1)
+            return Days(moved(last, self.unit, self.count), last)
         return Days(first, moved(first, self.unit, self.count))
 
 

@@ -27,6 +27,7 @@ from fuzzytime.language.meaning.grains import grain_of, zone_in
 from fuzzytime.language.meaning.instants import Instants
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.offered_days import on_each_day_offered
+from fuzzytime.language.meaning.range_instants import at_middle, since
 from fuzzytime.language.meaning.series import recurrence_that_comes
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
@@ -206,7 +207,10 @@ class _Grounder:
         ends = self.said.constraint is Constraint.BEFORE
         opens = ends and self.said.edge is Edge.START
         here = replace(self.moment.grounding(zone), lasting=lasting, ends=ends, opens=opens)
+        time = at_middle(time) if self.said.constraint in {Constraint.BEFORE, Constraint.AFTER} else time
         found = here.instants(time)
+        if self.said.preposition == "since" and isinstance(time, Wall):
+            found = since(here, time, found)
         start, end = self._bounds(time, found, zone)
         constraint = self.said.constraint or distance_bound(self.said)
         if constraint is None:
@@ -297,6 +301,10 @@ class _Grounder:
 
 def _bounded(said: Said) -> Said:
     """Read "up to tomorrow at seven", "six at most" as a deadline: a time of day is no amount."""
-    if said.constraint is not None or not isinstance(said.time, Wall) or not UPPER & set(said.hedges):
+    if (
+        said.constraint is not None
+        or not isinstance(said.time, (Wall, Ending))
+        or not UPPER & set(said.hedges)
+    ):
         return said
     return replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST)

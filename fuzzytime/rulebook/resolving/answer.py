@@ -51,7 +51,7 @@ def _anchored(question: Question, anchor: Anchor) -> Said:
     if before:
         note = f"{not_happened(anchor)}: any time from now on counts as before it"
         return Said(satisfaction=ALWAYS, model="always", notes=(note,))
-    return Said(satisfaction=NEVER, model="after", reason=not_happened(anchor))
+    return Said(satisfaction=NEVER, model="after", reason=not_happened(anchor), untold=True)
 
 
 def _timed(question: Question) -> Said:
@@ -139,7 +139,8 @@ def _clause(question: Question) -> Said:
     if formula is None:
         reason = understood.reason if understood.composed else None
         reason = reason or _why_not_understood(understood, rules, question)
-        return Said(satisfaction=NEVER, model=chosen.model, reason=reason, notes=notes)
+        untold = not understood.impossible
+        return Said(satisfaction=NEVER, model=chosen.model, reason=reason, untold=untold, notes=notes)
     if chosen.model == "until" and not question.known(formula):
         notes = (*notes, _not_told(condition))
     return _awaited(question, formula, chosen, heard, notes)
@@ -198,6 +199,7 @@ def _awaited(
         parameters=MappingProxyType(parameters),
         shares=question.explained(formula, chosen.shares, heard),
         reason=awaited.reason,
+        untold=awaited.untold,
         notes=notes,
         trace=awaited.trace,
         # What goes on until a condition comes true ends when it does, and only has to start before.

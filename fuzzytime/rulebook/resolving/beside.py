@@ -1,6 +1,6 @@
 """Times beside an event or a moment: "five minutes after the timer rings", "after the rice is done"."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
@@ -14,6 +14,14 @@ from fuzzytime.rulebook.wording.lookup import UNIT_LENGTHS, find
 from fuzzytime.rulebook.wording.phrases import event_at_end, event_named
 from fuzzytime.rulebook.wording.sentences import condition_of, understand
 from fuzzytime.satisfaction import NEVER, SatisfactionFunction, Trapezoid
+
+
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """Why a moment is not known, and whether that is only because nobody has told it yet."""
+
+    reason: str | None
+    untold: bool
 
 
 def measured_from_event(requirement: TimeRequirement, tables: Tables) -> TimeRequirement:
@@ -65,9 +73,9 @@ def on_one_side(question: Question, anchor: Anchor) -> Question | None:
 
 def at_a_distance(question: Question, anchor: Anchor) -> Said:
     """Resolve a time at a wished-for lag: its ψ and the moment add, by the extension principle."""
-    moment, reason, notes = _moment(question, anchor)
-    if moment is None:
-        return Said(satisfaction=NEVER, model="in", reason=reason, notes=notes)
+    moment, notes = _moment(question, anchor)
+    if isinstance(moment, Unknown):
+        return Said(satisfaction=NEVER, model="in", reason=moment.reason, untold=moment.untold, notes=notes)
     requirement = replace(question.requirement, constraint=Constraint.AT, t_spec=abs(anchor.lag), anchor=None)
     found = find(requirement, question.tables, question.verb)
     adapted = adapt(
@@ -105,18 +113,17 @@ def _time_of_event(question: Question, anchor: Anchor) -> float | None:
     return next((time for time in times if time >= 0), times[-1] if times else None)
 
 
-def _moment(
-    question: Question, anchor: Anchor
-) -> tuple[SatisfactionFunction | None, str | None, tuple[str, ...]]:
+def _moment(question: Question, anchor: Anchor) -> tuple[SatisfactionFunction | Unknown, tuple[str, ...]]:
     """Give when an anchor is, or why that is not known, and notes about its words."""
     if event_named(anchor.text, question.tables) is not None:
         time = _time_of_event(question, anchor)
         if time is None:
-            return None, not_happened(anchor), ()
-        return Trapezoid(time, time, time, time), None, ()
+            return Unknown(not_happened(anchor), untold=True), ()
+        return Trapezoid(time, time, time, time), ()
     understood = understand(condition_of(anchor), question.tables, question.context)
     if understood.formula is None:
-        return None, understood.reason, understood.notes
+        return Unknown(understood.reason, untold=not understood.impossible), understood.notes
     world = replace(question, tables=understood.tables).world([understood.formula])
     awaited = wait_for(understood.formula, "when", 0.0, 0.0, world, question.horizon)
-    return (None if awaited.reason else awaited.satisfaction), awaited.reason, understood.notes
+    unknown = Unknown(awaited.reason, untold=awaited.untold)
+    return (unknown if awaited.reason else awaited.satisfaction), understood.notes

@@ -34,13 +34,15 @@ _SHOWN_PAST = 60.0
 class Awaited:
     """ψ of a clause, when its condition comes true, and what there is to draw.
 
-    ``comes_true`` is t* in seconds, None where it does not within the horizon.
+    ``comes_true`` is t* in seconds, None where it does not within the horizon; ``reason`` is why ψ is 0
+    everywhere, and ``untold`` says that this is only because nobody has told yet what it speaks of.
     """
 
     satisfaction: SatisfactionFunction
     comes_true: float | None
     reason: str | None
     trace: Trace
+    untold: bool = False
 
 
 def wait_for(formula: Formula, model: str, core: float, fade: float, world: World, horizon: float) -> Awaited:
@@ -55,11 +57,12 @@ def wait_for(formula: Formula, model: str, core: float, fade: float, world: Worl
         times, degrees = np.append(times, horizon + core + fade), np.append(degrees, degrees[-1])
     comes_true = _first_reached(times, degrees)
     reason: str | None = None
+    untold = False
     if model == "until":
         degrees = 1.0 - np.minimum(np.maximum.accumulate(degrees) / _REACHED, 1.0)
         reason = None if degrees.max() >= NEVER_BELOW else f"too late: {formula} already holds"
     elif comes_true is None:
-        reason = why_never(formula, world, traced, horizon, NEVER_BELOW)
+        reason, untold = why_never(formula, world, traced, horizon, NEVER_BELOW)
     elif model == "when":
         # A moment without any leeway is t* itself, and counts in full.
         share = _FULL if core + fade > 0 else _REACHED
@@ -67,7 +70,8 @@ def wait_for(formula: Formula, model: str, core: float, fade: float, world: Worl
     else:
         degrees = _saturated(degrees, _REACHED)
     satisfaction = NEVER if reason is not None else Sampled(*thinned(times, degrees))
-    return Awaited(satisfaction, comes_true, reason, drawn(formula, world, traced, ahead, satisfaction))
+    trace = drawn(formula, world, traced, ahead, satisfaction)
+    return Awaited(satisfaction, comes_true, reason, trace, untold)
 
 
 def _from_now(traced: Traced, ahead: float) -> tuple[Floats, Floats]:

@@ -74,6 +74,7 @@ class Said:
     shares: tuple[Share, ...] = ()
     hedges: tuple[HedgeEffect, ...] = ()
     reason: str | None = None
+    untold: bool = False
     notes: tuple[str, ...] = ()
     trace: Trace | None = None
     reference: Reference | None = None

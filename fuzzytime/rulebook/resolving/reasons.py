@@ -20,27 +20,30 @@ _LITTLE = 0.02
 """The share of its way, or of where it leads, that may be left where a signal counts as settled."""
 
 
-def why_never(formula: Formula, world: World, traced: Traced, horizon: float, never_below: float) -> str:
-    """Say which readings are missing, or where the signals end up instead.
+def why_never(
+    formula: Formula, world: World, traced: Traced, horizon: float, never_below: float
+) -> tuple[str, bool]:
+    """Say which readings are missing, or where the signals end up instead; and whether more may be told.
 
     ``traced`` is the condition's trace, which stays below ``never_below``.
     """
     missing = [name for name in signals_of(formula, world.tables) if _unknown_now(name, world)]
     if missing and float(traced.truth.high[traced.grid.times >= 0].max()) >= never_below:
-        return _missing(missing, world)
+        return _missing(missing, world), True
     known = _known(formula, world, traced)
     if float(traced.truth.high[known].max()) >= never_below:
-        return f"cannot be told whether {formula}: {span_of(signals_of(formula, world.tables), world)}"
+        spans = span_of(signals_of(formula, world.tables), world)
+        return f"cannot be told whether {formula}: {spans}", True
     described = [
         _end_of(world.tables.variables[node.variable], world, horizon)
         for node in nodes(formula)
         if isinstance(node, Is) and _stays_apart(node, formula, traced.parts[node], known, never_below)
     ]
     if not described and isinstance(formula, And):
-        return "never: its parts do not hold at the same time"
+        return "never: its parts do not hold at the same time", False
     if not described:
-        return f"never: it does not come true that {formula}"
-    return "never: " + ", ".join(dict.fromkeys(described))
+        return f"never: it does not come true that {formula}", False
+    return "never: " + ", ".join(dict.fromkeys(described)), False
 
 
 def _known(formula: Formula, world: World, traced: Traced) -> Mask:

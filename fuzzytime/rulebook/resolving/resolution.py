@@ -121,6 +121,8 @@ class Resolution:
         The hedges applied.
     reason
         Why ψ is 0 everywhere from now on; None where it is not.
+    untold
+        Whether that is so only because nobody has told yet what it waits for.
     notes
         What a person should know: an unknown hedge, a rule whose readings are missing.
     trace
@@ -137,6 +139,7 @@ class Resolution:
     shares: tuple[Share, ...]
     hedges: tuple[HedgeEffect, ...] = ()
     reason: str | None = None
+    untold: bool = False
     notes: tuple[str, ...] = ()
     trace: Trace | None = None
     reference: Reference = Reference.START

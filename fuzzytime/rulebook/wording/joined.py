@@ -16,7 +16,7 @@ from fuzzytime.rulebook.wording.phrases import (
     ways_to_name,
     within,
 )
-from fuzzytime.rulebook.wording.thresholds import threshold, without
+from fuzzytime.rulebook.wording.thresholds import Threshold, threshold, without
 
 _JOINTS = re.compile(r" (and|or|nor|but) ")
 _VERBS = re.compile(r"\b(?:is|are|isn't|aren't|has|have|was|were|gets?|becomes?)\b")
@@ -30,24 +30,26 @@ _OF_JOINTS = re.compile(r"\b(?:both|either|neither|also|then|it|they)\b")
 class Joined:
     """The formula of a clause of several parts, or the part that is not understood.
 
-    ``tables`` are those that it speaks the terms of; numbers add some.
+    ``tables`` are those that it speaks the terms of; numbers add some. ``impossible`` says that the part
+    that has no formula is never so.
     """
 
     tables: Tables
     formula: Formula | None
     reason: str | None = None
     notes: tuple[str, ...] = ()
+    impossible: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class _Part:
-    """One part: its formula, or None and why it is not understood; ``alike`` goes on with what was said."""
+    """One part: its formula, or None and ``why``; ``alike`` goes on with what was said."""
 
     formula: Formula | None
     subject: str
     denied: bool
     alike: bool
-    reason: str = ""
+    why: Threshold | None = None
     variable: str | None = None
 
 
@@ -72,7 +74,8 @@ def joined(condition: Condition, tables: Tables, context: Context) -> Joined | N
         return None
     unknown = next((part for part in parts if part.formula is None), None)
     if unknown is not None:
-        return Joined(tables, None, unknown.reason)
+        why = unknown.why or Threshold(tables)
+        return Joined(tables, None, why.reason, impossible=why.impossible)
     formula = _formula(parts, pieces[1::2])
     formula = Not(formula) if said.startswith("unless ") else formula
     return Joined(reader.tables, formula, notes=tuple(reader.notes))
@@ -106,12 +109,12 @@ class _Parts:
         if alike and self.parts[-1].denied and joint in ("or", "nor"):
             denied = True
         subject = self.parts[-1].subject if alike else piece if own else ""
-        atom, reason = self._atom(pieces, subject, self.parts[-1].variable if alike else None)
-        formula = Not(atom) if atom is not None and denied else atom
-        variable = atom.variable if atom is not None else None
-        self.parts.append(_Part(formula, subject, denied, alike, reason, variable))
+        found = self._atom(pieces, subject, self.parts[-1].variable if alike else None)
+        formula = Not(found.atom) if found.atom is not None and denied else found.atom
+        variable = found.atom.variable if found.atom is not None else None
+        self.parts.append(_Part(formula, subject, denied, alike, found, variable))
 
-    def _atom(self, pieces: list[str], subject: str, before: str | None) -> tuple[Is | None, str]:
+    def _atom(self, pieces: list[str], subject: str, before: str | None) -> Threshold:
         """Find what a part says, or the next part behind it that says something: a term, or a number."""
         for text in pieces:
             mark = next((mark for mark in text.split() if mark in self.marks), None)
@@ -120,12 +123,12 @@ class _Parts:
                 found = threshold(self.marks[mark], named, subject, self.tables, self.context, before)
                 self.tables = found.tables
                 self.notes += [note for note in found.notes if note not in self.notes]
-                return found.atom, found.reason or ""
+                return found
             term = naming(self.tables.variables.values(), subject, text)
             if term is not None:
                 hedges = term.hedges(pieces[0], self.tables)
-                return Is(term.variable.name, term.term.name, hedges), ""
-        return None, f"no signal tells {self._as_said(pieces[0])!r}"
+                return Threshold(self.tables, Is(term.variable.name, term.term.name, hedges))
+        return Threshold(self.tables, reason=f"nothing tells {self._as_said(pieces[0])!r}")
 
     def _as_said(self, piece: str) -> str:
         return " ".join(self.marks[word].text if word in self.marks else word for word in piece.split())

@@ -182,6 +182,6 @@ def _why_unknown(comparison: Comparison, named: str, guess: str | None, tables: 
     possible = [one for one in _of_unit(comparison, tables) if _can_be(comparison, one)]
     signals = dict.fromkeys(one.signal.name for one in possible)
     if not signals:
-        return f"no signal tells {said!r}"
+        return f"nothing tells {said!r}"
     shown = ", ".join(list(signals)[:MOST_SHOWN]) + (", …" if len(signals) > MOST_SHOWN else "")
     return f"not enough readings: {said!r} may be about {shown}"

@@ -32,6 +32,7 @@ class Understood:
 
     ``tables`` are those that the formula speaks the terms of: a number in the clause adds one. ``composed``
     says that it has several parts, a number or a length: no rule for one of its words can stand for it.
+    ``impossible`` says of what has no formula that it is never so; else nobody can tell.
     """
 
     condition: Condition
@@ -40,6 +41,7 @@ class Understood:
     reason: str | None = None
     notes: tuple[str, ...] = ()
     composed: bool = False
+    impossible: bool = False
 
 
 def condition_of(anchor: Anchor) -> Condition:
@@ -59,7 +61,13 @@ def understand(condition: Condition, tables: Tables, context: Context = Context.
         understood = _single(condition, tables, context)
     else:
         understood = Understood(
-            condition, several.tables, several.formula, several.reason, several.notes, composed=True
+            condition,
+            several.tables,
+            several.formula,
+            several.reason,
+            several.notes,
+            composed=True,
+            impossible=several.impossible,
         )
     if understood.formula is None or condition.lasting is None:
         return understood
@@ -112,7 +120,15 @@ def _measured(condition: Condition, tables: Tables, context: Context) -> Underst
         formula = Not(found.atom)
     # What is said of the thing is the number: no rule for a word is about it.
     said = replace(condition, word=None, hedges=())
-    return Understood(said, found.tables, formula, found.reason, found.notes, composed=True)
+    return Understood(
+        said,
+        found.tables,
+        formula,
+        found.reason,
+        found.notes,
+        composed=True,
+        impossible=found.impossible,
+    )
 
 
 def _by_parts(condition: Condition, subject: str, word: str, tables: Tables) -> Understood:
@@ -147,7 +163,7 @@ def _by_text(condition: Condition, tables: Tables) -> Understood:
     ]
     found = naming(meant, text, text)
     if found is None:
-        return Understood(condition, tables, None, f"no signal tells {condition.text!r}")
+        return Understood(condition, tables, None, f"nothing tells {condition.text!r}")
     said = replace(condition, subject=found.subject, word=found.word, hedges=found.hedges(text, tables))
     return _atom(said, found.variable, found.term, tables)
 

@@ -29,11 +29,15 @@ _OPEN = math.inf
 
 @dataclass(frozen=True, slots=True)
 class Threshold:
-    """A number understood: the atom, the tables that know its term, and notes; or why there is none."""
+    """A number understood: the atom, the tables that know its term, and notes; or why there is none.
+
+    ``impossible`` says that what is measured is never so; else nobody can tell.
+    """
 
     tables: Tables
     atom: Is | None = None
     reason: str | None = None
+    impossible: bool = False
     notes: tuple[str, ...] = ()
 
 
@@ -78,7 +82,8 @@ def _threshold(
     said = _said(comparison, side, unit, signal, low, high)
     if corners[0] >= signal.high or corners[3] <= signal.low:
         shown = f"{signal.low:g} and {signal.high:g} {symbol(signal.unit)}".rstrip()
-        return Threshold(tables, reason=f"never: {signal.name} lies between {shown}, so it is not {said}")
+        reason = f"never: {signal.name} lies between {shown}, so it is not {said}"
+        return Threshold(tables, reason=reason, impossible=True)
     term = Term(said, corners)
     term = replace(term, meaning=f"{_shown(term, signal)}{why}")
     terms = MappingProxyType({**meant.variable.terms, said: term})

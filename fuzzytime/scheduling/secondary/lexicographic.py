@@ -14,14 +14,14 @@ import numpy as np
 from fuzzytime.satisfaction import Floats, Interval, SatisfactionFunction
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem.grid import Ints
-from fuzzytime.scheduling.problem.jobs import Job, Problem
+from fuzzytime.scheduling.problem.jobs import Job, Lag, Problem
 from fuzzytime.scheduling.problem.windows import above, in_common
 from fuzzytime.scheduling.search.local_search import LocalSearch
 from fuzzytime.scheduling.secondary.clusters import with_clusters_moved
 from fuzzytime.scheduling.secondary.distances import at_distances, wished_distances
 from fuzzytime.scheduling.secondary.objectives import Arrangement, Objective
 from fuzzytime.scheduling.solver import Draft, draft_of
-from fuzzytime.scheduling.timing.chains import Block, round_blocks
+from fuzzytime.scheduling.timing.chains import Block, by_the_clock, round_blocks
 from fuzzytime.scheduling.timing.settle import lanes_of_agents, nearest, sequences, settled
 from fuzzytime.skills import FuzzySkill, FuzzyTask
 
@@ -98,7 +98,7 @@ def rearranged(
         bounds = objective.bounds(Arrangement(mine, tuple(starts.tolist()), tuple(agents.tolist()), reach))
         equal = _bounded(_as_good(wishing, starts, agents, lanes), starts, bounds)
     everything, everyone = draft.starts.copy(), draft.agents.copy()
-    everything[placed], everyone[placed] = _rounded(first, task.skills, starts, agents), agents
+    everything[placed], everyone[placed] = _rounded(first, task, starts, agents), agents
     return draft_of(problem, everything, everyone, draft.lower_cost)
 
 
@@ -181,31 +181,20 @@ def _exchanged(problem: Problem, best: Draft, watch: Stopwatch) -> Draft:
     return best
 
 
-def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, agents: Ints) -> Floats:
+def _rounded(problem: Problem, task: FuzzyTask, starts: Floats, agents: Ints) -> Floats:
     """Move what goes on without a pause to the roundest time near by, unless it is where it was named."""
-    if problem.lags:
-        return starts
     rounded = starts.copy()
     for agent, row in sequences(problem, starts, agents).items():
         lane = lanes_of_agents(problem)[agent]
         jobs = [problem.jobs[index] for index in row]
         windows = nearest([job.windows[lane] for job in jobs], starts[row])
-        blocks: list[Block] = []
-        free = -math.inf
-        for place, (job, window, start) in enumerate(zip(jobs, windows, starts[row].tolist(), strict=True)):
-            follows_on = start <= free + NAMED
-            if not follows_on:
-                blocks.append(Block([], [], -math.inf, math.inf, start))
-            block = blocks[-1]
-            # Without what rounding left between two skills, or the end of the last one's window binds all.
-            offset = block.offsets[-1] + jobs[place - 1].duration if follows_on else 0.0
-            block.members.append(place)
-            block.offsets.append(offset)
-            named = any(abs(time - start) <= NAMED for time in skills[job.position].named)
-            low, high = (start, start) if named else (window.low, window.high)
-            block.low, block.high = max(block.low, low - offset), min(block.high, high - offset)
-            free = start + job.duration
+        blocks = _blocks(jobs, windows, starts[row], task.skills)
+        _hold(blocks, row, problem.lags)
         round_blocks(jobs, blocks)
+        following = [*(block.start for block in blocks[1:]), math.inf]
+        for block, after in zip(blocks, following, strict=False):
+            if task.skills[jobs[block.members[0]].position].by_the_clock:
+                by_the_clock(jobs, block, after, task.past_hour)
         for block in blocks:
             if block.low <= block.start <= block.high:
                 members = [row[place] for place in block.members]
@@ -213,3 +202,35 @@ def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, age
                 # Rounding in long sums must not push a start out of its window.
                 rounded[members] = np.clip(block.start + np.array(block.offsets), *ends.T)
     return rounded
+
+
+def _blocks(
+    jobs: Sequence[Job], windows: Sequence[Interval], starts: Floats, skills: Sequence[FuzzySkill]
+) -> list[Block]:
+    """Give what one agent does without a pause, and from when to when each may begin as a whole."""
+    blocks: list[Block] = []
+    free = -math.inf
+    for place, (job, window, start) in enumerate(zip(jobs, windows, starts.tolist(), strict=True)):
+        follows_on = start <= free + NAMED
+        if not follows_on:
+            blocks.append(Block([], [], -math.inf, math.inf, start))
+        block = blocks[-1]
+        # Without what rounding left between two skills, or the end of the last one's window binds all.
+        offset = block.offsets[-1] + jobs[place - 1].duration if follows_on else 0.0
+        block.members.append(place)
+        block.offsets.append(offset)
+        named = any(abs(time - start) <= NAMED for time in skills[job.position].named)
+        low, high = (start, start) if named else (window.low, window.high)
+        block.low, block.high = max(block.low, low - offset), min(block.high, high - offset)
+        free = start + job.duration
+    return blocks
+
+
+def _hold(blocks: Sequence[Block], row: Sequence[int], lags: Sequence[Lag]) -> None:
+    """Let blocks stay where they are that lags bind to what is not part of them."""
+    block_of = {row[place]: block for block in blocks for place in block.members}
+    for lag in lags:
+        first, second = block_of.get(lag.first), block_of.get(lag.second)
+        for block in (first, second):
+            if block is not None and first is not second:
+                block.low = block.high = block.start

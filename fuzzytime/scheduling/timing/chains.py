@@ -33,6 +33,15 @@ SLACK = 1e-12
 ROUND = np.array([60.0, 30.0, 15.0, 10.0, 5.0, 1.0, 0.5, 0.1, 0.01, 0.001])
 """Units that people would round a start time to, in seconds."""
 
+CLOCK = (900.0, 300.0)
+"""Units of the clock that people meet at, the rounder first: a quarter of an hour, five minutes."""
+
+AHEAD = 2.0
+"""A start is put off to a unit of the clock only if it lies so many units ahead."""
+
+SLOPE = 0.05
+"""What changes by more from a second to the next is a time that somebody named, and no slope."""
+
 NEXT_TO_NOTHING = 1e-11
 """What a rounder time may cost."""
 
@@ -138,6 +147,31 @@ def round_blocks(jobs: Sequence[Job], blocks: Sequence[Block]) -> None:
         good[-1] = True
         block.start = float(times[np.argmax(good)])
         free = block.start + length
+
+
+def by_the_clock(jobs: Sequence[Job], block: Block, after: float, past_hour: float) -> None:
+    """Put a block off to a round time of the clock, where it begins as soon as a vague time is fully there.
+
+    That minute is an accident of how gently its satisfaction rises: nobody named it. Nothing is lost, as all
+    of the block satisfies as well at the round time, which comes before ``after``.
+    """
+    first, start = jobs[block.members[0]], block.start
+    rises = float(first.function(start)) - float(first.function(start - 1.0))
+    if not 0 < rises < SLOPE:
+        return
+    last = min(block.high, after - _length(jobs, block))
+    for unit in CLOCK:
+        time = unit * math.ceil((start + past_hour) / unit - PRECISION) - past_hour
+        if start >= AHEAD * unit and time <= last and _costs(jobs, block, time, start):
+            block.start = time
+            return
+
+
+def _costs(jobs: Sequence[Job], block: Block, time: float, before: float) -> bool:
+    """Tell whether a block costs next to nothing more at another time."""
+    parts = list(zip(block.members, block.offsets, strict=True))
+    more = (float(jobs[job].costs(time + by) - jobs[job].costs(before + by)) for job, by in parts)
+    return math.fsum(more) <= NEXT_TO_NOTHING
 
 
 def _fitting(jobs: Sequence[Job], windows: Sequence[Interval]) -> list[tuple[float, float]] | None:

@@ -70,6 +70,7 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
         entries.setdefault(entry.words[0], []).append(entry)
     number_words = numbers(days, "numbers")
     function_words = speech.single_words("function_words")
+    given_names = speech.single_words("persons", "names")
     kept = {form[0] for form in speech.words("spelling", "kept")}
     known = kept | entries.keys() | number_words.keys() | function_words
     lexicon = Lexicon(
@@ -132,7 +133,9 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
         timing=speech.single_words("timing", "verbs"),
         timing_alone=speech.single_words("timing", "alone"),
         citing=speech.single_words("citing"),
-        persons=speech.single_words("persons"),
+        persons=speech.single_words("persons") | given_names,
+        names=given_names,
+        names_like_words=speech.single_words("persons", "like words"),
         animals=speech.single_words("animals"),
         machines=speech.single_words("machines"),
         workers=speech.single_words("workers"),
@@ -206,6 +209,7 @@ _ROWS = {
         "wanting", "ordering", "forgetting", "causing", "letting", "intransitive", "alone", "chores",
         "addressing",
     ),
+    "persons": ("words", "names", "like words"),
     "spelling": ("words", "short", "ending", "kept"),
     "timing": ("verbs", "alone"),
     "rescheduling": ("moving", "verbs", "switching", "events"),
@@ -234,7 +238,11 @@ _ROWS = {
         "said of me", "not done", "asking about", "holding", "besides", "asking next", "asking when",
         "all of it", "by itself", "preferring", "lengths", "a day on", "a day back",
         "a week on", "a week back", "agreeing", "of course", "the earlier", "the later", "choosing none",
-        "the next", "forgetting", "started",
+        "the next", "forgetting", "started", "asking for a while",
+        "how to", "done with", "done next", "wanted by", "told of", "half of the day", "towards",
+        "behind swapping",
+        "in its place of", "going", "one", "clock", "parting", "asking for help", "asking for the list",
+        "quitting",
     ),
     "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "amounts"),
 }  # fmt: skip

@@ -51,6 +51,7 @@ def read_policy(tables: Tables) -> Policy:
         "date_order",
         "bare_pair_from",
         "planned_from",
+        "round_the_clock_hours",
         "kept_off",
         "ask",
     )
@@ -89,6 +90,9 @@ def read_policy(tables: Tables) -> Policy:
         ),
         planned_from=reader.whole(fields["planned_from"], "policy.planned_from", 1, 9999),
         bare_pair_from=reader.whole(fields["bare_pair_from"], "policy.bare_pair_from", 0, 24),
+        round_the_clock_hours=reader.whole(
+            fields["round_the_clock_hours"], "policy.round_the_clock_hours", 1, 24
+        ),
         kept_off=reader.whole(fields["kept_off"], "policy.kept_off", 0, 720),
         ask=reader.boolean(fields["ask"], "policy.ask"),
     )

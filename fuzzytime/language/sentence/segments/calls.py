@@ -76,8 +76,20 @@ def _called_at(
     if nodes[verb].text in MARKS or (asked and nodes[verb].tag == "TO"):
         # Behind "robot 2:", "tell robot 2 to", "tell robot 1 to sweep and robot 2 to"
         verb += 1
+    elif (nodes[verb].lower,) in lexicon.courtesies:
+        # "Anna please take the bus"
+        verb += 1
     called = " ".join(node.text for node in nodes[name : name + length])
+    if place == name == 0 and _is_asked(nodes, verb, lexicon):
+        return called, nodes[verb]
     return (called, nodes[verb]) if _is_order(nodes, verb, timed, lexicon, sure=length == NUMBERED) else None
+
+
+def _is_asked(nodes: Sequence[Node], place: int, lexicon: Lexicon) -> bool:
+    """Whether words ask who was named before them for something: "sarah | can you feed the cat"."""
+    closed = lexicon.closed
+    asking, whom = ([node.lower for node in nodes[place:]] + ["", ""])[:2]
+    return asking in closed.requesting_modals and whom in closed.second_person
 
 
 def _length_of_name(nodes: Sequence[Node], place: int, lexicon: Lexicon) -> int:
@@ -89,7 +101,8 @@ def _length_of_name(nodes: Sequence[Node], place: int, lexicon: Lexicon) -> int:
         return NUMBERED
     # "… and Bob stack it": bob is a verb, too, which has no capital inside a sentence.
     named = name[0].tag == "NNP" and name[0].text[0].isupper() and (place > 0 or not name[0].may_act)
-    return int(named or (name[0].lower in lexicon.persons | lexicon.workers and not name[0].may_act))
+    called = name[0].lower in lexicon.persons | lexicon.workers and not name[0].may_act
+    return int(named or called or name[0].lower in lexicon.names_like_words)
 
 
 def _is_order(
@@ -101,7 +114,8 @@ def _is_order(
     if verb + 1 == len(nodes) or verb + 1 in timed:
         return sure
     behind = nodes[verb + 1]
-    if behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns:
+    carried = nodes[verb].lower in lexicon.particles.get(behind.lower, ())
+    if carried or behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns:
         return True
     # "Robot 2 fetch water"; but "robot 2 charge level is low"
     named = behind.tag.startswith("NN") and not any(node.tag in FINITE for node in nodes[verb + 1 :])

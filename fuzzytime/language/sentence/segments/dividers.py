@@ -189,7 +189,11 @@ def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> 
     if first.bounded:
         # "Bake by noon, party at three": what is due, and what happens.
         return all((entry.clocked or entry.bounded) and entry.has_time and entry.opens for entry in others)
-    return all(entry.clocked and entry.named and entry.opens for entry in others)
+    # Of starters at 16:15, mains come "40 minutes later"; of a desk at 8:00, coffee "from 8:15".
+    return all(
+        ((entry.clocked or entry.bounded) and entry.named and entry.opens) or entry.counted
+        for entry in others
+    )
 
 
 BY_COMMAS = (_head_entries, headed, _last_so_long, _each_is_timed)

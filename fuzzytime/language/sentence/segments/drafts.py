@@ -22,7 +22,7 @@ from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
 from fuzzytime.language.sentence.segments.gaps import with_gaps
 from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
-from fuzzytime.language.sentence.segments.leading_tags import leading_tags, remarks_of_tags
+from fuzzytime.language.sentence.segments.leading_tags import leading_labels, leading_tags, remarks_of_tags
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.messages import (
     Message,
@@ -140,7 +140,7 @@ def drafted(
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         tags.append(leading_tags(text))
-        plain = blanked(without_marks(text, marks), tags[-1])
+        plain = blanked(without_marks(text, marks), (*tags[-1], *leading_labels(text, lexicon)))
         listed = switched_apart(run_apart(divided(plain, grammar, lexicon), lexicon), lexicon)
         scanned = Scanned.of(listed, grammar, lexicon)
         messages.append(messages_of(scanned, lexicon))

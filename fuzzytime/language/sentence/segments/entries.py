@@ -9,7 +9,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Offset, Phrase, Wall
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.requirement import Constraint
 
@@ -67,6 +67,12 @@ class Entry:
     def bounded(self) -> bool:
         """Whether it is before or after a time of day, or a day."""
         return self._has_wall({Constraint.BEFORE, Constraint.AFTER})
+
+    @property
+    def counted(self) -> bool:
+        """Whether it ends so long before or after another, behind what it names: "mains 40 minutes later"."""
+        offsets = (p for p in self.times if isinstance(p.said.time, Offset) and p.said.time.anchor is None)
+        return 0 in self.named and any(p.end == len(self.words) for p in offsets)
 
     @property
     def has_time(self) -> bool:

@@ -10,12 +10,29 @@ from fuzzytime.language.sentence.trees.tree import Node, Tree
 BELOW_ZERO = re.compile(r"[-−]\d+(\.\d+)?$")
 """A number below zero, which a tree takes for a mark."""
 
+DESCRIBING = frozenset({"RB", "JJ"})
+"""Tags of words that name nobody."""
+
 
 def with_whole_things(tree: Tree) -> Tree:
     """Give a tree whose things have all their words."""
     return _with_level(
-        _with_next_one(_with_numbered_subject(_with_last_noun(_with_second(_with_somebody(tree)))))
+        _with_next_one(
+            _with_numbered_subject(_with_last_noun(_with_second(_with_somebody(_with_people(tree)))))
+        )
     )
+
+
+def _with_people(tree: Tree) -> Tree:
+    """Give "wake oliver at seven" who is woken, whose small letter makes a tree take a name for an adverb."""
+    nodes = list(tree.nodes)
+    for place, node in enumerate(nodes):
+        if node.lower in tree.lexicon.persons and node.tag in DESCRIBING:
+            behind_verb = node.head == place - 1 and nodes[place - 1].is_verb
+            # "Wake oliver at seven am", where a tree has the last word for what is woken
+            relation = "dative" if tree.children(place - 1, "dobj") else "dobj"
+            nodes[place] = replace(node, tag="NNP", relation=relation if behind_verb else node.relation)
+    return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
 
 
 def _with_second(tree: Tree) -> Tree:
@@ -119,6 +136,16 @@ def with_event_names(tree: Tree, timed: AbstractSet[int]) -> Tree:
         elif before.head != place:
             continue
         nodes[place] = replace(node, relation="dobj")
+    return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
+def with_her(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "turn her two-hourly" who is turned, whom a tree takes for an owner: nobody owns a time."""
+    nodes = list(tree.nodes)
+    for place in range(1, len(nodes) - 1):
+        node, before = nodes[place], nodes[place - 1]
+        if node.tag == "PRP$" and node.relation == "poss" and place + 1 in timed and before.is_verb:
+            nodes[place] = replace(node, tag="PRP", relation="dobj", head=place - 1)
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
 
 

@@ -142,6 +142,13 @@ def _wants_done(tree: Tree) -> Tree:
             nodes[done] = replace(nodes[done], tag="VBN")
             return tree.with_nodes(nodes)
     for thing in tree.children(root, "dobj"):
+        for done in tree.children(root, "xcomp"):
+            if thing < done and any(tree.nodes[p].lower == "to" for p in tree.children(done, "aux")):
+                # "I'd like the kettle to come on at six"
+                nodes = list(tree.nodes)
+                nodes[done] = replace(nodes[done], relation="ccomp")
+                nodes[thing] = replace(nodes[thing], relation="nsubj", head=done)
+                return tree.with_nodes(nodes)
         for done in tree.children(thing, "acl"):
             named = [p for p in tree.children(done) if tree.nodes[p].relation not in BESIDE_DONE]
             if done == thing + 1 and tree.nodes[done].tag == "VBN" and not named:

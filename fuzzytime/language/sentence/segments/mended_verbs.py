@@ -18,7 +18,7 @@ NOUNS = frozenset({"NN", "NNS", "NNP"})
 
 def with_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give an order whose tree has another word for its verb that verb; None where it has none."""
-    orders = (_orders_verb, _does_event, _does_led, _calls_person, _lists_order, _does_compound)
+    orders = (_orders_verb, _does_event, _does_led, _calls_person, _lists_order, _does_compound, _goes_to_do)
     return next((mended for does in orders if (mended := does(tree, lexicon)) is not None), None)
 
 
@@ -28,7 +28,10 @@ def does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
         return None
     first, person = tree.nodes[:LET]
     acts = first.may_act and first.lower == first.lemma and first.tag in NOUNS
-    if not acts or person.lower not in lexicon.persons | lexicon.animals or person.may_act:
+    known = person.lower in lexicon.persons | lexicon.animals and not person.may_act
+    # "Ping frank at nine"
+    called = first.lower in lexicon.addressing and person.lower in lexicon.names_like_words
+    if not acts or not (known or called):
         return None
     return None if first.lower in lexicon.persons else tree.with_nodes(with_thing_done(tree, 1, 1))
 
@@ -91,10 +94,12 @@ def _does_led(tree: Tree, lexicon: Lexicon) -> Tree | None:
 def _calls_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "facetime granny", "zoom aunt jo" its verb, where who is called was taken for it."""
     root = tree.root
-    if not 0 < root < LEAST_DONE or tree.nodes[0].head != root or tree.nodes[0].relation != "compound":
+    beside = tree.nodes[0].head == root and tree.nodes[0].relation in {"compound", "nsubj"}
+    if not 0 < root < LEAST_DONE or not beside or tree.nodes[root].is_verb:
         return None
     who = tree.nodes[1 : root + 1]
-    person = any(node.lower in lexicon.persons or node.text[0].isupper() for node in who)
+    names = lexicon.persons | lexicon.names_like_words
+    person = any(node.lower in names or node.text[0].isupper() for node in who)
     # "Text rob at six"; but "text message", "phone call"
     things = lexicon.taken | lexicon.happening | lexicon.events | lexicon.doing.letters
     person = person or (who[-1].may_act and who[-1].lower not in things)
@@ -132,6 +137,21 @@ def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
     nodes = [replace(node, head=0) if node.head == 1 else node for node in tree.nodes]
     nodes[0] = replace(first, tag="VB", relation="ROOT", head=0)
     nodes[1] = replace(second, tag="NN", relation="compound", head=things[0])
+    return tree.with_nodes(nodes)
+
+
+def _goes_to_do(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "go feed the cat" what is to be done, beside which "go" and "come" say nothing more."""
+    if tree.root != 0 or len(tree.nodes) < LEAST_DONE or tree.nodes[0].lemma not in lexicon.doing.trying:
+        return None
+    done = tree.nodes[1]
+    # "Go mist the ferns": no noun is followed by an article
+    bare = done.tag == "VB" or (done.tag in NOUNS and done.may_act and tree.nodes[2].tag in DETERMINERS)
+    if not bare or done.head != 0 or tree.children(1, "aux", "mark", "det"):
+        return None
+    nodes = [replace(node, head=1) if node.head == 0 else node for node in tree.nodes]
+    nodes[0] = replace(nodes[0], relation="aux")
+    nodes[1] = replace(nodes[1], tag="VB", relation="ROOT")
     return tree.with_nodes(nodes)
 
 

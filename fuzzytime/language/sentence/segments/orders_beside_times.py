@@ -143,7 +143,8 @@ def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     node = tree.nodes[place]
     named = node.tag == "NNP" and node.text[0].isupper()
     event = node.lower in lexicon.happening | lexicon.taken or (node.may_act and not named)
-    return node.lower in lexicon.persons or (node.tag.startswith("NN") and not event)
+    known = lexicon.persons | lexicon.names_like_words
+    return node.lower in known or (node.tag.startswith("NN") and not event)
 
 
 def is_numbered(tree: Tree, lexicon: Lexicon) -> bool:

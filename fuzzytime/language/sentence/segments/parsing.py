@@ -8,6 +8,7 @@ from fuzzytime.language.instruction import blanked
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
 from fuzzytime.language.sentence.segments.mended_things import (
     with_event_names,
+    with_her,
     with_object_of_aim,
     with_whole_things,
 )
@@ -15,6 +16,7 @@ from fuzzytime.language.sentence.segments.mended_trees import as_acting, as_done
 from fuzzytime.language.sentence.segments.places_in_front import with_places_in_front
 from fuzzytime.language.sentence.segments.reminded_of import with_reminded
 from fuzzytime.language.sentence.segments.waiting import Waiting
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 from fuzzytime.language.sentence.verbs.called import with_called, with_clause, with_event, with_worker
 from fuzzytime.language.sentence.verbs.named_deeds import with_named_deed
@@ -49,7 +51,7 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list
         carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
         for (place, skipped), tree in zip(again, carried, strict=True):
             bare = as_order(tree.without_carrier(carrier, texts[place], skipped))
-            if bare.nodes and not waiting[place].doubts(bare, lexicon):
+            if bare.nodes and _may_be_done(bare, lexicon) and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
     found = with_places_in_front(waiting, found, trees, lexicon)
     told = [place for place, one in enumerate(waiting) if one.segment.doer is not None]
@@ -66,10 +68,22 @@ def _mended(one: Waiting, tree: Tree, lexicon: Lexicon) -> Tree:
     if not tree.nodes:
         return tree
     timed = one.timed(tree)
-    tree = with_event_names(with_object_of_aim(with_whole_things(tree), timed), timed)
+    tree = with_her(with_whole_things(tree), timed)
+    tree = with_event_names(with_object_of_aim(tree, timed), timed)
     tree = with_event(with_clause(with_reminded(tree, lexicon), lexicon), lexicon)
     tree = with_called(with_worker(tree, lexicon), timed, lexicon)
     return as_statement(with_named_deed(tree, timed, lexicon), timed, lexicon.travelling)
+
+
+def _may_be_done(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether the root of a tree is a known verb, or has an object: "pipette the buffer", but "session 2".
+
+    Behind "please", a parser takes any noun for a verb.
+    """
+    node = tree.nodes[tree.root]
+    known = lexicon.addressing | lexicon.chores | lexicon.ordering | lexicon.alone | lexicon.timing_alone
+    led = any(one.tag in DETERMINERS | {"PRP"} for one in tree.nodes[tree.root + 1 : tree.root + 2])
+    return node.may_act or node.lower in known or led
 
 
 def _heard(one: Waiting) -> str:

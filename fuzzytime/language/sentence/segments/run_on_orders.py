@@ -64,16 +64,19 @@ def run_on_orders(
     before = trees([carrier + one.before for carrier, one in zip(carriers, tries, strict=True)])
     led = ["" if attempt.told else CARRIER for attempt in tries]
     behind = trees([carrier + attempt.behind for carrier, attempt in zip(led, tries, strict=True)])
+    # "Play some rain sounds" has its object in a tree of its own alone.
+    alone = trees(["" if attempt.told else attempt.behind for attempt in tries])
     cut: dict[int, int] = {}
-    for attempt, carrier, first, second in zip(tries, carriers, before, behind, strict=True):
+    for attempt, carrier, first, second, own in zip(tries, carriers, before, behind, alone, strict=True):
         one = first.without_carrier(carrier, attempt.before, 0)
         other = second.without_carrier("" if attempt.told else CARRIER, attempt.behind, 0)
         if attempt.told:
             whole = _is_whole(one, lexicon, timed=False) and _has_object(one) and _tells(other)
         else:
             whole = _tells(one) if attempt.tells else _is_whole(one, lexicon, timed=attempt.timed)
-            whole = whole and (attempt.timed or not attempt.tells or _is_state(one, lexicon))
-            whole = whole and _governs(other)
+            surely = attempt.timed or not attempt.tells or _is_state(one, lexicon)
+            whole = whole and (surely or _is_done_with_it(other, 0))
+            whole = whole and (_governs(other) or _governs(own))
         if attempt.one not in cut and whole:
             cut[attempt.one] = attempt.start
     return cut
@@ -147,6 +150,11 @@ def _may_be_state(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     before = tree.nodes[:place]
     said = any(node.lemma in closed.lemmas_of_be or node.relation == "neg" for node in before[1:])
     leads = (lexicon.letting | lexicon.causing | lexicon.doing.watching) - closed.lemmas_of_be
+    if not said and tree.nodes[place + 1].lower in closed.it_or_them:
+        # "The cake needs forty minutes | take it out"; but "the nurse said take it at ten"
+        said = any(node.tag in FINITE | {"VBP"} and node.head == tree.root for node in before[1:])
+        leads = (leads - lexicon.doing.needing) | lexicon.doing.learning | lexicon.doing.saying
+        leads |= lexicon.intransitive - lexicon.doing.being
     return place > LEAST and said and leads.isdisjoint(node.lemma for node in before)
 
 
@@ -159,6 +167,11 @@ def _is_state(tree: Tree, lexicon: Lexicon) -> bool:
         return bool(tree.children(root, *COMPLEMENTS))
     being = any(tree.nodes[place].lemma in lexicon.closed.lemmas_of_be for place in helping)
     return bool(denied) or being
+
+
+def _is_done_with_it(tree: Tree, verb: int) -> bool:
+    """Whether something is done with what was spoken of: "take it out"."""
+    return any(tree.nodes[p].lower in tree.lexicon.closed.it_or_them for p in tree.children(verb, "dobj"))
 
 
 def _may_tell(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -9,8 +9,11 @@ from fuzzytime.language.sentence.segments.waiting import goes_on_behind
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Constraint
 
-ENDS = frozenset({",", "(", ")"})
+ENDS = frozenset({",", ":", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
+
+SO = "so"
+"""What begins a purpose, before "that" or somebody: "so that we can leave", "so we can leave"."""
 
 OR_ELAPSED = "elapsed.or_elapsed"
 """The rule of a length that is over, behind "or"."""
@@ -48,7 +51,9 @@ class ClauseEnds:
         text = self.words[place].text
         if self._adds_condition(first, place) or self._is_asked(first, place) or self._lasts(first, place):
             return True
-        if text == "," and (self._is_inside(place) or self._goes_on(place)):
+        if place > first and place not in self.covered and self._turns_away(place):
+            return True
+        if text in {",", ":"} and (self._is_inside(place) or self._goes_on(place)):
             return False
         if any(phrase.first == place and phrase.rule == OR_ELAPSED for phrase in self.phrases):
             # "Until it browns or ten minutes have passed"
@@ -77,6 +82,15 @@ class ClauseEnds:
         before = {word.text for word in self.words[max(first, place - ASKED) : place]}
         further = self.words[begin].text in self.lexicon.closed.further_conditions
         return further and self.lexicon.doing.learning.isdisjoint(before)
+
+    def _turns_away(self, place: int) -> bool:
+        """Whether a courtesy or a reason begins: "when it is hot | please stir", "… | because Ann comes"."""
+        closed, text = self.lexicon.closed, self.words[place].text
+        behind = {word.text for word in self.words[place + 1 : place + 2]}
+        # "… | so that we can leave", "… | so we can leave"
+        so = text == SO and not behind.isdisjoint(closed.subordinators_of_purpose | closed.subject_pronouns)
+        courtesy = longest_match(self.words, place, self.lexicon.courtesies)
+        return courtesy is not None or so or text in closed.subordinators_of_reason
 
     def _is_asked(self, first: int, place: int) -> bool:
         """Whether what somebody is asked to do begins: "remind me when it is over | to take out the dog"."""

@@ -76,12 +76,17 @@ class ClauseMarkers:
         return found or not self.lexicon.doing.asking.isdisjoint(before[-ASKED:])
 
     def _marks(self, place: int, form: tuple[str, ...]) -> bool:
-        """Whether "as" says what something is called or counted from then on: "mark the rent as paid"."""
+        """Whether "as" says what something is called or counted from then on: "mark the rent as paid".
+
+        Or that it is as it was to be: "start at six as planned".
+        """
         behind = place + len(form)
         while behind < len(self.words) and self.words[behind].text in self.lexicon.closed.before_states:
             behind += 1
         known = any(word.text in self.lexicon.doing.marking for word in self.words[:place])
-        if form != (AS,) or not known or behind >= len(self.words):
+        if form != (AS,) or behind >= len(self.words):
+            return False
+        if not known and self.words[behind].text not in self.lexicon.closed.foreseen:
             return False
         joints = self.lexicon.closed.end_of_an_event | self.lexicon.closed.end_of_an_order
         # "Log the heat as it rises" goes on as that does.

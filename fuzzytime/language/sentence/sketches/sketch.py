@@ -27,7 +27,12 @@ from fuzzytime.language.sentence.verbs.actions import (
 )
 from fuzzytime.language.sentence.verbs.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.due_by_then import due_by_then
-from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
+from fuzzytime.language.sentence.verbs.happenings import (
+    given_new_time,
+    happening_at,
+    happens,
+    named_alone,
+)
 from fuzzytime.language.sentence.verbs.named_deeds import chores_at, deed_at
 from fuzzytime.language.sentence.verbs.named_moments import named_moment
 from fuzzytime.language.sentence.verbs.operations import Reader
@@ -110,8 +115,20 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     )
     if named.operation is not None or part.segment.verbless:
         return named
+    moved = given_new_time(part.tree, *_names_beside(part, said, lexicon)) if part.tree.nodes else None
+    if moved is not None:
+        return replace(named, operation=_moved(moved, part))
     action = _action_of(part, said, lexicon, timed=bool(phrases or said.clauses))
-    return named if action is None else _asked(draft, part, said, action, lexicon)
+    if action is not None:
+        return _asked(draft, part, said, action, lexicon)
+    alone = None if said.clauses else named_alone(part.tree, *_names_beside(part, said, lexicon))
+    return named if alone is None else replace(named, operation=_moved(alone, part))
+
+
+def _names_beside(part: Part, said: SaidOfTime, lexicon: Lexicon) -> tuple[Sequence[Phrase], Reader, Lexicon]:
+    """Give the times of a part, and a reader of the names beside them."""
+    heard = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in said.phrases)]
+    return said.phrases, Reader(part.tree, lexicon, heard), lexicon
 
 
 def _action_of(part: Part, said: SaidOfTime, lexicon: Lexicon, *, timed: bool) -> Action | None:
@@ -122,7 +139,7 @@ def _action_of(part: Part, said: SaidOfTime, lexicon: Lexicon, *, timed: bool) -
     verb = part.tree.nodes[action.place].start + part.offset
     # "…, then every two minutes until it thickens"
     in_clause = any(clause.span[0] < verb < clause.span[1] for clause in said.clauses)
-    return None if in_clause and part.segment.connective else action
+    return None if in_clause else action
 
 
 def _asked(draft: Draft, part: Part, said: SaidOfTime, action: Action, lexicon: Lexicon) -> Sketch:

@@ -132,15 +132,16 @@ def unused_words(
     text: str, part: Part, operation: Operation, heard: Sequence[Span], lexicon: Lexicon
 ) -> Iterator[Remark]:
     """Point at names and numbers of an instruction that neither its operation nor a time holds."""
-    beside = lexicon.beside
+    beside, why = lexicon.beside, _reasons(part.tree, lexicon)
     held = {word.text for word in words_of(f"{operation.name} {operation.addressee or ''}")}
     known = held | {word.removesuffix("'s") for word in held}
-    known |= lexicon.persons | lexicon.machines | lexicon.addresses | beside.nothing
+    known |= (lexicon.persons - lexicon.names) | lexicon.machines | lexicon.addresses | beside.nothing
     left = [
         place
         for place, node in enumerate(part.tree.nodes)
         if (node.tag.startswith(NAMES) or node.lower in beside.marking_order or _says_how(node, lexicon))
         and node.text[0].isalnum()
+        and place not in why
         and not any(word.text in known for word in words_of(node.text))
         and not any(a <= node.start + part.offset < b for a, b in heard)
     ]
@@ -150,13 +151,19 @@ def unused_words(
         yield Remark(RemarkKind.POLICY, span, f"{text[slice(*span)]!r} is not used")
 
 
+def _reasons(tree: Tree, lexicon: Lexicon) -> frozenset[int]:
+    """Give the words that only say why: "cook the rice at six because Ann comes"."""
+    marks = (node for node in tree.nodes if node.lower in lexicon.closed.subordinators_of_reason)
+    return frozenset(p for mark in marks if mark.relation == "mark" for p in tree.below(mark.head))
+
+
 def uncounted(text: str, part: Part, operation: Operation, lexicon: Lexicon) -> Iterator[Remark]:
     """Point at a number of which nothing says what it counts: "plank 10"; but "play 7" names one."""
     lasting = lexicon.timing | lexicon.timing_alone | lexicon.intransitive | lexicon.lasting
     acts = any(node.lower == operation.verb and node.may_act for node in part.tree.nodes)
     number = (operation.object or "").lower()
     if (number.isdigit() or number in lexicon.numbers) and (operation.lemma in lasting or not acts):
-        place = text.lower().find(number, operation.span[1])
+        place = text.lower().find(number, part.segment.span[0])
         span = (place, place + len(number))
         message = f"{text[slice(*span)]!r}: what it counts is not said, as in 'for {number} minutes'"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)

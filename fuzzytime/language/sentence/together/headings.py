@@ -14,6 +14,7 @@ from fuzzytime.language.sentence.segments.drafts import Draft, Heading
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
 from fuzzytime.language.sentence.together.titles import (
+    LONGEST,
     held,
     hours_of,
     is_of_calendar,
@@ -24,9 +25,6 @@ from fuzzytime.language.sentence.together.titles import (
 
 MARK = ":"
 """What ends a heading."""
-
-LONGEST = 6
-"""Words of a title, at most."""
 
 CALLED = 2
 """Words that call a worker: "Robot 2:"."""

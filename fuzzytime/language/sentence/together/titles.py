@@ -13,9 +13,17 @@ from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
+from fuzzytime.language.sentence.sketches.sketch import sketch_of
+from fuzzytime.language.sentence.verbs.named_deeds import names_deed
 
 FEWEST = 3
 """Lines below a title, at least."""
+
+FEWEST_NAMING = 2
+"""Words of a title without a time, at least: "Dentist" may be an entry."""
+
+LONGEST = 6
+"""Words of a title, at most."""
 
 APART = ",:-–—("
 """What may stand between the name of a title and its day: "Brew day, Saturday"."""
@@ -25,14 +33,18 @@ def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
     """Give the day, or the hours, that the first of some lines names with what they are about.
 
     So does "Early shift Thursday", or "Night shift Friday 21:00-07:00". The lines below have clock times,
-    and no days of their own; what somebody attends is no title.
+    and no days of their own; what somebody attends is no title. What only names what they are about has no
+    time: "Tech rehearsal".
     """
     first, below = drafts[0], [draft for draft in drafts[1:] if draft.now == drafts[0].now]
     dated = any(names_day(phrase) for draft in below for phrase in draft.phrases)
-    if len(below) < FEWEST or len(first.phrases) != 1:
+    if len(below) < FEWEST or len(first.phrases) > 1:
         return None
-    (time,) = first.phrases
     clocks = [found for draft in below if (found := _clocks_in(draft))]
+    alone = len(clocks) >= FEWEST and _only_names(first, lexicon)
+    if not first.phrases:
+        return Heading(name_of(first), first.text, first.scanned) if alone else None
+    (time,) = first.phrases
     if is_window(time):
         within = sum(_is_within(found, time, first, lexicon.policy) for found in clocks)
         named = _is_named(first, time, lexicon) and 2 * within >= len(below)
@@ -41,7 +53,8 @@ def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
         enough = 2 * len(clocks) >= len(below)
         enough = enough or (len(clocks) >= FEWEST and apart != "" and apart in APART)
         numbered = len(clocks) >= FEWEST and _numbers_day(first, time, lexicon)
-        named = (enough and _is_named(first, time, lexicon)) or numbered
+        named = ((enough or alone) and _is_named(first, time, lexicon)) or numbered
+        named = named or (alone and _leads_name(first, time, lexicon))
         named = named and not dated and time.said.is_day and is_of_calendar(time)
     if not named or time.said.preposition not in {None, "between"}:
         return None
@@ -65,14 +78,45 @@ def _heading(draft: Draft, time: Phrase, lexicon: Lexicon) -> Heading:
 
 
 def _is_named(first: Draft, time: Phrase, lexicon: Lexicon) -> bool:
-    """Whether a time stands behind the name of what goes on then, which asks for nothing."""
+    """Whether a time stands behind the name of what goes on then, which asks for nothing.
+
+    How many there are may follow: "Wedding, Saturday 120 guests".
+    """
     words = first.scanned.words
     named = [word.text for word in words[: time.first] if word.is_letters]
-    if not named or any(word.is_letters for word in words[time.end :]):
+    behind = words[time.end :]
+    counted = words[time.first - 1].text in APART and bool(behind) and behind[0].is_digits
+    if not named or (any(word.is_letters for word in behind) and not counted):
         return False
+    return counted or _is_name(named, lexicon)
+
+
+def _is_name(named: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether words are neither something that one attends nor an order."""
     events = lexicon.taken | lexicon.happening | lexicon.function_words
     done = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
     return named[-1] not in events - lexicon.frames and named[0] not in done
+
+
+def _leads_name(first: Draft, time: Phrase, lexicon: Lexicon) -> bool:
+    """Whether a day and a mark stand before such a name: "Wednesday - slab pour"."""
+    words = first.scanned.words
+    mark, *named = words[time.end :] or words[-1:]
+    marked = time.first == 0 and mark.text in APART and bool(named)
+    return marked and _is_name([word.text for word in named], lexicon)
+
+
+def _only_names(first: Draft, lexicon: Lexicon) -> bool:
+    """Whether a line names something, and no verb is understood but in a name: "School run", "Sports day"."""
+    said = [word.text for word in first.scanned.words if word.is_letters]
+    if not FEWEST_NAMING <= len(said) <= LONGEST or not lexicon.function_words.isdisjoint(said):
+        return False
+    if len(first.parts) != 1 or not first.parts[0].tree.nodes:
+        return False
+    (part,) = first.parts
+    sketch, tree = sketch_of(first, part, lexicon), part.tree
+    deed = tree.root == len(tree.nodes) - 1 and names_deed(tree, 0, tree.root, lexicon)
+    return sketch.operation is None or deed or _is_unit(said[-1], lexicon)
 
 
 def _numbers_day(first: Draft, time: Phrase, lexicon: Lexicon) -> bool:

@@ -23,6 +23,9 @@ def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
     if not tree.nodes or tree.nodes[root].lemma in lexicon.wanting - {"be"}:
         return False
     node = tree.nodes[root]
+    if (node.lower,) in lexicon.conversation["rescheduled"] and sketch.operation is not None:
+        # "The dentist was moved to four": it is then; but "I moved the meeting".
+        return not sketch.operation.stated
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
     # "The meeting has been moved"

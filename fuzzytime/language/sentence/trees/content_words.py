@@ -1,11 +1,15 @@
 """The words of a text that name something, and what words alike have in common."""
 
+import re
 from collections.abc import Iterator
 from functools import lru_cache
 from itertools import zip_longest
 
 from fuzzytime.english import EMPTY, singular, stem
 from fuzzytime.language.grammar.words import words_of
+
+OWNER = re.compile(r"(?<=\w)['\u2019]s$")
+"""What tells whose something is, or that something is so."""
 
 REMEMBERED = 16384
 """Texts whose words are remembered: each reference asks for those of every instruction."""
@@ -32,7 +36,8 @@ def _named_in(text: str) -> Iterator[str]:
         if word.is_letters and following is not None and following.glued and following.is_digits:
             yield word.text + following.text
         elif word.is_letters and word.text not in EMPTY:
-            yield singular(word.text)
+            # "The bread's done", "Ann's call"
+            yield singular(OWNER.sub("", word.text))
 
 
 @lru_cache(maxsize=REMEMBERED)

@@ -97,6 +97,17 @@ def _verbs(name: str) -> frozenset[str]:
     return frozenset(_pipeline(name).get_pipe("lemmatizer").lookups.get_table("lemma_index")["verb"])
 
 
+def is_verb(word: str) -> bool:
+    """Whether the model's dictionary lists a word among its verbs.
+
+    Raises
+    ------
+    ModelError
+        If there is no model.
+    """
+    return word.lower() in _verbs(installed_model().name)
+
+
 def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Iterator[Tree]:
     """Parse texts, in batches.
 

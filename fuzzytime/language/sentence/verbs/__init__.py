@@ -6,5 +6,6 @@ What is to be done
     to be ``remembered``, ``put_there``, or ``due_by_then``; ``orders_before`` the root of a tree.
 What is only told
     ``statements``, with their ``statement_trees`` and ``plural_statements``; who is ``called`` and acts;
-    who is ``stated`` to do it; ``happenings`` and ``named_moments`` without a verb, and ``named_deeds``.
+    who is ``stated`` to do it; ``happenings`` and ``named_moments`` without a verb, and ``named_deeds``;
+    what else is ``named_alone``.
 """

@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
 from fuzzytime.language.meaning.phrases import is_window
-from fuzzytime.language.sentence.trees.tags import SINGULAR
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.places import Places
 from fuzzytime.requirement import Constraint
@@ -16,6 +16,9 @@ DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg",
 
 OF = "of"
 NAMES = ("NN", "VBG", "CD")
+NAMING = frozenset({"NN", "NNS", "NNP", "NNPS", "JJ", "DT", "PRP$", "POS", "IN", "TO", "CC"})
+"""Tags of the words of what is named, and of whom it is with, or where."""
+
 NOUN_TAGS = frozenset({"NN", "NNS"})
 
 
@@ -46,8 +49,9 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
         return True
     if _is_somebodys(tree, root) and any(_is_clock(p) or p.said.is_day for p in phrases):
         return True
-    if root and tree.nodes[root].lower in lexicon.closed.coming and any(map(_is_clock, phrases)):
-        # "Concrete truck 8:30"; but "load truck at nine"
+    coming = lexicon.closed.coming if root else lexicon.closed.coming - lexicon.alone
+    if tree.nodes[root].lower in coming and any(map(_is_clock, phrases)):
+        # "Taxi at seven", "concrete truck 8:30"; but "load truck at nine", and "train at six"
         return not any(node.may_act and node.tag != "JJ" for node in tree.nodes[:root])
     # "A table of twelve at 7:15": no verb has an "of" behind it.
     counted = root == 0 and any(tree.nodes[p].lower == OF for p in tree.children(root, "prep"))
@@ -61,7 +65,7 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     listed = listed or (named and any(_is_clock(one) or _is_at_part(one) for one in phrases))
     # "Status page update every 30 minutes", "backups every night"
     behind = {node.lower for node in tree.nodes[root + 1 : root + 2]} & lexicon.closed.universal_determiners
-    repeated = bool(behind) and any(isinstance(phrase.said.time, Repeat) for phrase in phrases)
+    repeated = bool(behind) and any(map(_is_repeated, phrases))
     single = tree.nodes[root].tag in NOUN_TAGS and _is_noun(tree, root)
     listed = listed or (repeated and (single or _is_of_nouns(tree, root, lexicon)))
     return listed or (tree.nodes[root].tag in SINGULAR and any(map(is_window, phrases)))
@@ -82,7 +86,7 @@ def _is_somebodys(tree: Tree, root: int) -> bool:
 
 def _is_person(node: Node, lexicon: Lexicon) -> bool:
     """Whether a word names somebody."""
-    return node.tag == "NNP" or node.lower in lexicon.persons
+    return node.tag == "NNP" or node.lower in lexicon.persons | lexicon.names_like_words
 
 
 def _leads_particle(tree: Tree, lexicon: Lexicon) -> bool:
@@ -152,11 +156,51 @@ def happening_at(
     )
 
 
+def given_new_time(
+    tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: Lexicon
+) -> Operation | None:
+    """Give what happens at the time that it was moved to: "the dentist has been moved to four"."""
+    moved = (tree.nodes[tree.root].lower,) in lexicon.conversation["rescheduled"]
+    if not moved or not any(phrase.said.preposition == "to" for phrase in phrases):
+        return None
+    subjects = [p for p in tree.children(tree.root, *SUBJECTS) if tree.nodes[p].tag.startswith("NN")]
+    return happening_at(subjects[0], tree, phrases, names, lexicon) if subjects else None
+
+
+def named_alone(tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: Lexicon) -> Operation | None:
+    """Give what nouns name beside when it is, where nothing else was found: "oil change at six".
+
+    Their words may be verbs as well, so that this is asked last. "The dog at seven" goes on with a verb.
+    """
+    root = tree.root
+    # "Kerb pour on friday"; but "Friday - kerb pour" may be a title.
+    days = (phrase for phrase in phrases if phrase.said.is_day)
+    when = any(_is_clock(p) or is_window(p) or _is_repeated(p) for p in phrases)
+    if not when and not any(phrase.said.preposition is not None for phrase in days):
+        return None
+    words = [place for place, node in enumerate(tree.nodes) if node.text[0].isalnum()]
+    said = [place for place in words if not names.timed(place)]
+    named = root in said and tree.nodes[root].tag.startswith("NN") and bool(tree.children(root, "compound"))
+    if (
+        not named
+        or tree.nodes[said[0]].tag in DETERMINERS
+        or any(tree.nodes[place].tag not in NAMING for place in said)
+    ):
+        return None
+    whole = all(root == place or root in tree.above(place) for place in said)
+    return happening_at(root, tree, phrases, names, lexicon) if whole else None
+
+
 def _is_clock_alone(phrase: Phrase) -> bool:
     """Whether it is a clock time without a preposition, as in a list: "9:15 Status of the project"."""
     time = phrase.said.time
     clocked = isinstance(time, Wall) and time.clock is not None and not time.clock.bare
     return clocked and phrase.said.preposition is None and phrase.said.constraint is None
+
+
+def _is_repeated(phrase: Phrase) -> bool:
+    """Whether it comes again and again: "every monday at nine"."""
+    return isinstance(phrase.said.time, Repeat)
 
 
 def _is_typed(phrase: Phrase) -> bool:

@@ -29,7 +29,7 @@ class Reader(Particles):
         node = self.tree.nodes[verb]
         clause = small_clause(self.tree, verb, self.lexicon)
         result = self._participle(verb) if clause is None else self._result(clause)
-        result = result or self._joined_result(verb)
+        result = result or self._joined_result(verb) or self._let(verb)
         particle = self._particle(verb, result)
         moved = self._moved_object(verb, particle)
         whole = moved or self._object(verb, particle, clause)
@@ -122,6 +122,7 @@ class Reader(Particles):
         """Give what may be a verb's object, the likeliest first; some are empty."""
         level = self.level(verb)
         found = (*self.tree.children(verb, *OBJECTS), *self._asked(verb))
+        level = [*level, *self._let(verb)]
         direct = [p for p in found if p > verb and p not in level and not self._is_apart(p)]
         yield self.words([p for p in direct if not self.timed(p) or self._is_joined(p)], verb)
         yield self._inquired(verb)

@@ -16,6 +16,17 @@ class VerbWords(Stated):
         node = self.tree.nodes[verb]
         return [node.head] if node.relation == "auxpass" and not self.timed(node.head) else []
 
+    def _let(self, verb: int) -> list[int]:
+        """Give what is let be done with what is not named again: "cover and let stand"."""
+        if self.tree.nodes[verb].lemma not in self.lexicon.letting:
+            return []
+        nodes = self.tree.nodes
+        done = verb + 1 + (nodes[verb + 1 : verb + 2] != () and nodes[verb + 1].lower == "to")
+        below = self.tree.children(verb, "xcomp", "ccomp", "dobj", "acomp")
+        rests = done in below and nodes[done].lower in self.lexicon.doing.resting
+        acts = below == (done,) and nodes[done].tag in {"VB", "VBP"}
+        return self.words([done], verb) if rests or acts else []
+
     def _joined_result(self, verb: int) -> list[int]:
         """Give what "and" joins to a particle as what somebody is then: "get him up and washed"."""
         node = self.tree.nodes[verb]

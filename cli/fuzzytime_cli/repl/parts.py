@@ -1,0 +1,113 @@
+"""Several things that one line asks for: another time for one of them, or the line without it."""
+
+from collections.abc import Sequence
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter import Interpreted
+from fuzzytime.requirement import Constraint
+from fuzzytime_cli.repl.scene import Scene, begun_parts, waiting
+from fuzzytime_cli.session import Entry
+
+
+def with_time_of_part(scene: Scene, entry: Entry, time: str, part: str) -> str:
+    """Give an entry's words with another time, or length, of one of several things that it asks for.
+
+    Raises
+    ------
+    FuzzytimeError
+        If they would ask for something else then.
+    """
+    one = _one_of(scene, part)
+    length = time.lower().startswith("for ")
+    first, end = _time_of(one, length=length)
+    text = f"{entry.text[:first].rstrip()} {time}{entry.text[end:]}"
+    return _checked(scene, entry, text, _names(scene, entry.text, entry))
+
+
+def swapped_parts(scene: Scene, entry: Entry, parts: Sequence[str | None]) -> str:
+    """Give an entry's words with two of its things at each other's times.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the two are not clear, or have no times of their own.
+    """
+    spans = sorted(_time_of(_one_of(scene, part or ""), length=False) for part in parts)
+    (first, end), (begin, over) = spans
+    text = entry.text
+    if first == end or begin == over or end > begin:
+        raise FuzzytimeError(f"which two change places is not clear: say it anew, with :edit {entry.number}")
+    swapped = f"{text[:first]}{text[begin:over]}{text[end:begin]}{text[first:end]}{text[over:]}"
+    return _checked(scene, entry, swapped, _names(scene, text, entry))
+
+
+def without_part(scene: Scene, entry: Entry, part: str) -> str:
+    """Give an entry's words without one of several things; empty where the others cannot be said alone."""
+    one = _one_of(scene, part)
+    if one.instruction is None or begun_parts(scene, entry.number):
+        # What has begun is known by its place among the others.
+        return ""
+    spans = [other.instruction.span for other in _parts_of(scene, entry) if other.instruction is not None]
+    first, end = one.instruction.span
+    behind = [start for start, _ in spans if start >= end]
+    before = entry.text[:first]
+    text = before + entry.text[min(behind) :] if behind else _without_joints(scene, before)
+    left = [other.skill.name for other in _parts_of(scene, entry) if other is not one]
+    return text if left == _names(scene, text, entry) else ""
+
+
+def _without_joints(scene: Scene, text: str) -> str:
+    """Leave out what joined a thing behind it that is not said any more: "call Ann and"."""
+    joints = scene.conversation.interpreter.language.lexicon.conversation["parting"]
+    text = text.rstrip(" ,;")
+    while " " in text and (text.rpartition(" ")[2].lower(),) in joints:
+        text = text.rpartition(" ")[0].rstrip(" ,;")
+    return text
+
+
+def _parts_of(scene: Scene, entry: Entry) -> list[Interpreted]:
+    return [one for one in scene.plan.skills if one.wish.identifier == entry.identifier]
+
+
+def _one_of(scene: Scene, part: str) -> Interpreted:
+    """Give what a label means that has not started.
+
+    Raises
+    ------
+    FuzzytimeError
+        If there is none.
+    """
+    one = next((one for _, one in waiting(scene) if one.identifier == part), None)
+    if one is None or one.instruction is None:
+        raise FuzzytimeError(f"{part} has started, and does not move" if part else "which one is not clear")
+    return one
+
+
+def _time_of(one: Interpreted, *, length: bool) -> tuple[int, int]:
+    """Give where the time of a thing, or how long it takes, stands; where it has none, where one would."""
+    if one.instruction is None:
+        return 0, 0
+    told = [part for part in one.instruction.requirements if (part.constraint is Constraint.FOR) is length]
+    own = [part for part in told if part.anchor is None] or told
+    return own[-1].span if own else (one.instruction.span[1],) * 2
+
+
+def _names(scene: Scene, text: str, entry: Entry) -> list[str]:
+    """Give what words ask for, in their order."""
+    read = scene.conversation.interpreter.language.read(text, now=entry.given)
+    return [one.operation.name for one in read.instructions if one.operation is not None]
+
+
+def _checked(scene: Scene, entry: Entry, text: str, names: Sequence[str]) -> str:
+    """Give words that ask for the same as before.
+
+    Raises
+    ------
+    FuzzytimeError
+        If they ask for something else.
+    """
+    if _names(scene, text, entry) != list(names):
+        raise FuzzytimeError(
+            f"how to say that of {entry.text!r} is not clear: say it anew, with :edit {entry.number}"
+        )
+    return text

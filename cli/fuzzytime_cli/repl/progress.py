@@ -1,0 +1,133 @@
+"""The command that is meant by how it goes: "done", "five more minutes", "not yet", "I'm late"."""
+
+from dataclasses import replace
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language import About, AboutKind
+from fuzzytime.times import instant_after
+from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown
+from fuzzytime_cli.repl.retiming import some_time, without_thing
+from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting
+
+
+def progress(scene: Scene, about: About) -> str | None:
+    """Give the command that says how a skill goes: one that is running, or that need not start any more."""
+    longer = about.kind is AboutKind.MORE
+    last_one = None if not about.text else entry_of(scene, frozenset())
+    if last_one is not None:
+        # "I already did": what was spoken of last
+        about = replace(about, names=frozenset({last_one.identifier}))
+
+    def line(identifier: str) -> str:
+        return f":more {identifier} {length_said(scene, about)}" if longer else f":done {identifier}"
+
+    one = running_one(scene, about.names)
+    entry = None if longer else entry_of(scene, about.names)
+    if entry is not None and (rest := without_thing(scene, entry, about.names)):
+        # "Got the milk", of milk and bread
+        return f":edit {entry.number} {rest}"
+    if one is not None:
+        part = None if longer else part_meant(scene, number_of(one.identifier), about.names)
+        return line(part or one.identifier)
+    last = next(reversed(all_called(scene, about.names)), None)
+    if last is not None and longer:
+        return line(last.identifier)
+    planned_last = entry_of(scene, frozenset()) if longer and not about.names else None
+    if (
+        planned_last is not None
+        and called(scene, planned_last.number) is not None
+        and scene.focus is not None
+    ):
+        return _lengthened(scene, planned_last.number, about)
+    over = "" if last is None else Clock(scene.now, with_seconds=False).at(last.done)
+    if not about.names:
+        told = "" if last is None else f"; the last, {last.name}, was done at {over}"
+        raise FuzzytimeError(f"nothing is running{told}: say what, such as: the soup is done")
+    entry = entry_of(scene, about.names)
+    planned = None
+    if entry is not None:
+        planned = part_meant(scene, entry.number, about.names) or called(scene, entry.number)
+    if planned is not None:
+        if longer:
+            return _lengthened(scene, number_of(planned), about) if about.certain else None
+        return line(planned)
+    if last is not None:
+        raise FuzzytimeError(f"{last.name} was done at {over}")
+    return unknown(about.names) if about.certain else None
+
+
+def _lengthened(scene: Scene, number: int, about: About) -> str:
+    """Give the command that lets what has not started take longer."""
+    if about.by is None:
+        raise AskedBackError("by how much? Say: twenty minutes longer", about)
+    lasts = max(one.skill.time_until_done for _, one in waiting(scene, number))
+    return f":duration {number} {as_typed(lasts + about.by)}"
+
+
+def unstarted(scene: Scene, about: About) -> str:
+    """Give the command that plans anew what was taken to have started.
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing that is meant has started, or which of several is not said.
+    """
+    known = {entry.number for entry in scene.conversation.state.entries}
+    done = scene.taken is not None and scene.taken.kind is AboutKind.DONE
+    if about.text and done and scene.focus is not None and scene.focus not in known:
+        # What was taken to be done is not asked for any more.
+        return ":undo"
+    last = entry_of(scene, frozenset()) if about.text else None
+    if last is not None:
+        # "No, not yet": what was spoken of last
+        about = replace(about, names=frozenset({last.identifier}))
+    one = running_one(scene, about.names) or next(reversed(all_called(scene, about.names)), None)
+    if one is None or (about.text and last is not None and called(scene, last.number) is not None):
+        entry = entry_of(scene, about.names)
+        planned = None if entry is None else called(scene, entry.number)
+        raise FuzzytimeError(
+            f"{planned} is still planned" if planned and about.names else "nothing is running"
+        )
+    number = number_of(one.identifier)
+    text = next(entry.text for entry in scene.conversation.state.entries if entry.number == number)
+    return f":edit {number} {text}"
+
+
+def late(scene: Scene, about: About) -> str:
+    """Give the command that keeps who is late from everything for so long."""
+    if about.by is None:
+        message = (
+            "by how much? Say: I'm ten minutes late (nothing starts before then), "
+            "or: push everything back by ten minutes"
+        )
+        raise AskedBackError(message, about)
+    busy = [one for one in scene.conversation.running(scene.now) if one.end > scene.now]
+    if len(busy) == 1:
+        return f":more {busy[0].identifier} {as_typed(about.by)}"
+    until = instant_after(scene.now, about.by)
+    day = "" if until.date() == scene.now.date() else f"{until:%Y-%m-%d}T"
+    return f":busy {scene.now:%H:%M:%S} {day}{until:%H:%M:%S} late"
+
+
+def length_said(scene: Scene, about: About) -> str:
+    """Give by how much, as a command takes it.
+
+    Raises
+    ------
+    AskedBackError
+        If that is not said.
+    """
+    if about.by is None and about.text:
+        by = some_time(scene, about.text)
+        return as_typed(-by if about.earlier else by)
+    if about.by is None:
+        message = "by how much? Say: push it back by ten minutes (or: make it half past six)"
+        raise AskedBackError(message, about)
+    return as_typed(about.by)
+
+
+def as_typed(length: float) -> str:
+    """Give a length as a command takes it."""
+    whole, rest = divmod(abs(length), 60.0)
+    return f"{'-' if length < 0 else ''}{f'{whole:g}min' if not rest else f'{abs(length):g}s'}"

@@ -1,0 +1,53 @@
+"""How far what is repeated without an end is planned: as long as people are up, or for the night.
+
+"Check the wires every half hour" ends with the day that it begins on, unless words, or a horizon, say more.
+"""
+
+from collections.abc import Iterator, Sequence
+from datetime import datetime
+
+from fuzzytime.language import Policy
+from fuzzytime.requirement import Recurrence
+from fuzzytime.times import instant_after
+
+HOUR = 3600.0
+
+Window = tuple[float, float]
+
+
+def within_hours(
+    windows: Sequence[Window], recurrence: Recurrence, given: datetime, passed: float, policy: Policy
+) -> tuple[Window, ...]:
+    """Give the occurrences of a repetition that one goes on with.
+
+    Those of which no end is said are in waking hours where the first one is, else at night; and they end
+    with these hours, those of them that are not over. What comes at long intervals goes on round the clock.
+
+    Parameters
+    ----------
+    windows
+        When each begins and is over, in seconds from when it was given.
+    passed
+        Seconds from then until now.
+    """
+    interval = recurrence.interval
+    open_end = recurrence.endless or recurrence.all_day
+    if not open_end or interval is None or interval >= policy.round_the_clock_hours * HOUR or not windows:
+        return tuple(windows)
+    awake = recurrence.all_day or _is_awake(windows[0][0], given, policy)
+    alike = [window for window in windows if _is_awake(window[0], given, policy) is awake]
+    return tuple(_until_a_break(alike, passed, interval))
+
+
+def _is_awake(time: float, given: datetime, policy: Policy) -> bool:
+    return policy.plausible_from <= instant_after(given, time).time() <= policy.plausible_to
+
+
+def _until_a_break(windows: Sequence[Window], passed: float, interval: float) -> Iterator[Window]:
+    """Give windows up to the first break between two of which the earlier one is not over."""
+    before: float | None = None
+    for start, end in windows:
+        if before is not None and before >= passed and start - before > interval + 1.0:
+            return
+        yield start, end
+        before = start

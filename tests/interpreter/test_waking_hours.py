@@ -1,0 +1,48 @@
+"""How far a repetition without an end is planned: as long as people are up, or for the night."""
+
+from datetime import timedelta
+
+import pytest
+
+from fuzzytime.interpreter import Request, SpokenWish, plan
+from interpreter.telling import SEVEN, interpreter, starts, told
+
+pytestmark = pytest.mark.model
+
+
+@pytest.mark.parametrize(
+    ("line", "hour", "first", "last", "count"),
+    [
+        ("check the wires every half hour", 8, "08:30", "22:00", 28),
+        ("turn the patient every two hours", 8, "10:00", "22:00", 7),
+        ("check the pump every hour starting at 11 pm", 8, "23:00", "06:00", 8),
+        ("check the pump every hour starting at 11 pm", 22, "23:00", "06:00", 8),
+        ("check the pump every two hours", 23, "01:00", "05:00", 3),
+        ("on thursday swap drivers every two hours", 8, "08:00", "22:00", 8),
+        ("take the pill every eight hours", 8, "16:00", "08:00", 6),
+        ("check the wires every half hour until midnight", 8, "08:30", "00:00", 32),
+        ("take a break every hour for 20 hours", 8, "09:00", "04:00", 20),
+    ],
+)
+def test_a_repetition_without_an_end_ends_with_the_day_or_the_night(
+    line: str, hour: int, first: str, last: str, count: int
+) -> None:
+    found = list(starts(told([line], now=SEVEN.replace(hour=hour))).values())
+    assert (found[0], found[-1], len(found)) == (first, last, count)
+
+
+def test_a_horizon_says_how_far_else() -> None:
+    wish = SpokenWish(text="check the wires every hour", given=SEVEN)
+    made = plan(Request(now=SEVEN, wishes=(wish,), horizon=20 * 3600.0), interpreter())
+    assert list(starts(made).values())[-1] == "03:00"
+
+
+@pytest.mark.parametrize("hours", [2.0, 14.5, 15.2, 26.0])
+def test_what_goes_on_for_days_is_planned_for_the_day_to_come(hours: float) -> None:
+    now = SEVEN + timedelta(hours=hours)
+    wish = SpokenWish(text="check the wires every hour", given=SEVEN)
+    made = plan(Request(now=now, wishes=(wish,)), interpreter())
+    found = list(starts(made).values())
+    assert found[-1] == "22:00"
+    assert "03:00" not in found
+    assert len(found) <= 17
