@@ -3,6 +3,7 @@
 These values know nothing of spaCy; the rest of the program sees only them.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import datetime
 from enum import StrEnum
@@ -22,6 +23,17 @@ Span = tuple[int, int]
 def overlap(one: Span, other: Span) -> bool:
     """Whether two stretches have a character in common."""
     return one[0] < other[1] and other[0] < one[1]
+
+
+def blanked(text: str, spans: Iterable[Span]) -> str:
+    """Give a text of the same length with spaces for some of its stretches.
+
+    >>> blanked("!high call the bank", [(0, 5)])
+    '      call the bank'
+    """
+    for first, end in spans:
+        text = text[:first] + " " * (end - first) + text[end:]
+    return text
 
 
 class Order(StrEnum):

@@ -17,5 +17,6 @@ From values to requirements
     When something is not to be done: ``denied_times``.
     Two times as one: ``beside``, ``told_apart``, ``repeats_beside``, ``bounded_repeats``, ``first_times``,
     ``distances``, ``intervals_on_days``, ``throughout``, ``offered``, ``range_ends``, ``weekdays_left_out``.
+    What is asked of ``phrases``.
     What is handed on: ``requirements``, ``grains``, ``decisions``.
 """

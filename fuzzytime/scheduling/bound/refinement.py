@@ -39,6 +39,9 @@ STEPS = 40
 ENOUGH_OF_ALL = 0.03
 """The gap in cost that is left to an exact program, as a share of what the best schedule costs, at most."""
 
+DOUBTFUL = 0.01
+"""The gap in cost, by weight, from which on the schedule may be what is wrong, rather than the bound."""
+
 CLOSED = 1e-7
 """The gap in cost, by weight, at which nothing is left to prove."""
 
@@ -117,6 +120,10 @@ class GridSearch(ABC):
         Exact programs relax what takes no time, and what binds jobs otherwise than by order.
         """
         return self.problem.kept_by_order and all(job.duration > 0 for job in self.problem.jobs)
+
+    def is_doubtful(self) -> bool:
+        """Tell whether the schedule may be what is wrong, rather than the bound."""
+        return self.best.cost - self.lower > DOUBTFUL * self.problem.weight
 
     def tightened(self, problem: Problem, step: float) -> Problem:  # noqa: ARG002 - others need the step
         """Give a problem with what else is known of schedules better than the best: here nothing.

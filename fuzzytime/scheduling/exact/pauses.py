@@ -41,9 +41,6 @@ FARTHER = 4
 LEAST = 0.05
 """Of the gap, a threshold is above the bound at least; where there is too much to try even so, it stays."""
 
-DOUBTFUL = 0.01
-"""The gap in cost, by weight, from which on the schedule may be what is wrong, rather than the bound."""
-
 BEAM, WIDER, BEAMS = 200, 4, 2
 """States in the first beam, how many times as many the next one has, and how many beams there are."""
 
@@ -88,10 +85,6 @@ class _Search(GridSearch):
     def closable(self) -> bool:
         """Nothing is relaxed."""
         return True
-
-    def is_doubtful(self) -> bool:
-        """Tell whether the schedule may be what is wrong, rather than the bound."""
-        return self.best.cost - self.lower > DOUBTFUL * self.problem.weight
 
     def close(self, relaxation: Relaxation) -> bool:
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""

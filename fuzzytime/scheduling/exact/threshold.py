@@ -46,9 +46,6 @@ PATIENCE = 0.4
 FIRST = 0.1
 """Of the gap, the first threshold is above the bound, and what the exact program may be left besides."""
 
-DOUBTFUL = 0.01
-"""The gap in cost, by weight, from which on the schedule may be what is wrong, rather than the bound."""
-
 MOST_TOGETHER = 100
 """Up to so many skills a beam finds good schedules; more are improved in stretches."""
 
@@ -173,7 +170,7 @@ class _Search(GridSearch):
         Where labels have proved more than the bound already, they go on, unless there are very many skills:
         prices find their way slowly then, and labels need good ones.
         """
-        if self._are_very_many and self._is_doubtful():
+        if self._are_very_many and self.is_doubtful():
             patient = self.watch.share(PATIENCE)
             relaxation.improve(self.best.cost, STEPS, self.left_over, patient, worth=1.0)
         elif relaxation.lower >= self.lower:
@@ -184,16 +181,13 @@ class _Search(GridSearch):
     def _are_very_many(self) -> bool:
         return len(self.problem.jobs) > MOST_TOGETHER
 
-    def _is_doubtful(self) -> bool:
-        return self.best.cost - self.lower > DOUBTFUL * self.problem.weight
-
     def follow(self, relaxation: Relaxation) -> None:
         """Search around the bound's path where many skills are in doubt: a better schedule deletes starts."""
         if self._is_early_search_worth():
             self._follow_path(relaxation)
 
     def _is_early_search_worth(self) -> bool:
-        return self._is_doubtful() and len(self.problem.jobs) >= MANY
+        return self.is_doubtful() and len(self.problem.jobs) >= MANY
 
     def _follow_path(self, relaxation: Relaxation) -> None:
         if relaxation.prices is not self._followed:
@@ -214,7 +208,7 @@ class _Search(GridSearch):
             return False
         self.labels(relaxation, self.best.cost, self.watch.limits.memory // BYTES_PER_CELL, width)
         if self._are_very_many:
-            if self._is_doubtful():
+            if self.is_doubtful():
                 self._search_stretches(relaxation)
         elif known - self.best.cost < PAYS * left:
             # Below a good schedule, as a beam finds it, labels mostly take no longer than kicks.

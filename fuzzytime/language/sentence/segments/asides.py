@@ -50,13 +50,6 @@ def beside_each_other(some: Sequence[Aside], others: Sequence[Aside]) -> tuple[A
     return tuple(sorted((*some, *apart), key=lambda aside: aside.span))
 
 
-def without_asides(text: str, asides: Sequence[Aside]) -> str:
-    """Give a text of the same length with spaces for its asides."""
-    for first, end in (aside.span for aside in asides):
-        text = text[:first] + " " * (end - first) + text[end:]
-    return text
-
-
 def _aside(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
     words, told = scanned.words, lexicon.asides
     place = phrase.first - 1

@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.phrases import places_in
 
 AFTER_ALL = "after all"
 """The connective that leads to what is meant instead of a thing before it."""
@@ -36,7 +37,7 @@ def corrected_things(
     words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon
 ) -> Iterator[CorrectedThing]:
     """Give the things that words behind them take back."""
-    covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    covered = places_in(phrases)
     for place in range(1, len(words)):
         marker = longest_match(words, place, lexicon.corrections)
         if marker is None or place in covered or words[place - 1].text not in PAUSES:
@@ -57,7 +58,7 @@ def corrected_things(
             yield CorrectedThing(pause, start, end, further, said, new)
 
 
-def _end_of_thing(words: Sequence[Word], start: int, covered: set[int], lexicon: Lexicon) -> int | None:
+def _end_of_thing(words: Sequence[Word], start: int, covered: frozenset[int], lexicon: Lexicon) -> int | None:
     """Give where a thing ends that is named alone, before a pause or a time; None for other words."""
     inside = (
         p for p in range(start, len(words)) if p in covered or words[p].text in {*PAUSES, "!", "?", ")", "\n"}
@@ -78,7 +79,9 @@ def _is_thing(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> 
     )
 
 
-def _thing_before(words: Sequence[Word], place: int, covered: set[int], lexicon: Lexicon) -> range | None:
+def _thing_before(
+    words: Sequence[Word], place: int, covered: frozenset[int], lexicon: Lexicon
+) -> range | None:
     """Give the words of the thing right before a place, or before a time there; None without one."""
     end = place
     while end and (words[end - 1].text in PAUSES or end - 1 in covered):

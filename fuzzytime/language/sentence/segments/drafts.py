@@ -8,10 +8,11 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.denied import denied
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.instruction import Order, Remark, Span
+from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
+from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.segments.asides import Aside, asides_of, beside_each_other, without_asides
+from fuzzytime.language.sentence.segments.asides import Aside, asides_of, beside_each_other
 from fuzzytime.language.sentence.segments.asides_of_hours import asides_of_hours
 from fuzzytime.language.sentence.segments.calls import called_first, called_next
 from fuzzytime.language.sentence.segments.corrections import corrected
@@ -21,19 +22,13 @@ from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
 from fuzzytime.language.sentence.segments.gaps import with_gaps
 from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
-from fuzzytime.language.sentence.segments.leading_tags import (
-    leading_labels,
-    leading_tags,
-    remarks_of_tags,
-    without_tags,
-)
+from fuzzytime.language.sentence.segments.leading_tags import leading_labels, leading_tags, remarks_of_tags
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.messages import (
     Message,
     messages_of,
     orders_beside,
     remarks_of,
-    without_messages,
 )
 from fuzzytime.language.sentence.segments.next_ones import next_one
 from fuzzytime.language.sentence.segments.order_words import order_words
@@ -116,7 +111,7 @@ class Draft:
     def unfinished(self) -> tuple[Span, ...]:
         """The stretches that begin a time and do not end it: "at half past"."""
         words = self.scanned.words
-        covered = {place for phrase in self.phrases for place in range(phrase.first, phrase.end)}
+        covered = places_in(self.phrases)
         found = (p for p in self.scanned.pieces("unfinished") if covered.isdisjoint(range(p.start, p.end)))
         return tuple((words[piece.start].start, words[piece.end - 1].end) for piece in found)
 
@@ -145,20 +140,17 @@ def drafted(
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         tags.append(leading_tags(text))
-        plain = without_tags(without_marks(text, marks), (*tags[-1], *leading_labels(text, lexicon)))
+        plain = blanked(without_marks(text, marks), (*tags[-1], *leading_labels(text, lexicon)))
         listed = switched_apart(run_apart(divided(plain, grammar, lexicon), lexicon), lexicon)
         scanned = Scanned.of(listed, grammar, lexicon)
         messages.append(messages_of(scanned, lexicon))
-        if messages[-1]:
-            scanned = Scanned.of(without_messages(scanned.text, messages[-1]), grammar, lexicon)
+        told = (message.span for message in messages[-1])
+        scanned = _again(scanned, blanked(scanned.text, told), grammar)
         lengths = beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon))
         asides.append(beside_each_other(lengths, asides_of_hours(scanned, lexicon)))
-        if asides[-1]:
-            scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
+        scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides[-1])), grammar)
         for said in (with_gaps, said_apart):
-            instead = said(scanned, lexicon)
-            if instead != scanned.text:
-                scanned = Scanned.of(instead, grammar, lexicon)
+            scanned = _again(scanned, said(scanned, lexicon), grammar)
         scanned, instances = instances_of(scanned, grammar, lexicon)
         several.append(instances)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
@@ -186,6 +178,11 @@ def drafted(
             texts, sources, parts, steps, asides, messages, several, tags, strict=True
         )
     ]
+
+
+def _again(scanned: Scanned, text: str, grammar: Grammar) -> Scanned:
+    """Scan what a text became, where it is another."""
+    return scanned if text == scanned.text else Scanned.of(text, grammar, scanned.lexicon)
 
 
 def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[list[Part]]:

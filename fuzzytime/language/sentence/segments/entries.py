@@ -10,6 +10,7 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Offset, Phrase, Wall
+from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.requirement import Constraint
 
 NUMERIC = frozenset({"-", ":", "."})
@@ -30,7 +31,7 @@ class Entry:
         """Give what stands between two marks."""
         scanned = Scanned.of(item, grammar, lexicon)
         times = tuple(phrase for phrase in phrases_of(scanned, lexicon) if is_when(phrase))
-        covered = {place for phrase in times for place in range(phrase.first, phrase.end)}
+        covered = places_in(times)
         things = (
             place
             for place, word in enumerate(scanned.words)

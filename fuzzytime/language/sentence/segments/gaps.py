@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Span
+from fuzzytime.language.instruction import Span, blanked
 from fuzzytime.language.meaning.expressions import Duration
 
 BETWEEN = "between"
@@ -24,7 +24,7 @@ def with_gaps(scanned: Scanned, lexicon: Lexicon) -> str:
     if not {BETWEEN, *lexicon.closed.rates}.isdisjoint(word.text for word in scanned.words):
         for before, (first, end), said in _gaps(scanned, lexicon):
             text = text[:first] + said.rjust(end - first) + text[end:]
-            text = text[: before[0]] + " " * (before[1] - before[0]) + text[before[1] :]
+            text = blanked(text, [before])
     return text
 
 

@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Span
+from fuzzytime.language.instruction import Span, blanked
 
 MARKS = frozenset({",", ":", "-", "–", "—", ";", "("})
 """What stands before the first of several."""
@@ -40,10 +40,7 @@ def instances_of(scanned: Scanned, grammar: Grammar, lexicon: Lexicon) -> tuple[
     found = _marked(scanned, lexicon)
     if len(found.starts) < 2 or _begins_alone(scanned, found, lexicon):
         return scanned, NONE
-    text = scanned.text
-    for first, end in found.counting:
-        text = text[:first] + " " * (end - first) + text[end:]
-    bare = Scanned.of(text, grammar, lexicon)
+    bare = Scanned.of(blanked(scanned.text, found.counting), grammar, lexicon)
     times = [phrase.span for phrase in phrases_of(bare, lexicon)]
     begins = [next((word.start for word in bare.words if word.start >= start), -1) for start in found.starts]
     # "Two visits today, one at nine": the first may have its day in front.

@@ -35,13 +35,6 @@ def leading_labels(text: str, lexicon: Lexicon) -> list[Span]:
     return bullets + [(label.start("label"), label.end()) for label in labels]
 
 
-def without_tags(text: str, tags: Sequence[Span]) -> str:
-    """Give a text of the same length without them."""
-    for first, end in tags:
-        text = text[:first] + " " * (end - first) + text[end:]
-    return text
-
-
 def remarks_of_tags(text: str, tags: Sequence[Span]) -> Iterator[Remark]:
     """Say that they are not used."""
     for span in tags:

@@ -13,6 +13,7 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.told_clauses import THAT, is_said, told_from
 from fuzzytime.language.sentence.segments.waiting import JOINT
@@ -57,7 +58,7 @@ class _Source:
     @property
     def covered(self) -> frozenset[int]:
         """The places of the words that are about time."""
-        return frozenset(place for phrase in self.phrases for place in range(phrase.first, phrase.end))
+        return places_in(self.phrases)
 
 
 def messages_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Message, ...]:
@@ -83,13 +84,6 @@ def messages_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Message, ...]:
             begin, whom = source.words[verb].start, _whom(source, verb, start)
             found.append(Message(begin, span, times, whom, _onward(source, end)))
     return tuple(found)
-
-
-def without_messages(text: str, messages: Sequence[Message]) -> str:
-    """Give a text of the same length with spaces for what is told."""
-    for first, end in (message.span for message in messages):
-        text = text[:first] + " " * (end - first) + text[end:]
-    return text
 
 
 def orders_beside(text: str, messages: Sequence[Message]) -> Iterator[int]:

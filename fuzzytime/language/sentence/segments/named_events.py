@@ -6,6 +6,7 @@ from itertools import pairwise
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.phrases import places_in
 
 FIRST, SECOND = "first", "second"
 LONGEST_NAME = 4
@@ -28,7 +29,7 @@ def counts_event(words: Sequence[Word], place: int, phrases: Sequence[Phrase], l
 
 def beside(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
     """Give where begins what happens meanwhile: "revise from four to six, with a break at five"."""
-    covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    covered = places_in(phrases)
     for phrase in phrases[1:]:
         last = phrase.first - 1
         called = words[last].text in lexicon.happening | lexicon.taken and last not in covered

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import blanked
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
 from fuzzytime.language.sentence.segments.mended_things import (
     with_event_names,
@@ -94,7 +95,7 @@ def _heard(one: Waiting) -> str:
 def _without_root(tree: Tree) -> str:
     """Give the text of a tree with spaces for its root."""
     node = tree.nodes[tree.root]
-    return tree.text[: node.start] + " " * (node.end - node.start) + tree.text[node.end :]
+    return blanked(tree.text, [(node.start, node.end)])
 
 
 def uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:

@@ -9,6 +9,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.distances import LATER
 from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord
+from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.behind_happenings import (
     behind_happening,
     behind_statements,
@@ -61,7 +62,7 @@ def segments_of(
 
     ``taken_back`` are stretches that later words correct: nothing ends there.
     """
-    inside = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    inside = places_in(phrases)
     inside |= {place for place, word in enumerate(words) if any(a <= word.start < b for a, b in taken_back)}
     cuts: list[tuple[int, int, str]] = []
     place = 0

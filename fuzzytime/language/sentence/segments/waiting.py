@@ -9,8 +9,9 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Order, Remark, Span
+from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.segments.leading_markers import Marker, marker_at
 from fuzzytime.language.sentence.segments.orders_beside_times import (
@@ -67,13 +68,9 @@ class Source:
     @property
     def sound(self) -> str:
         """The text with spaces for words taken back ("at five, I mean six") and words of order ("last")."""
-        text = self.scanned.text
-        for (start, end), _ in self.orders:
-            text = text[:start] + " " * (end - start) + text[end:]
-        for start, end in (remark.span for remark in self.remarks):
-            first = self._behind_preposition(start, end)
-            text = text[:first] + " " * (end - first) + text[end:]
-        return text
+        taken_back = (remark.span for remark in self.remarks)
+        words = [(self._behind_preposition(start, end), end) for start, end in taken_back]
+        return blanked(self.scanned.text, [*(span for span, _ in self.orders), *words])
 
     def _behind_preposition(self, start: int, end: int) -> int:
         """Give where words begin that are taken back: the "at" in front of them stays."""
@@ -84,7 +81,7 @@ class Source:
     @property
     def covered(self) -> frozenset[int]:
         """The places of the words that are about time."""
-        return frozenset(place for phrase in self.phrases for place in range(phrase.first, phrase.end))
+        return places_in(self.phrases)
 
     def places(self, first: int, end: int) -> list[int]:
         """Give the places of the words in a stretch of characters."""

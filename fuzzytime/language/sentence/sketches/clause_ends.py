@@ -34,7 +34,7 @@ class ClauseEnds:
         words: Sequence[Word],
         phrases: Sequence[Phrase],
         lexicon: Lexicon,
-        covered: set[int],
+        covered: frozenset[int],
     ) -> None:
         self.tree = tree
         self.words, self.phrases, self.lexicon, self.covered = words, phrases, lexicon, covered

@@ -15,6 +15,7 @@ from fuzzytime.language.meaning.expressions import (
     Phrase,
     Wall,
 )
+from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_contents import Contents
@@ -60,7 +61,7 @@ def clauses_of(
     o'clock meeting" is before four.
     """
     found: list[Clause] = []
-    covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    covered = places_in(phrases)
     named_so = {place for start, end in names_in(words, lexicon) for place in range(start, end)}
     titled = written_out(words, lexicon) | named_so
     reader = _Clauses(tree, words, phrases, lexicon, covered, named)
@@ -103,7 +104,7 @@ class _Clauses:
         words: Sequence[Word],
         phrases: Sequence[Phrase],
         lexicon: Lexicon,
-        covered: set[int],
+        covered: frozenset[int],
         named: Sequence[Phrase],
     ) -> None:
         self.tree = tree

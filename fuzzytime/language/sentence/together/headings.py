@@ -8,6 +8,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.meaning.told_apart import told_apart
 from fuzzytime.language.sentence.segments.drafts import Draft, Heading
 from fuzzytime.language.sentence.segments.waiting import Part
@@ -97,7 +98,7 @@ def _is_title(draft: Draft, lexicon: Lexicon) -> bool:
     It has no times but days, and asks for nothing.
     """
     named = [word for word in draft.scanned.words if word.is_letters]
-    timed = {place for phrase in draft.phrases for place in range(phrase.first, phrase.end)}
+    timed = places_in(draft.phrases)
     beside = [
         word for place, word in enumerate(draft.scanned.words) if place not in timed and word.is_letters
     ]

@@ -9,6 +9,7 @@ from fuzzytime.language.finding import ground_all
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
 from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
@@ -136,13 +137,6 @@ def _clocks_in(draft: Draft) -> list[Clock]:
         end for time in times for end in ((time.first, time.last) if isinstance(time, Range) else (time,))
     ]
     return [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None and end.days is None]
-
-
-def is_window(phrase: Phrase) -> bool:
-    """Whether it is from one clock time to another."""
-    time = phrase.said.time
-    ends = (time.first, time.last) if isinstance(time, Range) else ()
-    return bool(ends) and all(isinstance(end, Wall) and end.clock is not None for end in ends)
 
 
 def _is_within(clocks: Sequence[Clock], window: Phrase, draft: Draft, policy: Policy) -> bool:

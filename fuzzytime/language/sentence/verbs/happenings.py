@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Phrase, Range, Repeat, Wall
+from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
+from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.places import Places
@@ -67,14 +68,14 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     repeated = bool(behind) and any(map(_is_repeated, phrases))
     single = tree.nodes[root].tag in NOUN_TAGS and _is_noun(tree, root)
     listed = listed or (repeated and (single or _is_of_nouns(tree, root, lexicon)))
-    return listed or (tree.nodes[root].tag in SINGULAR and any(map(_is_range, phrases)))
+    return listed or (tree.nodes[root].tag in SINGULAR and any(map(is_window, phrases)))
 
 
 def _is_frame(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     """Whether one word alone names what goes on from when to when: "shift 14-22"; but "harvest 9-12"."""
     names = lexicon.frames - lexicon.chores - lexicon.alone
     alone = tree.root == 0 and not tree.children(0, *DOING, "prep", "det")
-    return alone and tree.nodes[0].lower in names and len(phrases) == 1 and _is_range(phrases[0])
+    return alone and tree.nodes[0].lower in names and len(phrases) == 1 and is_window(phrases[0])
 
 
 def _is_somebodys(tree: Tree, root: int) -> bool:
@@ -137,7 +138,7 @@ def happening_at(
     that goes on around other work.
     """
     node = tree.nodes[root]
-    spans = any(phrase.said.constraint is Constraint.BETWEEN or _is_range(phrase) for phrase in phrases)
+    spans = any(phrase.said.constraint is Constraint.BETWEEN or is_window(phrase) for phrase in phrases)
     words = [place for place in sorted(tree.below(root)) if not names.timed(place)]
     named = names.said([place for place in words if names.has_content(place, words)])
     return Operation(
@@ -174,7 +175,7 @@ def named_alone(tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: L
     root = tree.root
     # "Kerb pour on friday"; but "Friday - kerb pour" may be a title.
     days = (phrase for phrase in phrases if phrase.said.is_day)
-    when = any(_is_clock(p) or _is_range(p) or _is_repeated(p) for p in phrases)
+    when = any(_is_clock(p) or is_window(p) or _is_repeated(p) for p in phrases)
     if not when and not any(phrase.said.preposition is not None for phrase in days):
         return None
     words = [place for place, node in enumerate(tree.nodes) if node.text[0].isalnum()]
@@ -204,7 +205,7 @@ def _is_repeated(phrase: Phrase) -> bool:
 
 def _is_typed(phrase: Phrase) -> bool:
     """Whether it is a clock time, or a stretch between two, as it is typed: "12:00", "9:15-10:00", "@10"."""
-    return _is_clock_alone(phrase) or _is_clock(phrase) or _is_range(phrase)
+    return _is_clock_alone(phrase) or _is_clock(phrase) or is_window(phrase)
 
 
 def _is_clock(phrase: Phrase) -> bool:
@@ -219,10 +220,3 @@ def _is_at_part(phrase: Phrase) -> bool:
     time = phrase.said.time
     part = isinstance(time, Wall) and time.part is not None and not time.part.place
     return part and phrase.said.preposition == "at" and phrase.said.constraint in {None, Constraint.AT}
-
-
-def _is_range(phrase: Phrase) -> bool:
-    """Whether it is from one clock time to another."""
-    time = phrase.said.time
-    ends = (time.first, time.last) if isinstance(time, Range) else ()
-    return bool(ends) and all(isinstance(end, Wall) and end.clock is not None for end in ends)
