@@ -113,11 +113,11 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         operation=telling_alone(draft, part) or _happening(draft, part, said.phrases, said.clauses, lexicon),
         remarks=tuple(said.remarks),
     )
-    if named.operation is not None or part.segment.verbless:
-        return named
     moved = given_new_time(part.tree, *_names_beside(part, said, lexicon)) if part.tree.nodes else None
     if moved is not None:
         return replace(named, operation=_moved(moved, part))
+    if named.operation is not None or part.segment.verbless:
+        return named
     action = _action_of(part, said, lexicon, timed=bool(phrases or said.clauses))
     if action is not None:
         return _asked(draft, part, said, action, lexicon)

@@ -17,14 +17,16 @@ def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
     tree, closed = sketch.part.tree, lexicon.closed
     root = tree.root
     due = sketch.operation is not None and sketch.operation.due is not None
+    due = due and closed.past_be.isdisjoint(tree.nodes[p].lower for p in tree.children(root, "auxpass"))
     if due and not _names_past(sketch) and (sketch.phrases or sketch.clauses):
         # The dog must be "walked by seven", actors "called for 14:00".
         return False
     if not tree.nodes or tree.nodes[root].lemma in lexicon.wanting - {"be"}:
         return False
     node = tree.nodes[root]
-    if (node.lower,) in lexicon.conversation["rescheduled"] and sketch.operation is not None:
-        # "The dentist was moved to four": it is then; but "I moved the meeting".
+    moved_on = (node.lower,) in lexicon.conversation["rescheduled"]
+    if moved_on and sketch.operation is not None and any(p.said.preposition == "to" for p in sketch.phrases):
+        # "The dentist was moved to four": it is then; but "I moved the meeting to four".
         return not sketch.operation.stated
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
