@@ -1,5 +1,7 @@
 """What an object names: a thing or a person, one or several; what pronouns may stand for."""
 
+from collections.abc import Sequence
+
 from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
@@ -35,15 +37,20 @@ def is_event(operation: Operation, lexicon: Lexicon) -> bool:
 
 
 def _is_person(operation: Operation, lexicon: Lexicon) -> bool:
-    words = {word.text for word in words_of(operation.object or "")}
-    return operation.lemma in lexicon.addressing or bool(words & lexicon.persons)
+    words = [word.text for word in words_of(operation.object or "")]
+    # "A meeting with Tom" is no person.
+    named = words[: _head_of(words, lexicon)]
+    return operation.lemma in lexicon.addressing or not lexicon.persons.isdisjoint(named)
+
+
+def _head_of(words: Sequence[str], lexicon: Lexicon) -> int:
+    """Give how many words of an object stand before "of" or another preposition."""
+    prepositions = lexicon.closed.prepositions_of_nouns
+    return next((place for place, word in enumerate(words) if place and word in prepositions), len(words))
 
 
 def is_several(thing: str, lexicon: Lexicon) -> bool:
     """Say whether a noun looks like a plural: by what stands before "of" or another preposition."""
     words = [word.text for word in words_of(thing)]
-    end = next(
-        (place for place, word in enumerate(words) if place and word in lexicon.closed.prepositions_of_nouns),
-        len(words),
-    )
+    end = _head_of(words, lexicon)
     return "and" in words or singular(words[end - 1]) != words[end - 1]
