@@ -188,11 +188,8 @@ def _happening(
         return _moved(put, part)
     due = {place for p in phrases for place in _at(part, p) if p.said.constraint is Constraint.BEFORE}
     moments = {place for p in phrases for place in _at(part, p) if p.said.preposition == "at"}
-    heard = [*places, *(place for clause in clauses for place in _at(part, clause))]
-    # "Dog walked this morning" may be news.
-    news = {place for p in phrases for place in _at(part, p) if p.said.is_day} - due - moments
-    so = due_by_then(part.tree, due, moments, [place for place in heard if place not in news], lexicon)
-    if so is not None and not part.segment.verbless:
+    so = due_by_then(part.tree, due, moments, places, lexicon)
+    if so is not None and not clauses and not part.segment.verbless:
         return _moved(so, part)
     if part.segment.verbless or not timed:
         return None
@@ -200,6 +197,7 @@ def _happening(
     if named is not None:
         return _moved(named, part)
     if not happens(part.tree, phrases, lexicon):
+        heard = [*places, *(place for clause in clauses for place in _at(part, clause))]
         deed = deed_at(part.tree, places, phrases, lexicon)
         deed = deed or chores_at(part.tree, heard, phrases, lexicon, led=bool(clauses))
         return None if deed is None else _moved(deed, part)

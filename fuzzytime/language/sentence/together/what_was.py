@@ -17,8 +17,8 @@ def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
     tree, closed = sketch.part.tree, lexicon.closed
     root = tree.root
     due = sketch.operation is not None and sketch.operation.due is not None
-    if due and not _names_past(sketch) and (sketch.phrases or sketch.clauses):
-        # The dog must be "walked by seven", actors "called for 14:00".
+    if due and any(phrase.said.constraint is Constraint.BEFORE for phrase in sketch.phrases):
+        # "Dog walked by seven"
         return False
     if not tree.nodes or tree.nodes[root].lemma in lexicon.wanting - {"be"}:
         return False

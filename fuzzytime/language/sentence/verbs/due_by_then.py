@@ -14,9 +14,6 @@ NAMING = NOUNS | {"JJ", "CD", "PRP$", "POS"}
 """Tags of the words that name a thing."""
 
 PARTICIPLES = frozenset({"VBN", "VBD"})
-HEADLINED = frozenset({"NN", "NNS"})
-"""Tags of the first word of things without an article, of which a plan says what is done with them."""
-
 PLURALS = frozenset({"NNS", "VBZ"})
 """Tags of things of which there are several: a plural in front is often taken for what one does."""
 
@@ -27,22 +24,19 @@ def due_by_then(
     """Give what a thing must have become, or where it must be, by the deadline right behind that.
 
     Nothing but times stands behind; ``due`` are the places of the deadline, ``timed`` those of all times. At
-    one of ``moments`` all of a kind must be somewhere, and things put off, out or down. At any other time
-    something must be done with things that have no article: "actors called for 14:00".
+    one of ``moments`` all of a kind must be somewhere, and things put off, out or down.
     """
     nodes = tree.nodes
     whole = bool(nodes) and nodes[0].lower in lexicon.closed.universal_determiners and len(nodes) > 1
     first = 1 if nodes and (nodes[0].tag in DETERMINERS or (whole and nodes[1].tag in NOUNS | PLURALS)) else 0
     end = next((place for place in range(first, len(nodes)) if place in timed), len(nodes))
     behind = (place for place in range(end, len(nodes)) if nodes[place].relation != "punct")
-    if end not in timed or any(place not in timed for place in behind):
+    if end not in {*due, *moments} or any(place not in timed for place in behind):
         return None
     state = _state(nodes[:end], lexicon)
     if state <= first or _is_ordered(nodes[first:state], lexicon):
         return None
-    headlined = nodes[state].tag in PARTICIPLES and not first and nodes[0].tag in HEADLINED
-    wished = _is_wished(nodes[:end], state, lexicon) if end in moments else headlined
-    if end not in due and not wished:
+    if end not in due and not _is_wished(nodes[:end], state, lexicon):
         return None
     thing = tree.text[nodes[0].start : nodes[state - 1].end]
     said, span = tree.text[nodes[state].start : nodes[end - 1].end], (nodes[state].start, nodes[end - 1].end)
