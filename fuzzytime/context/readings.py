@@ -67,8 +67,8 @@ class Context:
     context that was `shifted` to an older timeline has readings after that timeline's origin.
 
     >>> context = Context.of({"pan_temp": "356 degF", "queue": 3, "timer": None})
-    >>> context.signals
-    ('pan_temp', 'queue', 'timer')
+    >>> [reading.signal for reading in context.readings]
+    ['pan_temp', 'queue', 'timer']
     """
 
     empty: ClassVar["Context"]

@@ -159,7 +159,7 @@ def test_what_is_named_says_when_what_it_comes_before_is() -> None:
 
 @given(
     st.lists(st.floats(0, 400), min_size=3, max_size=3),
-    st.floats(-200, 200),
+    st.floats(-200, 200).map(lambda low: round(low, 3)),
     st.floats(0, 300),
     st.floats(0, 1),
 )

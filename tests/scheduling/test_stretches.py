@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from fuzzytime.satisfaction import Triangle
 from fuzzytime.scheduling import Auto, LocalSearch, solve
+from fuzzytime.scheduling.bound import refinement
 from fuzzytime.scheduling.exact import threshold
 from fuzzytime.scheduling.limits import Limits, Stopwatch
 from fuzzytime.scheduling.problem.jobs import Problem
@@ -152,8 +153,9 @@ def test_a_day_does_not_take_from_others_what_a_skill_waits_for() -> None:
 def test_what_is_proved_with_stretches_holds_beside_an_independent_optimiser(
     seed: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for name, value in {"MANY": 2, "MOST_TOGETHER": 2, "DOUBTFUL": 0.0, "STRETCH": 3, "REJECTED": 2}.items():
+    for name, value in {"MANY": 2, "MOST_TOGETHER": 2, "STRETCH": 3, "REJECTED": 2}.items():
         monkeypatch.setattr(threshold, name, value)
+    monkeypatch.setattr(refinement, "DOUBTFUL", 0.0)
     assert not list(wrong(FAMILIES["one agent, labels"], seed))
 
 
@@ -169,7 +171,7 @@ def test_many_skills_are_searched_in_stretches(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(Stretches, "improve", noting)
     monkeypatch.setattr(threshold, "MANY", 20)
     monkeypatch.setattr(threshold, "MOST_TOGETHER", 20)
-    monkeypatch.setattr(threshold, "DOUBTFUL", 0.0)
+    monkeypatch.setattr(refinement, "DOUBTFUL", 0.0)
     generator = np.random.default_rng(5)
     centres, durations = generator.uniform(60, 900, 40).tolist(), generator.integers(10, 60, 40).tolist()
     wishes = [Triangle(centre - 120, centre, centre + 120) for centre in centres]

@@ -8,16 +8,17 @@ from collections.abc import Collection, Sequence
 
 from fuzzytime.english import looks_plural
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.due_by_then import BE
 
 NOUNS = ("NN", "VBG", "CD")
 """How the tags begin of what something is called by."""
 
-FIRST = (*NOUNS, "JJ", "DT", "PRP$")
+FIRST = (*NOUNS, "JJ")
 """How the tag of the first word of a name begins."""
 
-INSIDE = (*FIRST, "PDT", "VBN", "POS", "IN", "TO", "CC", "RB", "RP", "HYPH", "SYM")
+INSIDE = (*FIRST, "DT", "PRP$", "PDT", "VBN", "POS", "IN", "TO", "CC", "RB", "RP", "HYPH", "SYM")
 """How the tags begin of what a name, or a place, may hold: no verb of somebody."""
 
 MARKS = frozenset({",", ";", "(", "–", "+"})
@@ -36,6 +37,9 @@ def named_alone(tree: Tree, heard: Collection[int]) -> Operation | None:
     if _is_where(tree, nodes):
         return Operation(verb=BE, lemma=BE, span=span, place=name)
     heads = [node for node in nodes if node.head not in said or tree.nodes[node.head] is node]
+    if nodes[0].tag in DETERMINERS:
+        # "The dog at seven" goes on with the verb said last.
+        return None
     if not heads or not nodes[0].tag.startswith((*FIRST, "VB")) or not _is_noun(heads[0]):
         return None
     return Operation(verb=name, lemma=heads[0].lemma, span=span)
