@@ -31,7 +31,6 @@ from fuzzytime.language.sentence.verbs.happenings import (
     given_new_time,
     happening_at,
     happens,
-    named_alone,
 )
 from fuzzytime.language.sentence.verbs.named_deeds import chores_at, deed_at
 from fuzzytime.language.sentence.verbs.named_moments import named_moment
@@ -113,22 +112,22 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         operation=telling_alone(draft, part) or _happening(draft, part, said.phrases, said.clauses, lexicon),
         remarks=tuple(said.remarks),
     )
-    moved = given_new_time(part.tree, *_names_beside(part, said, lexicon)) if part.tree.nodes else None
+    moved = _given_new_time(part, said.phrases, lexicon)
     if moved is not None:
-        return replace(named, operation=_moved(moved, part))
+        return replace(named, operation=moved)
     if named.operation is not None or part.segment.verbless:
         return named
     action = _action_of(part, said, lexicon, timed=bool(phrases or said.clauses))
-    if action is not None:
-        return _asked(draft, part, said, action, lexicon)
-    alone = None if said.clauses else named_alone(part.tree, *_names_beside(part, said, lexicon))
-    return named if alone is None else replace(named, operation=_moved(alone, part))
+    return named if action is None else _asked(draft, part, said, action, lexicon)
 
 
-def _names_beside(part: Part, said: SaidOfTime, lexicon: Lexicon) -> tuple[Sequence[Phrase], Reader, Lexicon]:
-    """Give the times of a part, and a reader of the names beside them."""
-    heard = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in said.phrases)]
-    return said.phrases, Reader(part.tree, lexicon, heard), lexicon
+def _given_new_time(part: Part, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:
+    """Give what was moved, which happens at its new time: "the dentist has been moved to four"."""
+    if not part.tree.nodes:
+        return None
+    heard = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in phrases)]
+    found = given_new_time(part.tree, phrases, Reader(part.tree, lexicon, heard), lexicon)
+    return None if found is None else _moved(found, part)
 
 
 def _action_of(part: Part, said: SaidOfTime, lexicon: Lexicon, *, timed: bool) -> Action | None:

@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
 from fuzzytime.language.meaning.phrases import is_window
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.places import Places
 from fuzzytime.requirement import Constraint
@@ -16,9 +16,6 @@ DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg",
 
 OF = "of"
 NAMES = ("NN", "VBG", "CD")
-NAMING = frozenset({"NN", "NNS", "NNP", "NNPS", "JJ", "DT", "PRP$", "POS", "IN", "TO", "CC"})
-"""Tags of the words of what is named, and of whom it is with, or where."""
-
 NOUN_TAGS = frozenset({"NN", "NNS"})
 
 
@@ -165,30 +162,6 @@ def given_new_time(
         return None
     subjects = [p for p in tree.children(tree.root, *SUBJECTS) if tree.nodes[p].tag.startswith("NN")]
     return happening_at(subjects[0], tree, phrases, names, lexicon) if subjects else None
-
-
-def named_alone(tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: Lexicon) -> Operation | None:
-    """Give what nouns name beside when it is, where nothing else was found: "oil change at six".
-
-    Their words may be verbs as well, so that this is asked last. "The dog at seven" goes on with a verb.
-    """
-    root = tree.root
-    # "Kerb pour on friday"; but "Friday - kerb pour" may be a title.
-    days = (phrase for phrase in phrases if phrase.said.is_day)
-    when = any(_is_clock(p) or is_window(p) or _is_repeated(p) for p in phrases)
-    if not when and not any(phrase.said.preposition is not None for phrase in days):
-        return None
-    words = [place for place, node in enumerate(tree.nodes) if node.text[0].isalnum()]
-    said = [place for place in words if not names.timed(place)]
-    named = root in said and tree.nodes[root].tag.startswith("NN") and bool(tree.children(root, "compound"))
-    if (
-        not named
-        or tree.nodes[said[0]].tag in DETERMINERS
-        or any(tree.nodes[place].tag not in NAMING for place in said)
-    ):
-        return None
-    whole = all(root == place or root in tree.above(place) for place in said)
-    return happening_at(root, tree, phrases, names, lexicon) if whole else None
 
 
 def _is_clock_alone(phrase: Phrase) -> bool:
