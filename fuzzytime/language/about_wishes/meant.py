@@ -1,0 +1,35 @@
+"""Which wishes words mean: the last one, both, the next, or those that are named."""
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.turns import several_in
+from fuzzytime.language.sentence.trees.named import is_several
+
+
+def is_last(said: Said) -> bool:
+    """Whether nothing is named but what was said last."""
+    return not said.words or said.is_in("last")
+
+
+def named_in(said: Said) -> frozenset[str]:
+    """Give the words that name a thing; none where the last is meant, or one by its place."""
+    if said.is_in("last") or said.places:
+        return frozenset()
+    return frozenset({said.label}) if said.label else said.names
+
+
+def about_thing(kind: AboutKind, thing: Said, *, certain: bool = False) -> About:
+    """Give what is said of a thing that was asked for, or of several."""
+    if thing.is_in("both"):
+        return About(kind=kind, both=True, certain=True)
+    if (both := several_in(thing)) is not None:
+        return About(kind=kind, names=both, both=True, certain=True)
+    if thing.is_in("other"):
+        return About(kind=kind, other=True, certain=True)
+    if thing.is_in("the next"):
+        return About(kind=kind, upcoming=True, certain=True)
+    counted = () if thing.is_in("last") else thing.places
+    names = named_in(thing)
+    several = bool(names) and not thing.label and is_several(thing.text, thing.lexicon)
+    certain = certain or bool(counted or thing.label)
+    return About(kind=kind, names=names, places=counted, several=several, certain=certain)

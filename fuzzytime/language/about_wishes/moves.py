@@ -1,0 +1,103 @@
+"""Wishes that get another time: "push everything back by ten minutes", "move the call to six"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, minutes_alone
+from fuzzytime.language.about_wishes.meant import about_thing, is_last
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.finding import find_times
+
+FOR = "for"
+
+
+def delayed(said: Said) -> About | None:
+    """Read what is moved by a length, or only back or forward: "push the call back by ten minutes"."""
+    delaying = said.after("delaying")
+    rest = delaying if delaying is not None else said.behind(1)
+    if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
+        return None
+    if delaying is not None and not rest.words:
+        return About(kind=AboutKind.DELAY, certain=True)
+    if (
+        not rest.words
+        or not rest.is_one
+        or any(f" {joint}" in f" {rest.text.lower()}" for joint in said.towards)
+    ):
+        return None
+    thing, directions = rest.without(*DIRECTIONS)
+    found = thing.length() or minutes_alone(thing, directed=bool(directions))
+    if found is None:
+        if thing.has_time or (delaying is None and not directions):
+            return None
+    elif delaying is None and (
+        found.joint == FOR or not (directions or said.forms[0] in said.lexicon.moving)
+    ):
+        # "Put the meat back for ten minutes"
+        return None
+    by = None if found is None else -found.seconds if "earlier" in directions else found.seconds
+    moved = thing if found is None else found.rest
+    named, referred = moved.without(*REFERRED)
+    if moved.is_in("both"):
+        return About(kind=AboutKind.DELAY, both=True, by=by, certain=True)
+    if not named.names and not referred and (delaying is None or named.words):
+        return None
+    if "everything" in referred and not named.names:
+        return About(kind=AboutKind.DELAY, everything=True, by=by, certain=True)
+    # Who pushes a table back says no length of time.
+    certain = delaying is not None or (found is not None and found.joint == "by")
+    return replace(about_thing(AboutKind.DELAY, named, certain=certain), by=by)
+
+
+def moved(said: Said) -> About | None:
+    """Read a new time for what has one: "move the call to six", "I need it by three"."""
+    wanted = said.after("wanted by")
+    if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
+        # "I need it by three"
+        return About(kind=AboutKind.MOVE, time=time, certain=True)
+    delaying = said.after("delaying")
+    if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
+        return None
+    behind = (delaying or said.behind(1)).text
+    joint = next((to for to in said.towards if f" {to}" in f" {behind.lower()}"), "")
+    if not joint:
+        return _moved_at(said, behind) if delaying is not None else _moved_beside(said)
+    place = f" {behind.lower()}".rfind(f" {joint}")
+    thing = Said(behind[:place].rstrip(), said.now, said.lexicon)
+    new = Said(behind[place:].strip(), said.now, said.lexicon)
+    if not thing.words:
+        return None
+    if thing.is_in("everything") or thing.is_in("both"):
+        return About(kind=AboutKind.MOVE, everything=True, certain=True)
+    about = about_thing(AboutKind.MOVE, thing)
+    if not (about.names or about.places or about.upcoming) and not is_last(thing):
+        return None
+    if time := new.as_time():
+        return replace(about, time=time, bare=new.is_bare(time))
+    beside = Said(new.text[len(joint) :], said.now, said.lexicon).beside()
+    return None if beside is None else replace(about, time=beside[0], others=beside[1].names)
+
+
+def _moved_beside(said: Said) -> About | None:
+    """Read what something is moved behind, or in front of: "move the call after the soup"."""
+    if said.forms[0] not in said.lexicon.moving:
+        return None
+    for place in range(2, len(said.words)):
+        thing, beside = said.until(place).behind(1), said.behind(place).beside()
+        if beside is not None and thing.names and beside[1].names:
+            return About(kind=AboutKind.MOVE, names=thing.names, time=beside[0], others=beside[1].names)
+    return None
+
+
+def _moved_at(said: Said, behind: str) -> About | None:
+    """Read a new time that stands without a word between: "postpone the call tomorrow"."""
+    found = find_times(behind, said.now, said.lexicon).requirements[-1:]
+    if not found:
+        return None
+    first = found[0].span[0]
+    thing = Said(behind[:first].rstrip(), said.now, said.lexicon)
+    time = Said(behind[first:], said.now, said.lexicon).as_time()
+    if not thing.words:
+        # "Reschedule for friday"
+        return About(kind=AboutKind.MOVE, time=time, certain=True) if time else None
+    return replace(about_thing(AboutKind.MOVE, thing), time=time) if time else None
