@@ -208,7 +208,8 @@ class Maker:
         for one in never:
             if not any(part.untold for part in one):
                 return one[0].reason or "", False
-        left = self._joined(wish, [one for one in offered if one not in never]).support.high
+        others = [one for one in offered if not all(part.reason for part in one)]
+        left = self._joined(wish, others).support.high
         if untold and left < 0:
             return passed(-left), False
         return next(iter(untold), None) or "", bool(untold)

@@ -50,3 +50,8 @@ def test_what_is_done_already_is_waited_for_no_longer() -> None:
 def test_what_was_said_to_come_is_here_then(here: str) -> None:
     made = told(["the parts arrive at eleven", f"{here}, ring Mr Doyle"])
     assert starts(made)["s2"] == "11:00"
+
+
+def test_a_condition_said_twice_beside_a_time_withholds_what_waits_for_both() -> None:
+    said = "when the pan is very hot add some oil, at five, I. when the pan is very hot add some oil, at"
+    assert not starts(told([said]))
