@@ -208,11 +208,11 @@ class Maker:
         for one in never:
             if not any(part.untold for part in one):
                 return one[0].reason or "", False
+        if not untold:
+            return "", False
         others = [one for one in offered if not all(part.reason for part in one)]
         left = self._joined(wish, others).support.high
-        if untold and left < 0:
-            return passed(-left), False
-        return next(iter(untold), None) or "", bool(untold)
+        return (passed(-left), False) if left < 0 else (untold[0] or "", True)
 
     def _named(self, wish: Wish, offered: list[list[Resolution]]) -> tuple[float, ...]:
         """Give the start that was named, on the request's timeline, with its alternatives."""

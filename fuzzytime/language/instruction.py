@@ -4,7 +4,7 @@ These values know nothing of spaCy; the rest of the program sees only them.
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from enum import StrEnum
 from typing import TYPE_CHECKING
@@ -76,6 +76,11 @@ class Operation:
     attended: bool = False
     again: bool = False
     order: Order | None = None
+
+    def moved(self, by: int) -> "Operation":
+        """Give the same operation that many characters further on."""
+        first, end = self.span
+        return replace(self, span=(first + by, end + by))
 
     @property
     def is_asked(self) -> bool:

@@ -127,7 +127,7 @@ def _given_new_time(part: Part, phrases: Sequence[Phrase], lexicon: Lexicon) -> 
         return None
     heard = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in phrases)]
     found = given_new_time(part.tree, phrases, Reader(part.tree, lexicon, heard), lexicon)
-    return None if found is None else _moved(found, part)
+    return None if found is None else found.moved(part.offset)
 
 
 def _action_of(part: Part, said: SaidOfTime, lexicon: Lexicon, *, timed: bool) -> Action | None:
@@ -148,16 +148,13 @@ def _asked(draft: Draft, part: Part, said: SaidOfTime, action: Action, lexicon: 
     operation = with_told(draft, part, as_remembered(reader.operation(action)))
     operation = of_which(draft.text, with_name(part, operation, action), times.of_things)
     phrases, clauses, references = referred(part, times, action, operation, lexicon)
-    span = operation.span
     return Sketch(
         part=part,
         phrases=phrases,
         clauses=clauses,
         references=references,
         operation=replace(
-            operation,
-            span=(span[0] + part.offset, span[1] + part.offset),
-            addressee=part.segment.addressee or operation.addressee,
+            operation.moved(part.offset), addressee=part.segment.addressee or operation.addressee
         ),
         parameters=parameters_of(reader, action),
         named=times.named,
@@ -184,7 +181,7 @@ def _happening(
     places = [place for phrase in phrases for place in _at(part, phrase)]
     put = put_there(part.tree, places, lexicon)
     if put is not None and not part.segment.verbless:
-        return _moved(put, part)
+        return put.moved(part.offset)
     due = {place for p in phrases for place in _at(part, p) if p.said.constraint is Constraint.BEFORE}
     moments = {place for p in phrases for place in _at(part, p) if p.said.preposition == "at"}
     heard = [*places, *(place for clause in clauses for place in _at(part, clause))]
@@ -192,29 +189,23 @@ def _happening(
     news = {place for p in phrases for place in _at(part, p) if p.said.is_day} - due - moments
     so = due_by_then(part.tree, due, moments, [place for place in heard if place not in news], lexicon)
     if so is not None and not part.segment.verbless:
-        return _moved(so, part)
+        return so.moved(part.offset)
     if part.segment.verbless or not timed:
         return None
     named = None if clauses else named_moment(part.tree, phrases, lexicon, part.offset)
     if named is not None:
-        return _moved(named, part)
+        return named.moved(part.offset)
     if not happens(part.tree, phrases, lexicon):
         deed = deed_at(part.tree, places, phrases, lexicon)
         deed = deed or chores_at(part.tree, heard, phrases, lexicon, led=bool(clauses))
-        return None if deed is None else _moved(deed, part)
+        return None if deed is None else deed.moved(part.offset)
     if any(root in _at(part, phrase) for phrase in phrases if isinstance(phrase.said.time, TimeWord)):
         # "No rush, but …" is no rush hour.
         return None
     said = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
     names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in said])
     found = happening_at(root, part.tree, phrases, names, lexicon)
-    return _moved(found, part)
-
-
-def _moved(operation: Operation, part: Part) -> Operation:
-    """Give what a tree says its place in the text."""
-    first, end = operation.span
-    return replace(operation, span=(first + part.offset, end + part.offset))
+    return found.moved(part.offset)
 
 
 def _at(part: Part, said: Phrase | Clause) -> Sequence[int]:

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.listed_days import heads_list
 from fuzzytime.language.sentence.verbs.named_alone import named_alone
@@ -25,10 +24,4 @@ def _to_be_done(sketch: Sketch) -> Sketch:
         return sketch
     spans = [(first - offset, end - offset) for first, end in sketch.heard]
     operation = named_alone(tree, {place for span in spans for place in tree.at(*span)})
-    return sketch if operation is None else replace(sketch, operation=_moved(operation, offset))
-
-
-def _moved(operation: Operation, offset: int) -> Operation:
-    """Give what a tree says its place in the text."""
-    first, end = operation.span
-    return replace(operation, span=(first + offset, end + offset))
+    return sketch if operation is None else replace(sketch, operation=operation.moved(offset))
