@@ -17,13 +17,20 @@ ROOMS = [
     for house in HOUSES
     for path in ROOT.joinpath(*house.split(".")).glob("*/__init__.py")
 ]
+SMALLER_ROOMS = [
+    f"language.sentence.{room}.{path.parent.name}"
+    for room in ("segments", "together")
+    for path in ROOT.joinpath("language", "sentence", room).glob("*/__init__.py")
+]
 MAPS = [
     "interpreter",
     "language.grammar",
+    "language.grammar.judging",
     "language.meaning",
     "language.meaning.calendars",
     "language.sentence",
     *sorted(ROOMS),
+    *sorted(SMALLER_ROOMS),
 ]
 
 

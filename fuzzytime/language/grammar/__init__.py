@@ -9,14 +9,8 @@ From a text to readings
     Rules applied, and the best readings chosen: ``chart``, ``spans``.
     What times lend each other: ``lending``, ``lent``; what is ``due`` behind "for", and how long
     (``typed_hours``); what is ``denied``.
-    What looks like a time and is none: ``leftovers``, ``countdowns``, but ``called_things``,
-    ``things_of_times``.
+    What looks like a time and is none: ``leftovers``, ``countdowns``, but ``called_things``.
 
-Whether a reading is a time where it stands (``judging``)
-    For any kind of time: ``borders``, ``cuts``, ``titles``, ``proper_names``, ``spoken_of``, ``no_times``,
-    ``figures``, ``particles``, ``doses``, ``dining``, ``events``, ``standing``, ``surroundings``,
-    ``looked_up``, ``given_times``.
-    Behind another time: ``further``.
-    For each kind: ``walls`` with ``bare_hours``, ``run_on_hours``, ``dated_entries`` and ``naming``,
-    ``ranges``, ``lengths``, ``measuring``.
+Whether a reading is a time where it stands
+    ``judging``, by its ``surroundings``, what is ``looked_up`` there, and by ``measuring``.
 """

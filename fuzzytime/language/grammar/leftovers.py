@@ -6,15 +6,15 @@ from functools import cached_property
 from fuzzytime.language.grammar.called_things import is_event, is_played, says_of_thing, says_which
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.countdowns import counted_from_zero
-from fuzzytime.language.grammar.figures import Figures
+from fuzzytime.language.grammar.judging.figures import Figures
+from fuzzytime.language.grammar.judging.proper_names import names_in
+from fuzzytime.language.grammar.judging.spoken_of import is_spoken_of
+from fuzzytime.language.grammar.judging.things_of_times import is_of_thing
 from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import Measures
-from fuzzytime.language.grammar.proper_names import names_in
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.grammar.spoken_of import is_spoken_of
 from fuzzytime.language.grammar.surroundings import Surroundings
-from fuzzytime.language.grammar.things_of_times import is_of_thing
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 

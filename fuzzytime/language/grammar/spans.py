@@ -9,9 +9,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
-from fuzzytime.language.grammar.dated_entries import sure_in_front
 from fuzzytime.language.grammar.due import due_then
-from fuzzytime.language.grammar.judging import Judge
+from fuzzytime.language.grammar.judging.dated_entries import sure_in_front
+from fuzzytime.language.grammar.judging.judging import Judge
+from fuzzytime.language.grammar.judging.run_on_hours import typed_apart
 from fuzzytime.language.grammar.lending import (
     appointed,
     in_half,
@@ -24,7 +25,6 @@ from fuzzytime.language.grammar.lending import (
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.quotes import quotes_in
-from fuzzytime.language.grammar.run_on_hours import typed_apart
 from fuzzytime.language.grammar.timetables import holds_stretch
 from fuzzytime.language.grammar.typed_hours import clock_of_alarm, gone_by, lasting_on_day
 from fuzzytime.language.grammar.words import Word, joins, words_of

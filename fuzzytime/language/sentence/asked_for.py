@@ -14,15 +14,15 @@ from fuzzytime.language.sentence.sketches.pronouns import (
     undone_alone,
 )
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.doubts import (
+from fuzzytime.language.sentence.together.none_of_it.doubts import (
     doubts_of,
     nothing_to_do,
     things_or_orders,
     unasked,
     unused_orders,
 )
-from fuzzytime.language.sentence.together.how_many import counted_people
-from fuzzytime.language.sentence.together.what_was import is_over, tells_what_was
+from fuzzytime.language.sentence.together.none_of_it.how_many import counted_people
+from fuzzytime.language.sentence.together.none_of_it.what_was import is_over, tells_what_was
 
 
 def asked_of(

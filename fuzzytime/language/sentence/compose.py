@@ -21,13 +21,13 @@ from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.references.told import Told
 from fuzzytime.language.sentence.required import required_of
-from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.language.sentence.segments.connectives import (
     anchored_by_connective,
     led_by_denial,
     led_by_nothing,
 )
 from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.alternatives import offered
 from fuzzytime.language.sentence.sketches.clock_times import NOTHING, LastSaid, last_said
 from fuzzytime.language.sentence.sketches.days_of_events import on_days_of_events
@@ -35,13 +35,18 @@ from fuzzytime.language.sentence.sketches.negations import awaiting, without_den
 from fuzzytime.language.sentence.sketches.prepared import due_of
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
-from fuzzytime.language.sentence.together.consequences import behind_consequences
-from fuzzytime.language.sentence.together.denials import denied_together
-from fuzzytime.language.sentence.together.doubts import uncounted, unused_front, unused_words
-from fuzzytime.language.sentence.together.for_all import said_for_all
-from fuzzytime.language.sentence.together.headings import day_above, read_heading
-from fuzzytime.language.sentence.together.how_often import unknown_moments
-from fuzzytime.language.sentence.together.lengths import (
+from fuzzytime.language.sentence.together.days.headings import day_above, read_heading
+from fuzzytime.language.sentence.together.days.titles import window_of
+from fuzzytime.language.sentence.together.none_of_it.denials import denied_together
+from fuzzytime.language.sentence.together.none_of_it.doubts import uncounted, unused_front, unused_words
+from fuzzytime.language.sentence.together.none_of_it.how_often import unknown_moments
+from fuzzytime.language.sentence.together.none_of_it.naming import naming_none
+from fuzzytime.language.sentence.together.sketches import sketches_of
+from fuzzytime.language.sentence.together.times.for_all import said_for_all
+from fuzzytime.language.sentence.together.times.mornings import follows_night
+from fuzzytime.language.sentence.together.times.pairs import follows_on, leads_to, side_of_night
+from fuzzytime.language.sentence.together.told.consequences import behind_consequences
+from fuzzytime.language.sentence.together.told.lengths import (
     due_when_needed,
     length_of,
     lengths_in_front,
@@ -51,13 +56,8 @@ from fuzzytime.language.sentence.together.lengths import (
     told_alone,
     unknown_length,
 )
-from fuzzytime.language.sentence.together.mornings import follows_night
-from fuzzytime.language.sentence.together.naming import naming_none
-from fuzzytime.language.sentence.together.pairs import follows_on, leads_to, side_of_night
-from fuzzytime.language.sentence.together.sketches import sketches_of
-from fuzzytime.language.sentence.together.titles import window_of
-from fuzzytime.language.sentence.together.told_beside import due_before
-from fuzzytime.language.sentence.together.waited import waited
+from fuzzytime.language.sentence.together.told.told_beside import due_before
+from fuzzytime.language.sentence.together.told.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
 from fuzzytime.requirement import Anchor, Edge
 

@@ -1,20 +1,22 @@
 """Where instructions begin and end: the first pass, which ends in ``drafts``.
 
-Lines and sentences
-    A ``segment`` ends at a sentence, at "then" (``connectives``, but ``next_ones``), before a verb or
-    ``behind_happenings``; ``list_marks``, ``leading_tags``, ``dividers`` between ``entries``, ``heads`` and
-    ``runs`` of them, ``switches``, ``order_words``, ``corrections``, ``corrected_things``,
-    ``retractions``, ``asides``, ``asides_of_hours``.
-What is none
-    ``messages``: what somebody is told, which begins in ``told_clauses``.
-Further orders of one sentence
-    Segments ``waiting`` for their trees (``parsing``, ``mended_trees``, ``mended_verbs``,
-    ``mended_things``, ``places_in_front``, ``reminded_of``, ``leading_markers``), and ``cuts`` once they
-    have one: ``calls``, ``reasons``, ``further_orders``, ``orders_in_front``, ``overlooked_orders``,
-    ``orders_beside_times``, ``orders_behind_names``, ``same_doers``, ``verbs_left_out``,
-    ``further_steps``, ``fronts``, ``run_on_orders``. What a further
-    wish shares with the first is ``borrowed``: where (``borrowing``), and by what is said of both
-    (``further_wishes``, ``frames``, ``other_things``).
-Times that belong to something
-    ``named_events``, ``event_edges``, ``in_between``, ``instances``, ``gaps``, ``told_lengths``.
+A ``segment`` ends at a sentence, at "then" (``connectives``, but ``next_ones``), or before a verb;
+``order_words`` say where it comes. It waits for its tree (``waiting``), with its ``leading_markers`` and
+``fronts``, and is cut again once it has one (``cuts``, ``orders_beside_times``). What is ``borrowed`` is said
+once and holds for both.
+
+``lists``
+    Lines, their marks, and the entries on them.
+``taken_back``
+    What is said better, or let be.
+``told``
+    What is said beside an order: how long it takes, why, and to whom.
+``events``
+    What goes on, and the times that belong to it.
+``mended``
+    A tree for each segment, and what trees get wrong.
+``further``
+    Further orders of one sentence, and who they are given to.
+``borrowed_words``
+    Which words of the first order hold in a further one.
 """

@@ -7,12 +7,12 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
-from fuzzytime.language.sentence.segments.borrowing import wishes_beside
-from fuzzytime.language.sentence.segments.further_orders import further_verbs
-from fuzzytime.language.sentence.segments.orders_behind_names import behind_told
+from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_beside
+from fuzzytime.language.sentence.segments.further.further_orders import further_verbs
+from fuzzytime.language.sentence.segments.further.orders_behind_names import behind_told
+from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_left_out
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
-from fuzzytime.language.sentence.segments.verbs_left_out import verbs_left_out
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node

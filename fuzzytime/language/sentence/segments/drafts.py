@@ -12,34 +12,38 @@ from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.segments.asides import Aside, asides_of, beside_each_other
-from fuzzytime.language.sentence.segments.asides_of_hours import asides_of_hours
-from fuzzytime.language.sentence.segments.calls import called_first, called_next
-from fuzzytime.language.sentence.segments.corrections import corrected
 from fuzzytime.language.sentence.segments.cuts import addressed, pieces_of, reminded
-from fuzzytime.language.sentence.segments.dividers import divided
+from fuzzytime.language.sentence.segments.events.in_between import said_apart
+from fuzzytime.language.sentence.segments.events.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
-from fuzzytime.language.sentence.segments.gaps import with_gaps
-from fuzzytime.language.sentence.segments.in_between import said_apart
-from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
-from fuzzytime.language.sentence.segments.leading_tags import leading_labels, leading_tags, remarks_of_tags
-from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
-from fuzzytime.language.sentence.segments.messages import (
+from fuzzytime.language.sentence.segments.further.calls import called_first, called_next
+from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
+from fuzzytime.language.sentence.segments.further.same_doers import done_next
+from fuzzytime.language.sentence.segments.lists.dividers import divided
+from fuzzytime.language.sentence.segments.lists.leading_tags import (
+    leading_labels,
+    leading_tags,
+    remarks_of_tags,
+)
+from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
+from fuzzytime.language.sentence.segments.lists.runs import run_apart
+from fuzzytime.language.sentence.segments.lists.switches import switched_apart
+from fuzzytime.language.sentence.segments.mended.parsing import trees_of, uncapitalised
+from fuzzytime.language.sentence.segments.next_ones import next_one
+from fuzzytime.language.sentence.segments.order_words import order_words
+from fuzzytime.language.sentence.segments.segment import segments_of
+from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
+from fuzzytime.language.sentence.segments.told.asides import Aside, asides_of, beside_each_other
+from fuzzytime.language.sentence.segments.told.asides_of_hours import asides_of_hours
+from fuzzytime.language.sentence.segments.told.gaps import with_gaps
+from fuzzytime.language.sentence.segments.told.messages import (
     Message,
     messages_of,
     orders_beside,
     remarks_of,
 )
-from fuzzytime.language.sentence.segments.next_ones import next_one
-from fuzzytime.language.sentence.segments.order_words import order_words
-from fuzzytime.language.sentence.segments.parsing import trees_of, uncapitalised
-from fuzzytime.language.sentence.segments.reasons import reason_in_front
-from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
-from fuzzytime.language.sentence.segments.runs import run_apart
-from fuzzytime.language.sentence.segments.same_doers import done_next
-from fuzzytime.language.sentence.segments.segment import segments_of
-from fuzzytime.language.sentence.segments.switches import switched_apart
-from fuzzytime.language.sentence.segments.told_lengths import told_lengths
+from fuzzytime.language.sentence.segments.told.reasons import reason_in_front
+from fuzzytime.language.sentence.segments.told.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
 from fuzzytime.language.sentence.trees.tree import Trees
 from fuzzytime.language.sentence.verbs.called import with_clause

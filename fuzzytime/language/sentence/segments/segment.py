@@ -10,15 +10,15 @@ from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.distances import LATER
 from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord
 from fuzzytime.language.meaning.phrases import places_in
-from fuzzytime.language.sentence.segments.behind_happenings import (
+from fuzzytime.language.sentence.segments.borrowed import Borrowed
+from fuzzytime.language.sentence.segments.events.behind_happenings import (
     behind_happening,
     behind_statements,
     listed,
 )
-from fuzzytime.language.sentence.segments.borrowed import Borrowed
-from fuzzytime.language.sentence.segments.corrected_things import AFTER_ALL, corrected_things
-from fuzzytime.language.sentence.segments.named_events import beside, counts_event, heads
-from fuzzytime.language.sentence.segments.retractions import retractions
+from fuzzytime.language.sentence.segments.events.named_events import beside, counts_event, heads
+from fuzzytime.language.sentence.segments.taken_back.corrected_things import AFTER_ALL, corrected_things
+from fuzzytime.language.sentence.segments.taken_back.retractions import retractions
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 

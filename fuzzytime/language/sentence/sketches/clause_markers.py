@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.conditions import IF, is_wish
-from fuzzytime.language.sentence.segments.event_edges import BY, OF_EDGES, edge_of, is_event
+from fuzzytime.language.sentence.segments.events.event_edges import BY, OF_EDGES, edge_of, is_event
 from fuzzytime.language.sentence.sketches.clause_ends import ASKED, ClauseEnds
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Edge

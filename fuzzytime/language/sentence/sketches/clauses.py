@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.grammar.judging.proper_names import names_in
+from fuzzytime.language.grammar.judging.titles import written_out
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.proper_names import names_in
-from fuzzytime.language.grammar.titles import written_out
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.expressions import (
@@ -22,7 +22,7 @@ from fuzzytime.language.sentence.clauses.clause_contents import Contents
 from fuzzytime.language.sentence.clauses.clause_sides import BEHIND, at_most_after, sided
 from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.clauses.times_of_events import dates, happens, is_apart
-from fuzzytime.language.sentence.segments.event_edges import BY, OF_EDGES, is_length
+from fuzzytime.language.sentence.segments.events.event_edges import BY, OF_EDGES, is_length
 from fuzzytime.language.sentence.sketches.clause_ends import ClauseEnds
 from fuzzytime.language.sentence.sketches.clause_markers import ClauseMarkers
 from fuzzytime.language.sentence.trees.tree import Tree

@@ -9,7 +9,7 @@ from fuzzytime.language.instruction import Operation, Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase, TimeWord
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
-from fuzzytime.language.sentence.segments.same_doers import tells_more
+from fuzzytime.language.sentence.segments.further.same_doers import tells_more
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.own_times import own_times
 from fuzzytime.language.sentence.sketches.referred import referred

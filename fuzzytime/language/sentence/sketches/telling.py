@@ -6,7 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.segments.drafts import Draft
-from fuzzytime.language.sentence.segments.messages import Message
+from fuzzytime.language.sentence.segments.told.messages import Message
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.verbs.actions import Action
 

@@ -5,34 +5,34 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Duration, Repeat
-from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.alternatives import not_used
 from fuzzytime.language.sentence.sketches.clause_requirements import BECOMING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch_of
-from fuzzytime.language.sentence.together.after_all import after_all
-from fuzzytime.language.sentence.together.again_between import again_between
-from fuzzytime.language.sentence.together.also_at_events import also_at_events
-from fuzzytime.language.sentence.together.at_once import at_once
-from fuzzytime.language.sentence.together.below_headings import under_first_line
-from fuzzytime.language.sentence.together.both_sides import on_both_sides
-from fuzzytime.language.sentence.together.choices_of_repetitions import first_of_choices
-from fuzzytime.language.sentence.together.day_by_day import day_by_day, each_day_too
-from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days
-from fuzzytime.language.sentence.together.days_left_out import left_out_behind, without_days_left_out
-from fuzzytime.language.sentence.together.days_on import days_on
-from fuzzytime.language.sentence.together.each_week import each_week
-from fuzzytime.language.sentence.together.first_offered import first_offered
-from fuzzytime.language.sentence.together.first_times import from_first_time
-from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
-from fuzzytime.language.sentence.together.one_by_one import one_by_one
-from fuzzytime.language.sentence.together.opening_hours import within_opening_hours
-from fuzzytime.language.sentence.together.reasons_told import due_before_told
-from fuzzytime.language.sentence.together.said_again import done_again, each_of
-from fuzzytime.language.sentence.together.several_times import of_several_times
-from fuzzytime.language.sentence.together.things_alone import things_alone
-from fuzzytime.language.sentence.together.told_beside import told_beside
-from fuzzytime.language.sentence.together.turns import counted_apart
+from fuzzytime.language.sentence.together.days.below_headings import under_first_line
+from fuzzytime.language.sentence.together.days.day_by_day import day_by_day, each_day_too
+from fuzzytime.language.sentence.together.days.days_apart import on_owned_day, on_their_days
+from fuzzytime.language.sentence.together.days.days_left_out import left_out_behind, without_days_left_out
+from fuzzytime.language.sentence.together.days.days_on import days_on
+from fuzzytime.language.sentence.together.days.each_week import each_week
+from fuzzytime.language.sentence.together.days.things_alone import things_alone
+from fuzzytime.language.sentence.together.lent.lending import led, repeated, shared, within
+from fuzzytime.language.sentence.together.none_of_it.after_all import after_all
+from fuzzytime.language.sentence.together.times.again_between import again_between
+from fuzzytime.language.sentence.together.times.also_at_events import also_at_events
+from fuzzytime.language.sentence.together.times.at_once import at_once
+from fuzzytime.language.sentence.together.times.both_sides import on_both_sides
+from fuzzytime.language.sentence.together.times.choices_of_repetitions import first_of_choices
+from fuzzytime.language.sentence.together.times.first_offered import first_offered
+from fuzzytime.language.sentence.together.times.first_times import from_first_time
+from fuzzytime.language.sentence.together.times.one_by_one import one_by_one
+from fuzzytime.language.sentence.together.times.said_again import done_again, each_of
+from fuzzytime.language.sentence.together.times.several_times import of_several_times
+from fuzzytime.language.sentence.together.times.turns import counted_apart
+from fuzzytime.language.sentence.together.told.opening_hours import within_opening_hours
+from fuzzytime.language.sentence.together.told.reasons_told import due_before_told
+from fuzzytime.language.sentence.together.told.told_beside import told_beside
 from fuzzytime.requirement import Constraint
 
 

@@ -1,0 +1,155 @@
+"""Whether a reading is cut out of a larger word, number or stretch: "twenty-year-old", "650-555-0100"."""
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.judging.standing import Standing
+from fuzzytime.language.grammar.words import joins
+from fuzzytime.language.meaning.expressions import TimeWord
+
+LAST_DAY = ["last", "day"]
+"""Words for yesterday, which may be those for the end of something."""
+
+HOURLY = "hourly"
+THESE = frozenset({"this", "that"})
+"""Words that may say which of a thing is meant."""
+
+
+TENS = 10
+LONG_DIGITS = 3
+"""Digits of the parts of a telephone number, at least."""
+
+
+class Cuts(Standing):
+    """The marks and words that go on beyond readings."""
+
+    def make(self, piece: Piece) -> bool:
+        """Whether a reading is only a part of what is said."""
+        within = self._begins_clause(piece) or self._is_now_and_again(piece) or self._is_in_name(piece)
+        within = within or self._counts_hourly(piece)
+        return within or self.runs_on(piece) or self._divides(piece) or self._opens_another(piece)
+
+    def runs_on(self, piece: Piece) -> bool:
+        """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
+        if piece.end < len(self.words):
+            word = self.words[piece.end]
+            if word.text == "'s":
+                # "A day's work"
+                return True
+            last = self.words[piece.end - 1]
+            if word.text == "'" and word.glued and last.text.endswith("s") and self._owns(piece.end + 1):
+                # "With ninety seconds' rest"
+                return True
+            if last.text == "'" and word.glued and word.is_letters:
+                # "Bed 4's"
+                return True
+            if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
+                return True
+            if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
+                # "Twenty-year-old", "second-hand"
+                return True
+            if word.text == "." and self.texts[piece.end + 1 : piece.end + 2] == ["."]:
+                # "At eleven… no, at twelve"
+                return False
+            if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
+                after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
+                return word.text in {"%", "°"} or (after is not None and after.glued)
+        first = self.words[piece.start]
+        if piece.start and first.glued and first.is_digits:
+            # The "15 on monday" of "train 7:15 on monday"
+            before = self.words[piece.start - 1]
+            if before.text == ":" and before.glued and self.words[piece.start - 2].is_digits:
+                return True
+            if before.text == "/" and self.texts[piece.start - 2] in self.lexicon.beside.of_hours:
+                # "Feed the cat 7am/7pm"
+                return False
+            decade = before.text == "'" and self.texts[piece.end - 1] == "s"
+            return decade or before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
+        return (
+            bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
+        )
+
+    def _owns(self, place: int) -> bool:
+        """Whether what belongs to a time stands at a place: "two hours' work"; but "in two hours' time"."""
+        behind = self.words[place : place + 1]
+        return bool(behind) and behind[0].is_letters and not behind[0].glued and behind[0].text != "time"
+
+    def _divides(self, piece: Piece) -> bool:
+        """Whether it begins or ends within a number, a bracket, or "one on one": "the twenty fourth"."""
+        first, before = self.texts[piece.start], self.around.before(piece)
+        if first == ">" and self.words[piece.start].glued and "<" in self.texts[: piece.start]:
+            # "Buy <wine> at six"
+            return True
+        before_last = self.texts[piece.end - 2] if piece.end - piece.start > 1 else ""
+        if before_last in self.lexicon.ordinals and self.texts[piece.end - 1] in self.closed.sides:
+            # "Take the first right"
+            return True
+        if piece.start and all(self._is_long(place) for place in (piece.start - 1, piece.start)):
+            # "Call 0800 555 1234 this afternoon"
+            return True
+        if first == "one" and before.isalpha() and self.measures.is_number(piece.start + 1):
+            # "And another one two hours later"; but "in one two hours"
+            return True
+        tens = self.lexicon.numbers.get(before, 0) in range(2 * TENS, 10 * TENS, TENS)
+        named = (
+            self.texts[piece.end - 1] in {"eve", "close"} or self.texts[piece.end - 2 : piece.end] == LAST_DAY
+        )
+        owned = self.texts[piece.start : piece.end] == LAST_DAY and self.around.is_owned(piece)
+        if owned or (named and self.around.follower(piece) == "of"):
+            # "On the eve of departure", "by close of school", "on the last day of the lease", "my last day"
+            return True
+        if self.around.ends_in_order(piece):
+            return True
+        one = self.lexicon.ordinals.get(first, self.lexicon.numbers.get(first, TENS))
+        # "On the twenty | fourth", "set it to sixty | eight until nine"
+        within = tens and one < TENS
+        paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
+        return within or (paired and self.around.follower(piece) in {"on", "to"})
+
+    def _is_long(self, place: int) -> bool:
+        """Whether a number has as many digits as the parts of telephone numbers."""
+        return self.words[place].is_digits and len(self.texts[place]) >= LONG_DIGITS
+
+    def _opens_another(self, piece: Piece) -> bool:
+        """Whether it begins or ends in another word: "the stand-up to nine", "after eleven, just do it"."""
+        joined = piece.start > 1 and self.texts[piece.start - 1] == "-" and self.words[piece.start].glued
+        if joined and piece.value.preposition is not None and self.words[piece.start - 1].glued:
+            return True
+        if piece.rule == "bounds.past_goal" and not self.around.may_end(piece):
+            # "Past the weekend market"
+            return True
+        if isinstance(piece.value.time, TimeWord) and self.around.follower(piece) == "left":
+            # "When you have ten minutes left"
+            return True
+        return self.texts[piece.end - 1] in self.beside.restricting and self.texts[piece.end - 2] == ","
+
+    def _begins_clause(self, piece: Piece) -> bool:
+        """Whether its last words are those of a clause: "put it on | the second you hear the bell"."""
+        marker = tuple(self.texts[piece.end - 2 : piece.end])
+        closed = self.around.closed
+        told = self.around.follower(piece) in closed.first_and_second_person | closed.third_person
+        return told and marker[:1] == ("the",) and marker in self.lexicon.clauses
+
+    def _is_in_name(self, piece: Piece) -> bool:
+        """Whether it ends, or begins, in what a thing is called: "the 10 second | clip", "ward | round 8"."""
+        follower = self.around.follower(piece)
+        named = follower.isalpha() and follower not in self.lexicon.function_words
+        last = piece.end + 1 == len(self.texts) and piece.start > 0
+        if last and named and isinstance(piece.value.time, TimeWord) and self.texts[piece.end - 1] in THESE:
+            # "Stop it after this | song"
+            return True
+        counted = self.texts[piece.end - 1] == "second" and self.words[piece.end - 2].is_digits
+        if self.texts[piece.start] == "round" and self.around.before(piece) in self.lexicon.no_times.rounds:
+            return True
+        return counted and named and not self.around.timely(piece.end)
+
+    def _counts_hourly(self, piece: Piece) -> bool:
+        """Whether a number is how many there are each hour: "do four | hourly checks", "take 2 | hourly"."""
+        apart = self.texts[piece.end - 1] == HOURLY and piece.end - piece.start == 2
+        follower = self.around.follower(piece)
+        named = follower.isalpha() and follower not in self.lexicon.function_words
+        number = apart and self.texts[piece.start] not in self.closed.articles
+        return number and (named or self.around.before(piece) in self.lexicon.dosing)
+
+    def _is_now_and_again(self, piece: Piece) -> bool:
+        """Whether it is now, and then once more: "water it now and then | again at dusk"."""
+        often = isinstance(piece.value.time, TimeWord) and piece.end - piece.start == 3
+        return often and self.texts[piece.start] == "now" and self.around.follower(piece) == "again"

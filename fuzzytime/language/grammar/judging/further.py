@@ -1,0 +1,101 @@
+"""Times that go on with another and could not stand alone: "at seven and nine", "on the 1st and 15th"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.chart import Cell, Piece
+from fuzzytime.language.grammar.judging.cuts import Cuts
+from fuzzytime.language.grammar.judging.doses import Doses
+from fuzzytime.language.grammar.judging.standing import Standing
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.measuring import Measures
+from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Range, Said, Wall
+
+
+class Further(Standing):
+    """What stands behind times that were chosen, and goes on with them."""
+
+    def __init__(
+        self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
+    ) -> None:
+        super().__init__(words, lexicon, measures, around)
+        self.cuts = Cuts(words, lexicon, measures, around)
+        self.doses = Doses(lexicon, around)
+
+    def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
+        """Give the number behind a clock time and "and" or "or": "at seven and nine"."""
+        time = piece.value.time
+        place = piece.end + 1
+        if not isinstance(time, (Wall, Range)) or place >= len(self.words):
+            return []
+        if isinstance(time, Range) or time.clock is None:
+            return self._further_days(piece, cells, chosen)
+        run_on = self.run_on.behind(time.clock, piece.end) if _is_open(piece) else []
+        if run_on:
+            return [p for first, end in run_on for p in _clock_from(cells[first], end)]
+        joint = self.around.follower(piece)
+        if joint == "," and self.texts[place] in {"and", "or"}:
+            # "At nine, or ten"
+            joint, place = self.texts[place], place + 1
+        if (
+            place >= len(self.words)
+            or joint not in {"and", "or", ","}
+            or any(one.start == place for one in chosen)
+        ):
+            return []
+        if self.doses.count(place):
+            return []
+        numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
+        if self.measures.is_sure(place) and self.measures.is_sure(piece.end - 1):
+            # "At 1400 and 2200": no year
+            clocks = cells[place].get("clock", {}).values()
+            numbers = [replace(p, category="said", value=Said(Wall(clock=p.value))) for p in clocks]
+        found = [p for p in numbers if _is_open(p) and self.around.may_end(p) and not self.cuts.runs_on(p)][
+            :1
+        ]
+        # "One tablet at eight and one at noon"
+        found = [p for p in found if not any(one.start == p.end and _is_clocked(one) for one in chosen)]
+        if joint == "," and found and self.around.follower(found[0]) not in {",", "and", "or"}:
+            return []
+        return found + [more for one in found for more in self.continued(one, cells, chosen)]
+
+    def _further_days(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
+        """Give the days of a month behind another: "on the 1st and 15th", "on the 3rd, 10th and 17th"."""
+        place = piece.end + 1
+        listed = self.around.follower(piece) in {"and", "&", "or", ","} and _is_day_of_month(piece)
+        if not listed or place >= len(self.words) or any(one.start == place for one in chosen):
+            return []
+        found = [
+            p
+            for p in cells[place].get("said", {}).values()
+            if _is_day_of_month(p) and isinstance(p.value.time, Wall) and self.around.may_end(p)
+        ][:1]
+        return found + [more for one in found for more in self._further_days(one, cells, chosen)]
+
+
+def _clock_from(cell: Cell, end: int) -> list[Piece]:
+    """Give the clock time in a cell that ends at a place."""
+    said = (p for p in cell.get("said", {}).values() if p.end == end and isinstance(p.value.time, Wall))
+    return [p for p in said if _is_open(p)][:1]
+
+
+def _is_open(piece: Piece) -> bool:
+    """Whether it is a number alone, or two that a full stop joins: "12.30"."""
+    clock = piece.value.time.clock
+    return piece.value.time.bare or (clock is not None and clock.pair and piece.value.preposition is None)
+
+
+def _is_day_of_month(piece: Piece) -> bool:
+    """Whether it is on a day of some month, and no other is said: "15th", "from two to ten on the 14th"."""
+    time = piece.value.time
+    wall = time.first if isinstance(time, Range) else time
+    days = wall.days if isinstance(wall, Wall) else None
+    return isinstance(days, Fields) and days.is_day_of_month
+
+
+def _is_clocked(piece: Piece) -> bool:
+    """Whether it is a time of day."""
+    return isinstance(piece.value.time, Wall) and piece.value.time.clock is not None

@@ -1,0 +1,306 @@
+"""Whether what stands around a reading makes it doubtful: numbers that count, words with another meaning."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.due import is_due
+from fuzzytime.language.grammar.judging.borders import Borders
+from fuzzytime.language.grammar.judging.dated_entries import HEADS_ALONE, heads_list
+from fuzzytime.language.grammar.judging.further import Further
+from fuzzytime.language.grammar.judging.lengths import Lengths
+from fuzzytime.language.grammar.judging.ranges import Ranges
+from fuzzytime.language.grammar.judging.walls import Walls
+from fuzzytime.language.grammar.lent import Lent, is_left_for, lacks_unit
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.measuring import NEAR, Measures
+from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.distances import INTO, LAST
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Ending,
+    HourMark,
+    Offset,
+    Range,
+    Repeat,
+    Said,
+    Time,
+    TimeWord,
+    Wall,
+)
+from fuzzytime.language.meaning.relations import CountedDay
+from fuzzytime.language.meaning.times_of_day import Clock
+
+OF_HOURS = frozenset(
+    {"at", "by", "before", "after", "until", "around", "from", "not before", "no later than"}
+)
+"""Prepositions of minutes past an hour that is not said: "at half past"."""
+
+ANOTHER = "elliptic.another_alone"
+"""The rule of a number that goes on with a length: "then another ten"."""
+
+
+class Judge:
+    """What stands around a reading, and whether it makes it doubtful."""
+
+    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
+        self.words = words
+        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
+        self.texts = [word.text for word in words]
+        self.measures = Measures(words, lexicon)
+        self.around = Surroundings(words, lexicon)
+        self.borders = Borders(words, lexicon, self.around)
+        self.walls = Walls(words, lexicon, self.measures, self.around)
+        self.lent = Lent(words, lexicon, self.around)
+        self.ranges = Ranges(words, lexicon, self.measures, self.around)
+        self.lengths = Lengths(words, lexicon, self.measures, self.around)
+        self.further = Further(words, lexicon, self.measures, self.around)
+
+    def accepts(self, piece: Piece) -> bool:
+        """Whether a reading is a time here."""
+        said: Said = piece.value
+        if self.borders.refuse(piece) or self.measures.is_level(piece):
+            return False
+        time = said.time
+        if piece.rule in {ANOTHER, *HEADS_ALONE}:
+            return self._goes_on(piece)
+        if self._counts_from_thing(piece, time) or self.ranges.heads_meal(piece, time):
+            return False
+        if self._is_whole(piece):
+            order = self.walls.may_be_order(piece, said)
+            return not lacks_unit(said) and not order and self._accepts_alone(said)
+        if lacks_unit(said):
+            return self.lent.accept(piece, said)
+        number = isinstance(time, Wall) and (time.bare or _is_pair(time.clock))
+        number = number or (isinstance(time, Repeat) and self._is_number_for(piece))
+        if (
+            number
+            and said.preposition is None
+            and is_left_for(self.texts, piece.start, piece.end, self.lexicon)
+        ):
+            return True
+        counts = said.preposition == "for" and number and not self._tells_time(piece)
+        if counts or self.lent.seats(piece, time):
+            # "Cook for eight", "sell it for 5.50"
+            return False
+        share = isinstance(time, Duration) and time.bare_end and self._is_share(piece)
+        if said.preposition == "in" and share:
+            return False
+        if said.preposition == "for" and self._is_distance(piece) and not self._appoints(piece):
+            # "Write for two hours before noon" says how long, and a bound.
+            return False
+        if isinstance(time, Duration):
+            return self.lengths.accept(piece, said, time)
+        if isinstance(time, Wall):
+            return self.walls.accept(piece, said, time)
+        return self._accepts_other(piece, said)
+
+    def _goes_on(self, piece: Piece) -> bool:
+        """Whether it goes on with a length, or heads a list: "for 20 minutes, then another ten", "AM: …"."""
+        if piece.rule in HEADS_ALONE:
+            return heads_list(self.words, piece.start, piece.end)
+        lent = any(self.around.is_unit(place) for place in range(piece.start))
+        step = self.around.before(piece) in self.beside.before_another
+        return lent and step and self.around.follower(piece) in self.beside.behind_another | {""}
+
+    def _tells_time(self, piece: Piece) -> bool:
+        """Whether "for" and a number are a time: "rotate for two seconds and wait for one"."""
+        lent = any(self.around.is_unit(place) for place in range(piece.start))
+        appointed = self._appoints(piece) and not self._is_behind_hour(piece)
+        return lent or appointed or self.lent.times(piece) or is_due(self.texts, piece.start, self.lexicon)
+
+    def _accepts_other(self, piece: Piece, said: Said) -> bool:
+        if said.preposition == INTO:
+            # "Set the timer at 20 minutes", "at 8 and 20 minutes later"
+            set_to = self.around.before(piece) in self.lexicon.appointing
+            return not set_to and self.around.follower(piece) in ({""} | self.beside.behind_gone_on)
+        time = said.time
+        between = self.around.before(piece) in {"between", "from"}
+        if isinstance(time, TimeWord) and (between or self._is_more(piece)):
+            # "Between now and the concert"
+            return False
+        if isinstance(time, TimeWord) and self.texts[piece.start : piece.end] == ["then"]:
+            # "Call me then"; "then call me" is a step behind another.
+            return piece.start > 0 and self.around.follower(piece) in {"", ".", "!", ";"}
+        if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
+            # "Ten minutes in, add the garlic", "hand them out ten minutes in and collect them"
+            return self.around.follower(piece) in {"", ",", ".", "and"}
+        if isinstance(time, Offset) and time.anchor is None and self._lasts(piece):
+            # "For an hour beforehand": that long, before what was said.
+            return False
+        if self.texts[piece.end - 1] in {"before", "after"} and (isinstance(time, (Offset, TimeWord))):
+            # "Call me ten minutes after"; but "after lunch call me", and "the night before".
+            looks = self.around.before(piece) in self.beside.looking_after and isinstance(time, TimeWord)
+            # "Put the pie in ten minutes before", "turn the telly on five minutes before"
+            behind_particle = self.around.before(piece) in {"in", "on"} and isinstance(time, Offset)
+            apart = behind_particle or not self.around.timely(piece.start - 1)
+            led = piece.start > 0 and not looks and apart
+            # "Mow the front before and the back after"; but "before and after lunch"
+            behind = self.texts[piece.end : piece.end + 2]
+            joined = behind[:1] == ["and"] and behind != ["and", "after"]
+            # "…, muck out straight after, and let them out"
+            joined = joined or (behind[:1] == [","] and behind[1:] in (["and"], ["then"], ["but"]))
+            return led and (joined or self.around.follower(piece) in {"", ".", "!", ";"})
+        if isinstance(time, Range):
+            return self.ranges.accept(piece, said, time)
+        if isinstance(time, HourMark) and time.open:
+            # "Walk at ten to the gate", "half past the volume"
+            follower = self.around.follower(piece)
+            sure = said.preposition in OF_HOURS or bool(said.hedges)
+            counts = follower in self.closed.noun_openers or self.measures.is_number(piece.end)
+            return sure and not counts and self.around.may_end(piece)
+        if self._is_past(piece, said):
+            return False
+        if isinstance(time, Repeat) and not self._accepts_repeat(piece):
+            return False
+        if isinstance(time, (Repeat, TimeWord)):
+            return said.preposition is not None or not self.around.describes(piece)
+        return True
+
+    def _is_more(self, piece: Piece) -> bool:
+        """Whether a time word is part of more: of a clause, or of what says which time is meant."""
+        return self._begins_clause(piece) or self._is_now_and_again(piece) or self._says_which(piece)
+
+    def _says_which(self, piece: Piece) -> bool:
+        """Whether words behind say which time is meant, or each of what: "at the same time as the rice"."""
+        said, follower = " ".join(self.texts[piece.start : piece.end]), self.around.follower(piece)
+        if said in self.beside.turns:
+            # "Check her pulse each time"; but "each time you turn her", "five minutes each time"
+            behind = piece.start == 0 or self.around.timely(piece.start - 1)
+            return behind or follower not in {"", ".", "!", ";", ","}
+        same = any(said.endswith(words) for words in self.beside.same_time)
+        return same and follower in self.beside.behind_same_time
+
+    def _is_past(self, piece: Piece, said: Said) -> bool:
+        """Whether it is the time just gone: "what was said in the last hour"; not "in the last hour of X"."""
+        if said.preposition == LAST:
+            return said.lasting is None and piece.start > 0 and self.around.follower(piece) != "of"
+        return isinstance(said.time, Coming) and said.time.direction < 0
+
+    def _counts_from_thing(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
+        """Whether it counts from one of some things: "sow the second row ten days after the first"."""
+        if isinstance(time, Ending) and self.texts[piece.end - 1] in self.lexicon.ordinals:
+            # "At the beginning of second period", "of the second lesson"
+            return self.texts[piece.end - 2] != "the" or not self.around.may_end(piece)
+        wall = time.anchor if isinstance(time, Offset) else time
+        days = wall.days if isinstance(wall, Wall) and wall.clock is None else None
+        days = days.anchor if isinstance(days, CountedDay) else days
+        if not isinstance(days, Fields) or days != Fields(day=days.day):
+            return False
+        ordinal = self.texts[piece.end - 1] in self.lexicon.ordinals
+        return ordinal and any(map(self._is_counted, range(piece.start)))
+
+    def _is_counted(self, place: int) -> bool:
+        """Whether an ordinal counts a thing: "the second row"."""
+        behind = self.texts[place + 1 : place + 2]
+        named = bool(behind) and behind[0].isalpha() and behind[0] not in self.lexicon.function_words
+        return self.texts[place] in self.lexicon.ordinals and named and not self.around.timely(place + 1)
+
+    def _accepts_repeat(self, piece: Piece) -> bool:
+        if (
+            self.around.follower(piece) in {"before", "after"}
+            and self.texts[piece.end - 2] in self.closed.singular_determiners
+        ):
+            # "Gate 22 an hour before take-off"
+            return False
+        if "to" in {piece.value.preposition, self.around.before(piece)} or self._counts_things(piece):
+            # "Hand over to nights"
+            return False
+        if self.texts[piece.end - 1] == "annual" and not self.around.may_end(piece):
+            # "Book annual leave"
+            return False
+        if piece.rule == "repeated_days.parts_alone":
+            # "The morning and evening", "dawn, noon and dusk", "morning and evening classes"
+            led = self.around.before(piece) in self.closed.noun_openers | self.beside.binding_ranges | {
+                "this",
+                "in",
+                ",",
+            }
+            if led or (piece.start and self.around.timely(piece.start - 1)) or not self.around.may_end(piece):
+                return False
+        # "Most evenings": which, is not said.
+        some = self.around.before(piece) in self.beside.which_is_not_said
+        parted = any(wall.part is not None for wall in piece.value.time.walls)
+        # "To twenty | at seven each weekday"
+        bound = self.texts[piece.start] in self.closed.prepositions_of_points
+        return not some and (parted or bound or not self.measures.is_rate(piece))
+
+    def _counts_things(self, piece: Piece) -> bool:
+        """Whether ordinals behind "every" count things: "every 10th customer", "tighten every third"."""
+        each, last = self.texts[piece.start], self.texts[piece.end - 1]
+        spelt = last in self.lexicon.ordinals and piece.end - piece.start == len((each, last))
+        typed = last in self.beside.ordinal_endings and not self.around.may_end(piece)
+        return each in {"every", "each"} and bool(piece.value.time.walls) and (spelt or typed)
+
+    def _lasts(self, piece: Piece) -> bool:
+        """Whether "for" stands before it, or before its hedges: "for at least an hour beforehand"."""
+        place = piece.start - 1
+        while place > 0 and self.texts[place] in self.beside.hedging_lengths:
+            place -= 1
+        return place >= 0 and self.texts[place] == "for"
+
+    def _is_now_and_again(self, piece: Piece) -> bool:
+        """Whether "now and again" is two times: "now and again in six hours"."""
+        behind = self.texts[piece.end + 1 : piece.end + 2]
+        counted = self.measures.is_number(piece.end + 1) or behind in (["a"], ["an"], ["half"], ["about"])
+        again = self.texts[piece.end - 1] == "again" and self.around.follower(piece) in {"in", "at", "after"}
+        return again and counted
+
+    def _begins_clause(self, piece: Piece) -> bool:
+        """Whether it begins a clause: "now that it is hot", "whenever it rains"; not "do it whenever"."""
+        marker = longest_match(self.words, piece.start, self.lexicon.clauses)
+        if marker is None or len(marker) < piece.end - piece.start:
+            return False
+        return len(marker) > piece.end - piece.start or self.around.follower(piece)[:1].isalnum()
+
+    def _is_number_for(self, piece: Piece) -> bool:
+        """Whether a number alone stands before a repetition: "cook for six on sundays" names people."""
+        place = piece.start + 1
+        behind = self.beside.of_clocks & {*self.texts[place + 1 : place + 2]}
+        joined = self.measures.is_number(place + 1) or bool(behind) or self.around.is_unit(place + 1)
+        return self.measures.is_number(place) and not joined and not self.measures.is_sure(place)
+
+    def _is_distance(self, piece: Piece) -> bool:
+        """Whether it is so long before or after another time."""
+        time = piece.value.time
+        if isinstance(time, Wall) and time.clock is not None and time.clock.shift:
+            return bool({"before", "after"} & set(self.texts[piece.start : piece.end]))
+        return isinstance(time, Offset) and time.anchor is not None
+
+    def _appoints(self, piece: Piece) -> bool:
+        """Whether words before make "for" say when: "an alarm for two hours before noon"."""
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        return bool(self.lexicon.appointing & set(before))
+
+    def _is_behind_hour(self, piece: Piece) -> bool:
+        """Whether a time of day stands right before it: "book a table at eight for two"."""
+        *_, bound, hour = ("", "", *self.texts[: piece.start])
+        told = bound == "at" and self.measures.is_number(piece.start - 1)
+        return told or hour in self.beside.of_hours
+
+    def _is_share(self, piece: Piece) -> bool:
+        """Whether it is of how many: "one in five"; but "move to station 4 in five"."""
+        named = self.texts[max(0, piece.start - 2) : piece.start - 1]
+        numbered = not (self.lexicon.machines | self.lexicon.measure_nouns).isdisjoint(named)
+        return self.measures.is_number(piece.start - 1) and not numbered
+
+    def _is_whole(self, piece: Piece) -> bool:
+        """Whether it is all that is said."""
+        outside = [*self.texts[: piece.start], *self.texts[piece.end :]]
+        return all(text in self.beside.polite_ends for text in outside)
+
+    def _accepts_alone(self, said: Said) -> bool:
+        time = said.time
+        if isinstance(time, Wall) and time.clock is not None and time.clock.pair and said.preposition is None:
+            if time.clock.shift:
+                # "Twenty to four"
+                return True
+            return time.clock.hour >= self.lexicon.policy.bare_pair_from or time.clock.minute in {15, 30, 45}
+        return True
+
+
+def _is_pair(clock: Clock | None) -> bool:
+    """Whether two numbers are an hour and its minutes, so that they may be none: not "ten to nine"."""
+    return clock is not None and clock.pair and not clock.shift

@@ -1,0 +1,135 @@
+"""Whether a length of time is one where it stands, and not a difference, a share or a distance."""
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.judging.standing import Standing
+from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.meaning.expressions import Duration, Said
+from fuzzytime.requirement import Constraint, Unit
+
+ELAPSED = "elapsed."
+"""How the names of rules begin of lengths that have passed."""
+
+
+class Lengths(Standing):
+    """What stands around lengths of time, and whether it makes one doubtful."""
+
+    def _is_beside_another(self, piece: Piece) -> bool:
+        """Whether it counts from what is not known, or is compared with that."""
+        follower, behind = self.around.follower(piece), self.texts[piece.end + 1 : piece.end + 2]
+        # "When five minutes have passed since the bell", "for a minute less than the packet says"
+        since = piece.rule.startswith(ELAPSED) and follower in self.beside.elapsed_from
+        return since or (follower in self.beside.comparing and behind == ["than"])
+
+    def accept(self, piece: Piece, said: Said, duration: Duration) -> bool:
+        """Whether a length of time is one here."""
+        last = duration.until or duration
+        if self._is_beside_another(piece):
+            return False
+        if said.preposition is None and self._is_of_word_before(piece, duration):
+            return False
+        if said.preposition != self.texts[piece.start] and self._is_amount(piece):
+            return False
+        if said.preposition != "for" and self._is_ahead(piece.end):
+            # "Confirm it 24 hours in advance": of what, is not said.
+            return False
+        quarter = any(unit is Unit.QUARTER for _, unit in last.terms)
+        if quarter and (said.preposition is None or self.around.follower(piece) == "of"):
+            # A quarter of what, is not said: hardly of a year.
+            return False
+        if last.bare_end and (self.measures.divided(piece) or self._is_counting(piece)):
+            return False
+        alone = duration.indefinite and said.preposition is None
+        if alone and self._is_counted(piece.start) and not self._is_before_marker(piece.end):
+            # "Raise it to 20 an hour", "at 60 kilometres an hour"
+            return False
+        asked = {self.around.before(piece), self.texts[piece.start]}
+        short = last.ordinal_end or last.terms in (((1, Unit.MINUTE),), ((1, Unit.SECOND),))
+        waits = self.around.before(piece) in self.lexicon.doing.waiting
+        if short and alone and self.beside.no_length & asked and not waits:
+            # "Give me a second", "just a minute"; but "wait just a minute"
+            return False
+        if last.ordinal_end and said.preposition is None and self._is_of_timer(piece):
+            # "Set a ninety second timer"
+            return True
+        if last.ordinal_end or last.bare_end:
+            # "An hour or two before the guests arrive"
+            away = duration.until is not None and self._is_before_marker(piece.end)
+            return self.around.may_end(piece) and not (
+                said.preposition is None and last.bare_end and not away
+            )
+        if said.constraint is Constraint.FOR and said.preposition is None:
+            return self._accepts_length(piece)
+        return True
+
+    def _is_amount(self, piece: Piece) -> bool:
+        """Whether it says how much, and not how long: "add another five minutes to it", "go back 30 s".
+
+        "Get back an hour before they come" says when.
+        """
+        opened = self.around.before(piece) in self.closed.noun_openers | self.closed.indefinite_determiners
+        verb = self.texts[max(0, piece.start - 1 - opened)]
+        amounts = self.beside.amounts_of_time | self.beside.amount_particles
+        return verb in amounts and not self._is_before_marker(piece.end)
+
+    def _is_of_word_before(self, piece: Piece, duration: Duration) -> bool:
+        """Whether the word before a length without a preposition makes it none."""
+        before = self.around.before(piece)
+        if before == "half" and duration.indefinite:
+            # "By half an hour" is no hour.
+            return True
+        if before in self.beside.not_how_long and not (before == "last" and self._is_helped(piece.start - 1)):
+            # "Push the call back by thirty minutes", "through the eight minutes"
+            return True
+        if before == "at" and self.lexicon.appointing.isdisjoint(self.texts[: piece.start]):
+            # "Give them their jab at eight weeks": how old they are; but "set the timer at ten minutes"
+            return True
+        # "Two number 7s"
+        plural = self.texts[piece.end - 1] == "s" and self.words[piece.end - 1].glued
+        return plural and before in self.lexicon.measure_nouns
+
+    def _is_counted(self, place: int) -> bool:
+        """Whether a number, or some things of a number, stand before a place."""
+        if self.measures.is_number(place - 1):
+            return True
+        thing = self.texts[place - 1] if place else ""
+        named = (
+            thing.isalpha() and thing not in self.lexicon.function_words and not self.around.timely(place - 1)
+        )
+        return named and self.measures.is_number(place - 2)
+
+    def _is_of_timer(self, piece: Piece) -> bool:
+        """Whether it stands between "a" and what goes on for so long: "a thirty second timer"."""
+        led = self.around.before(piece) in self.closed.indefinite_determiners
+        return led and self.around.follower(piece) in self.lexicon.lasting
+
+    def _is_helped(self, place: int) -> bool:
+        """Whether a helping verb stands right before a word, which is a verb then: "should last"."""
+        return place > 0 and self.texts[place - 1] in self.closed.modals_before_lengths
+
+    def _is_counting(self, piece: Piece) -> bool:
+        """Whether a number without a unit counts units behind it: "in two business days"."""
+        return any(self.around.is_unit(place) for place in (piece.end, piece.end + 1))
+
+    def _accepts_length(self, piece: Piece) -> bool:
+        """Whether a length of time without a preposition says how long something takes."""
+        # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
+        follower = self.around.follower(piece)
+        if follower == "of":
+            # "Do ten minutes of yoga"
+            return self.around.before(piece) in self.lexicon.doing.spending
+        if self.around.before(piece) in self.lexicon.doing.spent:
+            # "Spend an hour cleaning", "take ten minutes to tidy up"
+            return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
+        return follower in self.lexicon.lasting or self.around.may_end(piece)
+
+    def _is_before_marker(self, place: int) -> bool:
+        return place < len(self.words) and longest_match(self.words, place, self.lexicon.clauses) is not None
+
+    def _is_ahead(self, place: int) -> bool:
+        """Whether words say that a length of time is a distance, and not from what: "ahead", "in advance"."""
+        following = self.texts[place : place + 2]
+        if following == ["in", "advance"]:
+            return self.texts[place + 2 : place + 3] != ["of"]
+        if following[:1] in (["ahead"], ["beforehand"]):
+            return following != ["ahead", "of"]
+        return following == ["from", "the"] and self.texts[place + 2 : place + 3] in (["end"], ["finish"])

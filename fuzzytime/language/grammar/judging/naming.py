@@ -1,0 +1,98 @@
+"""Whether days and clock times only name something, or belong to what does: "the Monday meeting"."""
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.judging.standing import Standing
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.requirement import Unit
+
+ABOUT = "about"
+
+NAMING = frozenset({"on", "to", "for", "of"})
+"""Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
+
+
+class Naming(Standing):
+    """The nouns around days and clock times, and whether they hold one."""
+
+    def hold(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether it only names something, or belongs to what does."""
+        before = self.around.before(piece)
+        if said.preposition is None and wall.clock is not None and self.given.is_caught(piece):
+            # What is caught is caught then: "catch the 7:42 to York".
+            return False
+        if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
+            return True
+        counting = self.words[piece.end - 1].is_digits and self.around.follower(piece).endswith("s")
+        if said.preposition is None and counting and self.is_ambiguous(piece.start):
+            # "March 3 steps forward"
+            return not self.around.may_end(piece)
+        if said.preposition is None and wall.clock is not None and self.around.is_owned(piece):
+            # "Cancel my three o'clock", "move tomorrow's ten o'clock"
+            return True
+        if (wall.clock is not None and self._is_called(piece, said, wall)) or self.around.is_of_several(
+            piece.start
+        ):
+            return True
+        if (said.preposition is None or wall.clock is not None) and self._is_next_in_row(piece, wall):
+            return True
+        if said.preposition is None and wall.clock is not None and self.given.is_put_off(piece):
+            # "Move the 3 pm to five"
+            return True
+        last, behind = self.texts[piece.end - 1], self.around.follower(piece)
+        if (
+            last in {"before", "after"}
+            and self.texts[piece.end - 2] not in {"or", "and", "not", "time"}
+            and wall.days is not None
+            and behind[:1].isalpha()
+            and behind != "and"
+        ):
+            # "The day before the flight"
+            return True
+        followed = self.around.follower(piece) in {"before", "after"}
+        *_, bound, article = ("", "", *self.texts[piece.start : piece.end - 1])
+        inner = article == "the" and (bound == "on" or bound not in self.lexicon.function_words)
+        if wall.part is not None and followed and ("the" in {self.texts[piece.start], before} or inner):
+            # "The evening before the trip", "at ten the evening before": which evening, is not said.
+            return True
+        if "to" in {said.preposition, before} and self.around.names_place(piece):
+            return True
+        # "Turn on the ten o'clock news", "the slides for the Monday meeting"
+        owned = bool(self.closed.noun_openers & set(self.texts[piece.start + 1 : piece.end][:1]))
+        inside = said.preposition == "in" and isinstance(wall.days, Fields) and wall.days.weekly
+        about = self.texts[piece.start] == ABOUT
+        if (said.preposition in NAMING or inside or about) and owned and not self.around.may_end(piece):
+            return True
+        # "My day planner"
+        return (
+            said.preposition is None
+            and self.texts[piece.start] in self.closed.possessives
+            and not self.around.may_end(piece)
+        )
+
+    def _is_next_in_row(self, piece: Piece, wall: Wall) -> bool:
+        """Whether an ordinal counts things and no days: "the first piece at nine and the second at ten"."""
+        days, begin = wall.days, piece.start - (self.around.before(piece) == "the")
+        if not isinstance(days, Fields) or days != Fields(day=days.day):
+            return False
+        if wall.clock is not None and self.texts[piece.end - 1] in self.lexicon.ordinals:
+            # "Spray the first coat at noon, the second an hour later"
+            begin = piece.end - 2
+        joined = begin > 0 and self.texts[begin - 1] in {"and", ","}
+        joined = joined and self.texts[begin] == "the"
+        return joined and any(text in self.lexicon.ordinals for text in self.texts[:begin])
+
+    def _is_called(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether something is called by a clock time, or by two numbers that look like one."""
+        if said.preposition in {None, "of"} and not said.hedges and self.around.cites(piece.start):
+            # As in "Read John 3:16"; but "prepare the slide sixish".
+            return True
+        if wall.days is not None or wall.clock is None:
+            return False
+        if said.preposition is None and self.around.before(piece) == "the":
+            # As in "Cancel the 7:42".
+            return True
+        # As in "Book me on the 7:42", "on the nine thirty".
+        pair = wall.clock.pair and said.preposition != "on"
+        minutes = wall.clock.grain is Unit.MINUTE and not pair
+        return minutes and said.preposition in {"on", "for"} and self.texts[piece.start + 1] == "the"

@@ -1,0 +1,102 @@
+"""Whether a stretch from one time to another is one where it stands: not "the Monday to Friday timetable"."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.judging.standing import Standing
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, Time, Wall
+
+EARLY = 3600
+"""Seconds before the hour of a meal within which it may begin: a stretch until it is longer."""
+
+
+class Ranges(Standing):
+    """What stands around stretches from one time to another, and whether it makes one doubtful."""
+
+    def accept(self, piece: Piece, said: Said, time: Range) -> bool:
+        """Whether a stretch of time is one here."""
+        if self.given.is_put_off(piece):
+            # As in "Reschedule the 3 pm to 4:30".
+            return False
+        if self.texts[piece.start] in self.closed.noun_openers and not self.around.may_end(piece):
+            # "The Monday to Friday timetable"
+            return False
+        if self.around.describes(piece):
+            # "Watch the ten to midnight film"
+            return False
+        if self.around.is_owned(piece):
+            # "Move my three o'clock to five"
+            return False
+        joint = self.texts[piece.start + 1]
+        placed = self.texts[piece.start - 2] in self.lexicon.places or joint in self.beside.binding_ranges
+        if self.measures.is_called(piece.start) and placed:
+            # "Wait at platform 9 until 9", "charge robot 1 until 11"
+            return False
+        if self.texts[piece.start] == "one" and self.around.before(piece).isalpha():
+            # "Reserve the blue one until friday"
+            return False
+        if self._is_meal_until(piece, time):
+            return False
+        if isinstance(time.first, Offset) or isinstance(time.last, Offset):
+            # "At most half an hour after 1730"
+            return self.around.may_end(piece)
+        ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
+        if self._are_levels(piece, ends):
+            return False
+        clocked = isinstance(time.last, Wall) and time.last.clock is not None
+        if (
+            isinstance(time.first, Wall)
+            and time.first.bare
+            and not clocked
+            and self.texts[piece.start] not in self.beside.binding_ranges
+        ):
+            # "Keep it above 15 until the end of april"
+            return False
+        if ends and all(end.bare or end.weak for end in ends):
+            between = said.preposition == "between" and (said.denied or self._binds(piece))
+            # "Book a room from the 10th to the 12th", "let the flat from may to august"
+            dated = all(isinstance(end.days, Fields) for end in ends)
+            return between and (dated or not self.measures.measured(piece)) and self.around.may_end(piece)
+        return True
+
+    def _is_meal_until(self, piece: Piece, time: Range) -> bool:
+        """Whether a meal is served until then: "serve lunch until three", not "tomorrow lunch to two"."""
+        first, before = time.first, self.around.before(piece)
+        meal = isinstance(first, Wall) and first.clock is None and first.part is not None and first.part.meal
+        led = before.isalpha() and not self.around.timely(piece.start - 1)
+        return meal and led and self.around.is_part_or_meal(piece.start)
+
+    def _are_levels(self, piece: Piece, ends: Sequence[Wall]) -> bool:
+        """Whether the hour stands behind two numbers: "turn the heating from 17 to 20 at half past four"."""
+        numbers = len(ends) > 1 and all(end.bare for end in ends) and self.texts[piece.start] == "from"
+        hour = self.measures.is_number(piece.end + 1) or self.around.timely(piece.end + 1)
+        hour = hour or bool({*self.texts[piece.end + 1 : piece.end + 2]} & self.beside.parts_of_hours)
+        return numbers and self.around.follower(piece) == "at" and hour
+
+    def heads_meal(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
+        """Whether a dash stands in front, between a clock time and the meal then: "12:00 - lunch"."""
+        if not isinstance(time, Range):
+            return False
+        dash = next((p for p in range(piece.start, piece.end) if self.texts[p] == "-"), None)
+        if dash is None or self.words[dash].glued or not self.around.opens(piece.start):
+            return False
+        first, last = time.first, time.last
+        if not isinstance(first, Wall) or not isinstance(last, Wall) or first.clock is None:
+            return False
+        meal = last.part if last.clock is None else None
+        # "10am - lunch" is until then.
+        return (
+            meal is not None
+            and meal.meal
+            and any(seconds > meal.start - EARLY for seconds in first.clock.candidates())
+        )
+
+    def _binds(self, piece: Piece) -> bool:
+        """Whether its first words make two numbers its ends."""
+        # "No earlier than eight and no later than nine"
+        first = self.texts[piece.start : piece.start + 3]
+        sometime = piece.value.preposition == "between" and "between" in first
+        # "Any time after lunch but before four"
+        led = first if first[1:2] == ["time"] else first[:2]
+        return bool(self.beside.binding_ranges & set(led)) or "than" in first or sometime

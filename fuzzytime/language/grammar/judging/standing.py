@@ -1,0 +1,50 @@
+"""A text as those see it who decide whether something is a time where it stands."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.judging.given_times import GivenTimes
+from fuzzytime.language.grammar.judging.run_on_hours import RunOnHours
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.measuring import NEAR, Measures
+from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.words import Word
+
+
+class Standing:
+    """Words, what measures stand among them, and what stands around any of them."""
+
+    def __init__(
+        self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
+    ) -> None:
+        self.words = words
+        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
+        self.texts = [word.text for word in words]
+        self.measures = measures
+        self.around = around
+        self.given = GivenTimes(lexicon, around)
+        self.run_on = RunOnHours(lexicon, around)
+
+    def is_ambiguous(self, place: int) -> bool:
+        """Whether the word at a place is an English word with another meaning, too: "may", "sun"."""
+        return self.texts[place] in self.lexicon.ambiguous
+
+    def is_open(self, place: int) -> bool:
+        """Whether something goes on for hours before a place: "open | ten to six", "my shift is | …"."""
+        last = self.texts[place - 1] if place else ""
+        if last in self.beside.equating:
+            return not self.lexicon.frames.isdisjoint(self.texts[max(0, place - NEAR) : place])
+        return last in self.beside.open_for_hours
+
+    def is_called(self, place: int) -> bool:
+        """Whether somebody is called right before a place: "call ann | five thirty"; not "call room 1430"."""
+        verb = place - 2
+        if verb > 0 and self.texts[verb] in self.closed.noun_openers:
+            # "Ring the office five thirty"
+            verb -= 1
+        calling = self.lexicon.addressing - self.lexicon.doing.learning
+        if verb < 0 or self.texts[verb] not in calling or not self.texts[place - 1].isalpha():
+            return False
+        nouns = self.measures.called_by_number | self.lexicon.function_words
+        noun = self.texts[place - 1]
+        named = {noun, noun.removesuffix("s")}.isdisjoint(nouns) and not self.measures.is_number(place - 1)
+        return named and not self.around.timely(place - 1)

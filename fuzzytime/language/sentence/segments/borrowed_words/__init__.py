@@ -1,0 +1,4 @@
+"""What a further wish shares with the first (``further_wishes``): where it begins (``borrowing``).
+
+What is said of both: ``frames``; which of the words hold for another thing: ``other_things``.
+"""

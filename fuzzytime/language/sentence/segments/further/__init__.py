@@ -1,0 +1,6 @@
+"""Where further orders of one sentence begin.
+
+By its tree: ``further_orders``, ``orders_in_front``, ``overlooked_orders``, ``orders_behind_names``.
+Without a joint: ``further_steps``, ``run_on_orders``, ``verbs_left_out``. Who does them:
+``calls``, ``same_doers``.
+"""

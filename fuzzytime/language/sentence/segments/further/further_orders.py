@@ -1,0 +1,270 @@
+"""Where further instructions of one sentence begin, by its tree: at bare verbs beside the first."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.sentence.segments.further.orders_behind_names import (
+    behind_heading,
+    behind_named,
+    behind_run_on,
+    behind_told,
+    having_done,
+)
+from fuzzytime.language.sentence.segments.further.orders_in_front import (
+    ANY_SUBJECTS,
+    COORDINATE,
+    behind_joint,
+    denied_from,
+    first_of,
+    order_behind_order,
+)
+from fuzzytime.language.sentence.segments.further.overlooked_orders import is_overlooked
+from fuzzytime.language.sentence.segments.orders_beside_times import (
+    is_led_by_time,
+)
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.verbs.actions import action_of, gone_to_do
+from fuzzytime.language.sentence.verbs.statements import (
+    being_behind_order,
+    goes_on,
+    order_behind_statement,
+    result_behind_statement,
+    second_statement,
+)
+
+SHORTEST = 2
+"""Words of an order at least, before a participle that goes on beside it."""
+
+FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
+EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
+
+
+def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span], *, told: bool) -> list[int]:
+    """Give the words at which further instructions of one sentence begin: imperatives beside the first.
+
+    "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
+    else; what counts is a bare verb without a subject behind "and" or a comma. What is ``told`` is about who
+    was named before.
+    """
+    timed = {place for span in times for place in tree.at(*span)}
+    first = (
+        order_behind_order(tree, root, timed),
+        order_behind_statement(tree, root, timed),
+        behind_told(tree, root, timed, lexicon),
+        behind_named(tree, root, timed, lexicon),
+        behind_heading(tree, root, timed),
+        behind_run_on(tree, root, lexicon),
+    )
+    found = [start for start in first if start is not None]
+    for place in range(len(tree.nodes)):
+        if place in timed and place != root:
+            continue
+        if place and tree.nodes[place - 1].tag == "POS" and tree.nodes[place - 1].relation == "case":
+            # "Give dad's dog its pill"
+            continue
+        start = _start_at(tree, place, root, timed, lexicon)
+        if start is None and _is_second_statement(tree, place, root, timed, told=told):
+            start = place
+        if start is not None:
+            found.append(start)
+    return found
+
+
+def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
+    """Give where the further instruction of a word begins; None where it has none."""
+    told = result_behind_statement(tree, place, root, timed)
+    told = second_statement(tree, place, timed) if told is None else told
+    told = being_behind_order(tree, place, timed) if told is None else told
+    told = having_done(tree, place) if told is None else told
+    if told is not None:
+        return told
+    if _goes_on(tree, place, timed, lexicon) or goes_on(tree, place, root, timed):
+        return place
+    if _is_gerund_too(tree, place, root):
+        return place
+    if place > 1 and (_follows_so(tree, place, timed) or _follows_statement(tree, place, root, timed)):
+        return place
+    if place > 1 and place != root:
+        if is_overlooked(tree, place, timed, lexicon):
+            return place
+        if is_led_by_time(tree, place, timed, lexicon):
+            return behind_joint(tree, place, timed)
+    if (
+        place > 1
+        and _is_passive_order(tree, place)
+        and tree.nodes[place - 1].lower in lexicon.closed.joints_of_orders
+    ):
+        return place
+    return _start_of_coordinate(tree, place, root, timed, lexicon)
+
+
+def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
+    """Whether a bare verb follows what has a time and "so": "guests are coming at 8, so hoover at 7"."""
+    node, before = tree.nodes[place], place - 2
+    if before > 0 and tree.nodes[before].text == ",":
+        before -= 1
+    bare = node.may_act and node.lower == node.lemma
+    # "At six or so call mum": that "so" is of the time.
+    joint = tree.nodes[place - 1].lower == "so" and place - 1 not in timed
+    return bare and joint and before in timed
+
+
+def _follows_statement(tree: Tree, place: int, root: int, timed: set[int]) -> bool:
+    """Whether a bare verb behind a comma is taken for what something does: "it shuts at three, get bread".
+
+    So it is behind a colon: "the shop opens at nine: buy milk".
+    """
+    node = tree.nodes[place]
+    told = tree.nodes[root].tag == "VBZ" and any(p < root for p in tree.children(root, *ANY_SUBJECTS))
+    relations = {",": {"xcomp"}, ":": COORDINATE}.get(tree.nodes[place - 1].text, frozenset())
+    joined = node.head == root and node.relation in relations
+    whole = not tree.children(place, *ANY_SUBJECTS, "aux", "mark")
+    return told and joined and whole and node.tag in IMPERATIVE and place - 2 in timed
+
+
+def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
+    """Give where begins what a bare verb asks for that the tree joins to the first: "…, and fry them"."""
+    node = tree.nodes[place]
+    if place in {0, root} or not _is_bare(node, lexicon) or node.relation not in COORDINATE:
+        return None
+    wanted = _is_wanted_too(tree, place, root, lexicon)
+    denied = denied_from(tree, place)
+    helping = [p for p in tree.children(place, "aux") if not (wanted and tree.nodes[p].lower == "to")]
+    if tree.children(place, *ANY_SUBJECTS, "mark") or (denied is None and helping):
+        return None
+    led = tree.nodes[place + 1 : place + 2] and tree.nodes[place + 1].tag in DETERMINERS
+    if not led and any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
+        # "Weld seam 3 at 11 and seam 4 at 12"; but "buy paint tomorrow and paint the fence"
+        return None
+    first = min([_behind_place(tree, place), *tree.children(place, "aux")]) if denied is None else denied
+    start = behind_joint(tree, first, timed)
+    joints = lexicon.closed.joints_of_orders
+    if _is_denied(tree, lexicon):
+        # "Don't open the lid or stir the soup"
+        joints |= lexicon.closed.denied_alternatives
+    if (
+        start == 0
+        or tree.nodes[start - 1].lower not in joints
+        or (_is_embedded(tree, place, root) and not wanted)
+    ):
+        return None
+    if gone_to_do(tree, root, lexicon) == place:
+        return None
+    return start if place > root or _leads(tree, place, root) else None
+
+
+def _is_denied(tree: Tree, lexicon: Lexicon) -> bool:
+    action = action_of(tree, lexicon)
+    return action is not None and action.negated
+
+
+def _is_wanted_too(tree: Tree, place: int, root: int, lexicon: Lexicon) -> bool:
+    """Whether a verb is joined to the one that is meant below another: "I need to water it and feed him".
+
+    So it is to what is to be remembered.
+    """
+    action = action_of(tree, lexicon)
+    if action is None or action.negated:
+        return False
+    remembered = tree.nodes[action.place].lemma in lexicon.doing.remembering
+    meant = {*tree.children(action.place, "xcomp")} if remembered else {action.place}
+    over = tree.nodes[place].head
+    while tree.nodes[over].relation in {"conj", "dep"} and over not in meant:
+        over = tree.nodes[over].head
+    return over in meant - {root} and gone_to_do(tree, over, lexicon) != place
+
+
+def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether a participle with its own time goes on beside an order: "simmer it, stirring every ten"."""
+    node = tree.nodes[place]
+    if node.tag != "VBG" or node.relation in EMBEDDED or node.lemma in lexicon.indicators:
+        return False
+    behind = next(
+        (p for p in range(place, len(tree.nodes)) if tree.nodes[p].lower in lexicon.closed.joints_of_orders),
+        len(tree.nodes),
+    )
+    apart = place - 1 in timed or tree.nodes[place - 1].text == ","
+    before = any(earlier in timed for earlier in range(place))
+    return (
+        place >= SHORTEST and apart and before and any(later in timed for later in range(place + 1, behind))
+    )
+
+
+def _is_gerund_too(tree: Tree, place: int, root: int) -> bool:
+    """Whether a gerund stands beside the order: "would you mind feeding the cat and walking the dog"."""
+    node = tree.nodes[place]
+    both = node.tag == tree.nodes[root].tag == "VBG" and root == 0 and node.relation == "conj"
+    # "Washing and drying the towels" is one order.
+    joined = place > 2 and tree.nodes[place - 1].lower in tree.lexicon.closed.joints_of_orders
+    return both and joined and node.head == root and not tree.children(place, *ANY_SUBJECTS, "aux")
+
+
+def _is_second_statement(tree: Tree, place: int, root: int, timed: set[int], *, told: bool) -> bool:
+    """Whether it is what the same thing does next: "the roast goes in at ten and comes out at two"."""
+    closed = tree.lexicon.closed
+    node = tree.nodes[place]
+    beside = (
+        node.relation == "conj"
+        and node.head == root
+        and tree.nodes[place - 1].lower in closed.joints_of_orders
+    )
+    named = told or bool(tree.children(root, *ANY_SUBJECTS))
+    helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
+    # "The show will last an hour and start at eight"
+    expected = node.tag == "VB" and bool(helping) and helping <= closed.future | {"should"}
+    states = named and (expected or tree.nodes[root].tag == node.tag == "VBZ")
+    if tree.nodes[root].tag == "VBZ" and named and node.tag == "NNS" and place > 1 and place + 1 in timed:
+        # "The plumber fixes the tap and leaves at five"
+        beside = tree.nodes[place - 1].lower in closed.joints_of_orders
+        states = node.lower in tree.lexicon.doing.timed
+    # "Feeds the cows" has who is fed for who does it.
+    own = any(p < place for p in tree.children(place, *ANY_SUBJECTS))
+    return beside and states and not own and not tree.children(place, "aux")
+
+
+def _is_passive_order(tree: Tree, place: int) -> bool:
+    """Whether it is the "get" of "get dressed", or the "be" of "be gone", beside another order."""
+    node, over = tree.nodes[place], tree.nodes[tree.nodes[place].head]
+    helps = node.relation in {"aux", "auxpass"} and node.lower in {"get", "be"}
+    alone = not tree.children(node.head, *ANY_SUBJECTS, "mark")
+    alone = alone and tree.children(node.head, "aux", "auxpass") == (place,)
+    return node.tag in IMPERATIVE and helps and over.relation in COORDINATE and alone
+
+
+def _is_bare(node: Node, lexicon: Lexicon) -> bool:
+    """Whether a verb has its bare form, whatever tense it was taken for: "put" is a past form too."""
+    past = node.tag in {"VBD", "VBN"} and (node.lower == node.lemma or node.lower in lexicon.doing.past_alike)
+    # "Deburr it": what ends in no -s has no other person.
+    bare = node.tag in IMPERATIVE or (node.tag == "VBZ" and not node.lower.endswith("s"))
+    return bare or past
+
+
+def _leads(tree: Tree, place: int, root: int) -> bool:
+    return root in tree.below(place)
+
+
+def _behind_place(tree: Tree, place: int) -> int:
+    """Give where it begins with what is said in front of where: "…, and on the way back drop the cheque"."""
+    start = first_of(tree, place)
+    led = (p for p in tree.children(place, "prep") if p < start and tree.reach(p)[1] == start)
+    return next(led, start)
+
+
+def _is_embedded(tree: Tree, place: int, root: int) -> bool:
+    """Whether a verb is joined to one that the instruction is about: "remind me to call mum and buy milk"."""
+    for above in tree.above(place):
+        if above == root:
+            return False
+        node = tree.nodes[above]
+        # "Leave the dough covered and shape it": a bare verb is no second participle.
+        apart = node.tag in {"VBN", "VBG"} and tree.nodes[place].tag == "VB"
+        # "Let the dough rest overnight and bake it in the morning": what rests bakes nothing.
+        acts = any(
+            tree.nodes[p].lower in tree.lexicon.closed.it_or_them for p in tree.children(place, "dobj")
+        )
+        apart = apart or (acts and node.relation == "ccomp" and not tree.children(above, "dobj", "dative"))
+        if node.relation in EMBEDDED and node.tag not in FINITE and not apart:
+            return True
+    return False

@@ -1,0 +1,107 @@
+"""Orders that a tree takes for something else: "wipe the rug and empty the bins"."""
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.segments.further.further_steps import is_further_step
+from fuzzytime.language.sentence.segments.further.orders_in_front import COORDINATE
+from fuzzytime.language.sentence.segments.orders_beside_times import (
+    is_order_before_time,
+    is_order_between_times,
+    stands_alone,
+)
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tree import Tree
+
+
+def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether it is an order that a tree took for something else: "wipe the rug and empty the bins"."""
+    alone = tree.nodes[place].lower in lexicon.alone
+    return (
+        (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
+        or _follows_turning(tree, place, lexicon)
+        or is_further_step(tree, place, timed, lexicon)
+        or is_order_before_time(tree, place, timed)
+        or is_order_between_times(tree, place, timed, lexicon)
+        or (
+            place - 2 in timed and (stands_alone(tree, place, lexicon) or _has_numbered(tree, place, lexicon))
+        )
+    )
+
+
+def _follows_turning(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what may be a verb stands behind where to turn, beside which is no thing: "left and park"."""
+    node, before = tree.nodes[place], tree.nodes[place - 1].lower
+    turning = tree.nodes[place - 2].lower in lexicon.closed.sides | lexicon.beside.turnings
+    bare = node.may_act and node.lower == node.lemma.lower() and not tree.children(place, "det", "amod")
+    return turning and before in lexicon.closed.joints_of_orders and bare and node.relation == "conj"
+
+
+def _has_numbered(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what may be a verb stands before what is called by a number: "…, clear bay 3"."""
+    behind = tree.nodes[place + 1 : place + 3]
+    called = len(behind) > 1 and behind[0].lower in lexicon.machines and behind[1].tag == "CD"
+    return called and tree.nodes[place].may_act and tree.nodes[place - 1].text == ","
+
+
+def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word taken for no verb has an object, or a particle: "wipe the rug and empty the bins"."""
+    closed = lexicon.closed
+    node, before = tree.nodes[place], tree.nodes[place - 1].lower
+    if (
+        before in {"and", "&", ","}
+        and node.lower in lexicon.alone
+        and (node.tag == "NN" or _stands_apart(tree, place))
+    ):
+        return True
+    if node.tag not in {"NN", "NNP", "JJ", "JJR"} or before not in closed.joints_of_orders:
+        return False
+    if before == "," and _is_before_object(tree, place, lexicon):
+        return True
+    if place + 1 >= len(tree.nodes):
+        return False
+    behind, further = tree.nodes[place + 1].lower, next((n.lower for n in tree.nodes[place + 2 :]), "")
+    if not further and not (node.may_act and behind in closed.it_or_them):
+        return False
+    if node.lower in lexicon.particles.get(behind, ()):
+        return True
+    if node.lower in lexicon.measure_verbs and node.may_act and behind == "to":
+        # "Dissolve the salt, heat to 60 degrees"
+        return True
+    # "Raise the blinds, water the fern, lower them at six"
+    # "Sow carrots, thin them": no adjective stands before a pronoun.
+    known = {"NN", "JJR", "JJ"} if node.may_act else {"NN", "JJR"}
+    bare = node.tag in known and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
+    if bare and (
+        behind in closed.it_or_them or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)
+    ):
+        # "Leave it for an hour and pat it dry", "move the sofa, vacuum behind it"
+        return True
+    if (
+        node.relation in COORDINATE
+        and node.may_act
+        and behind in closed.noun_openers
+        and tree.children(place, "dobj")
+    ):
+        # "The painters come at nine, clear the room"
+        return True
+    return node.relation == "conj" and before in {"and", "&"} and behind in closed.noun_openers
+
+
+def _is_before_object(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a bare word behind a comma has a thing or a person behind it: "…, hoover the seats"."""
+    if place + 1 >= len(tree.nodes):
+        return False
+    node, behind = tree.nodes[place], tree.nodes[place + 1]
+    described = tree.children(place, "det", "amod", "poss", "nummod")
+    called = node.lower in lexicon.addressing and (behind.lower in lexicon.persons or behind.tag == "NNP")
+    thing = node.may_act and behind.tag in DETERMINERS
+    return node.lower == node.lemma.lower() and not described and (thing or called)
+
+
+def _stands_apart(tree: Tree, place: int) -> bool:
+    """Whether what a tree takes for an adjective describes nothing: "chop the onions, fry, then serve"."""
+    node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
+    ends = all(word.lower in tree.lexicon.closed.joints_of_orders | ENDS for word in behind)
+    # "Keep it dark, cool"
+    named = any(tree.nodes[p].tag.startswith("NN") for p in tree.children(tree.root, "dobj"))
+    return node.tag == "JJ" and ends and named and tree.nodes[node.head].tag.startswith(("NN", "VB"))

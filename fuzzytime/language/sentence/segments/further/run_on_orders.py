@@ -1,0 +1,226 @@
+"""Orders one behind the other without a joint: "feed the baby at six bath her at seven".
+
+So is an order behind what is told with its time: "the gym opens at six remind me to pack", and what is told
+behind an order with its time: "turn the tv on at eight the game is starting". One tree of both
+mostly goes wrong, as it does for clauses in front (``fronts``). So it is tried: wherever a bare verb governs
+something and nothing joins it to what stands before, both parts are parsed.
+"""
+
+from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.sentence.segments.fronts import CARRIER, COMPLEMENTS, binds, is_bare, is_order
+from fuzzytime.language.sentence.segments.further.orders_in_front import denied_from
+from fuzzytime.language.sentence.segments.waiting import Waiting
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree, Trees
+
+LEAST = 2
+"""Words of an order that another may stand behind, at least."""
+
+COMMA = ","
+NOUNS = "NN"
+
+OBJECTS = ("dobj", "prt", "dative", "npadvmod", "prep", "advmod")
+"""What an order governs that is whole."""
+
+
+FINITE = frozenset({"VBZ", "VBD"})
+"""Tags of what somebody does, or did."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Try:
+    """A place at which a further order may begin, with both parts.
+
+    ``timed`` where a time ends the first, ``tells`` where that may be no order, ``told`` where the
+    second may be none.
+    """
+
+    one: int
+    start: int
+    timed: bool
+    tells: bool
+    told: bool
+    before: str
+    behind: str
+
+
+def run_on_orders(
+    waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees, lexicon: Lexicon
+) -> dict[int, int]:
+    """Give where the second of two orders begins without a joint, by the places of those that wait.
+
+    ``found`` are their trees.
+    """
+    tries = [
+        attempt
+        for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
+        for attempt in _tries(place, one, tree, lexicon)
+    ]
+    carriers = ["" if attempt.tells else CARRIER for attempt in tries]
+    before = trees([carrier + one.before for carrier, one in zip(carriers, tries, strict=True)])
+    led = ["" if attempt.told else CARRIER for attempt in tries]
+    behind = trees([carrier + attempt.behind for carrier, attempt in zip(led, tries, strict=True)])
+    # "Play some rain sounds" has its object in a tree of its own alone.
+    alone = trees(["" if attempt.told else attempt.behind for attempt in tries])
+    cut: dict[int, int] = {}
+    for attempt, carrier, first, second, own in zip(tries, carriers, before, behind, alone, strict=True):
+        one = first.without_carrier(carrier, attempt.before, 0)
+        other = second.without_carrier("" if attempt.told else CARRIER, attempt.behind, 0)
+        if attempt.told:
+            whole = _is_whole(one, lexicon, timed=False) and _has_object(one) and _tells(other)
+        else:
+            whole = _tells(one) if attempt.tells else _is_whole(one, lexicon, timed=attempt.timed)
+            surely = attempt.timed or not attempt.tells or _is_state(one, lexicon)
+            whole = whole and (surely or _is_done_with_it(other, 0))
+            whole = whole and (_governs(other) or _governs(own))
+        if attempt.one not in cut and whole:
+            cut[attempt.one] = attempt.start
+    return cut
+
+
+def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+    if not tree.nodes:
+        return
+    source, end, timed = one.source, one.segment.span[1], one.timed(tree)
+    tells = not tree.nodes[0].may_act
+    for here in range(LEAST, len(tree.nodes) - 1):
+        behind_time = (here - 2 if tree.nodes[here - 1].text == COMMA else here - 1) in timed
+        told = not tells and behind_time and here not in timed and _may_tell(tree, here, lexicon)
+        if here in timed or not (told or _may_begin(tree, here, timed, lexicon)):
+            continue
+        if tells and here - 1 not in timed and not _may_be_state(tree, here, lexicon):
+            # "The kids have to make their beds"
+            continue
+        led = next((place for place in range(here - 1, -1, -1) if place not in timed), 0)
+        joined = tree.nodes[led].lower in lexicon.closed.joints_of_orders
+        if joined and not told and not _is_listed(tree, here, timed):
+            # "Set the table, and by seven have the soup ready"
+            continue
+        turned = lexicon.beside.turning | lexicon.beside.contrary
+        first = here - (tree.nodes[here - 1].lower in turned)
+        start, verb = (tree.nodes[at].start + one.main for at in (first, here))
+        words = source.places(one.main, start)
+        if any(longest_match(source.scanned.words, word, lexicon.clauses) is not None for word in words):
+            # "Stir it when the chef asks the waiter": what is in a clause.
+            return
+        before, behind = source.sound[one.main : start].strip(), source.sound[verb:end]
+        yield _Try(place, start, here - 1 in timed, tells, told, before, behind)
+
+
+def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+    """Whether a bare verb with an object stands behind a word that does not lead to it."""
+    node, before, behind = tree.nodes[place - 1 : place + 2][1], tree.nodes[place - 1], tree.nodes[place + 1]
+    if not node.may_act or not is_bare(node, lexicon) or binds(tree, place - 1, lexicon):
+        return False
+    where = lexicon.places | lexicon.particles.keys() | lexicon.closed.prepositions_of_way
+    if node.tag in {"IN", "RP", "TO"} or node.lower in where:
+        # "Walk him round the block", "put it back the way it was"
+        return False
+    if _is_listed(tree, place, timed):
+        return behind.tag.startswith(NOUNS) and not tree.children(place, "aux", "mark")
+    joints = (
+        lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}
+    ) - lexicon.beside.contrary
+    if before.lower in joints or (before.tag == "POS" and before.relation == "case"):
+        # "Give dad's dog its pill"
+        return False
+    if before.tag == "PRP" and before.lower in lexicon.closed.personal_pronouns:
+        # "…, I need it at nine"
+        return False
+    if tree.children(place, "aux", "mark") or not before.text[-1].isalnum():
+        return False
+    if place + 1 in timed:
+        # "Open the hatch wait ten seconds and close it"
+        return node.lower in lexicon.doing.waiting
+    led = behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns
+    # "The fair is on friday book two tickets"
+    led = led or (behind.tag == "CD" and place - 1 in timed)
+    further = tree.nodes[place + 2 : place + 3]
+    carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
+    return led or (carried and further[0].tag in DETERMINERS)
+
+
+def _may_be_state(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether the words before a place may say how one is, or what one cannot: "i'm tired | let me sleep"."""
+    closed = lexicon.closed
+    before = tree.nodes[:place]
+    said = any(node.lemma in closed.lemmas_of_be or node.relation == "neg" for node in before[1:])
+    leads = (lexicon.letting | lexicon.causing | lexicon.doing.watching) - closed.lemmas_of_be
+    if not said and tree.nodes[place + 1].lower in closed.it_or_them:
+        # "The cake needs forty minutes | take it out"; but "the nurse said take it at ten"
+        said = any(node.tag in FINITE | {"VBP"} and node.head == tree.root for node in before[1:])
+        leads = (leads - lexicon.doing.needing) | lexicon.doing.learning | lexicon.doing.saying
+        leads |= lexicon.intransitive - lexicon.doing.being
+    return place > LEAST and said and leads.isdisjoint(node.lemma for node in before)
+
+
+def _is_state(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether words say to their end how one is, or what one cannot."""
+    root = tree.root
+    helping = tree.children(root, "aux", "auxpass")
+    denied = tree.children(root, "neg") and any(tree.nodes[place].tag == "MD" for place in helping)
+    if tree.nodes[root].lemma in lexicon.closed.lemmas_of_be:
+        return bool(tree.children(root, *COMPLEMENTS))
+    being = any(tree.nodes[place].lemma in lexicon.closed.lemmas_of_be for place in helping)
+    return bool(denied) or being
+
+
+def _is_done_with_it(tree: Tree, verb: int) -> bool:
+    """Whether something is done with what was spoken of: "take it out"."""
+    return any(tree.nodes[p].lower in tree.lexicon.closed.it_or_them for p in tree.children(verb, "dobj"))
+
+
+def _may_tell(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether who or what something is told of stands there, with a verb: "… | the game is starting"."""
+    node = tree.nodes[place]
+    subject = node.lower in lexicon.closed.subject_pronouns or node.tag in DETERMINERS
+    return subject and any(one.tag in FINITE | {"VBP", "MD"} for one in tree.nodes[place + 1 :])
+
+
+def _has_object(tree: Tree) -> bool:
+    """Whether an order has its object, and is none that asks for what may be told: "check the oven"."""
+    return bool(tree.children(tree.root, "dobj", "dative"))
+
+
+def _is_listed(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
+    """Whether a word begins a stretch with its time behind another: "feed fish at 8, | walk dog at 9"."""
+    if place < LEAST or tree.nodes[place - 1].text != COMMA or place - LEAST not in timed:
+        return False
+    behind = (at for at in range(place, len(tree.nodes)) if tree.nodes[at].text == COMMA)
+    return next(behind, len(tree.nodes)) - 1 in timed
+
+
+def _is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
+    """Whether an order is said to its end, and is none that leads to what others do: "let the kids"."""
+    # "Don't boil the milk just warm it"
+    denied = denied_from(tree, tree.root) == 0
+    if not denied and (not is_order(tree) or not is_bare(tree.nodes[0], lexicon)):
+        return False
+    verb = tree.root if denied else 0
+    doing, lemma = lexicon.doing, tree.nodes[verb].lemma
+    leads = lemma in lexicon.letting | lexicon.causing | lexicon.wanting | lexicon.addressing | doing.watching
+    named = any(tree.nodes[place].tag != "CD" for place in tree.children(verb, *OBJECTS))
+    return (timed or not leads) and named
+
+
+def _tells(tree: Tree) -> bool:
+    """Whether words tell what somebody does, or what is, from their first: "we're having guests at seven"."""
+    root = tree.root
+    if not tree.nodes or not tree.nodes[root].is_verb:
+        return False
+    subjects = tree.children(root, *SUBJECTS, "expl")
+    verbs = (root, *tree.children(root, "aux", "auxpass"))
+    finite = any(tree.nodes[place].tag in FINITE | {"VBP", "MD"} for place in verbs)
+    return finite and any(tree.reach(place)[0] == 0 for place in subjects)
+
+
+def _governs(tree: Tree) -> bool:
+    """Whether an order has an object, with which nobody does another thing: "cake mix the shop sells"."""
+    objects = tree.children(0, "dobj", "dative", "ccomp", "npadvmod")
+    described = any(tree.children(place, "relcl") for place in objects)
+    described = described or any(tree.nodes[place].tag in FINITE for place in tree.children(0, "ccomp"))
+    return is_order(tree) and bool(objects) and not described

@@ -1,0 +1,5 @@
+"""Lines and their entries: ``list_marks`` and ``leading_tags`` in front, ``heads`` that hold for all.
+
+What may be one of the ``entries``; where ``dividers`` stand between them, and where nothing does (``runs``,
+``switches``).
+"""

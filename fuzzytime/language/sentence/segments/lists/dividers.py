@@ -1,0 +1,236 @@
+"""Marks between the entries of a line, each with its time: "10am vet - 12 lunch - 3pm pick up car".
+
+A dash between two times is a stretch from the one to the other; one that has a thing and its time on either
+side tells two entries apart. So do bars, arrows, slashes and wide gaps; a bullet does without times, too.
+"""
+
+import re
+from collections.abc import Sequence
+from itertools import pairwise
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.words import words_of
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.sentence.segments.lists.entries import Entry, is_when, names_day
+from fuzzytime.language.sentence.segments.lists.heads import headed
+
+BULLET = re.compile(r"(?:(?<=\s)|^)[•●▪‣◦·]\s*(?=\w)")
+"""A mark that stands in front of an entry, and nowhere else."""
+
+MARKS = (
+    re.compile(r"(?<=\s)(?:-+>|=+>|[→⇒➔➜])(?=\s)"),
+    re.compile(r"(?<=\s)\|{1,2}(?=\s)"),
+    re.compile(r"(?<=\s)/{1,2}(?=\s)"),
+    re.compile(r"(?<=\s)>(?=\s)"),
+    re.compile(r"(?<=\s)[-–—]{1,2}(?=\s)"),
+    re.compile(r"(?<=\S)(?:[ \t]{2,}|\t)(?=\S)"),
+)
+"""Marks that stand between entries, and elsewhere: of each kind those of a line are judged together."""
+
+LEADING = re.compile(r"^\s*[-*+•]\s+(?=\d)")
+"""A bullet in front of a line that begins with a number: "* 15:00 pick up kids"."""
+
+LINE = re.compile(r"[^\n;]+")
+"""What such marks divide: a line, or what stands in it before a stop."""
+
+COMMA = re.compile(r",(?=\s)")
+
+COLON = re.compile(r"(?:(?<!\d)(?<!\d\s):(?=\s+\d)|:(?=\s+[^\W\d]))")
+"""A mark between a time in front of an entry and what is then: "mon: gym"."""
+
+LIST = 3
+"""Entries of a list at least in which a number alone may be when."""
+
+DAY_AND_THING = 2
+"""Words of an entry that says no more than what is when."""
+
+LONGEST_STEP = 3
+"""Words of a step at most, without how long it takes."""
+
+LONGEST_TIME = 8
+"""Words of a time that heads an entry at most."""
+
+LOOKED_AT = 40
+"""Characters behind a colon that may go on with the time before it."""
+
+STOP = ";"
+"""What stands between two entries in place of such a mark."""
+
+BRACKETS = (("(", ")"), ("[", "]"))
+"""Marks that open, and that close."""
+
+
+def divided(text: str, grammar: Grammar, lexicon: Lexicon) -> str:
+    """Give a text of the same length with a stop in place of each mark between entries."""
+    text = LEADING.sub(lambda found: " " * len(found[0]), text)
+    for line in LINE.finditer(text):
+        bullets = _found(BULLET, text, line)
+        if bullets and _is_bulleted(_between(text, line, bullets), grammar, lexicon):
+            text = _with_stops(text, bullets)
+        commas = _found(COMMA, text, line)
+        items = _between(text, line, commas)
+        if commas and any(told(items, grammar, lexicon) for told in BY_COMMAS):
+            text = _with_stops(text, commas)
+        for kind in MARKS:
+            marks = _found(kind, text, line)
+            if marks and _divide(_between(text, line, marks), grammar, lexicon):
+                text = _with_stops(text, marks)
+    for line in LINE.finditer(text):
+        colon = COLON.search(text, *line.span())
+        if colon is None or not _is_dated(text[line.start() : colon.start()], grammar, lexicon):
+            continue
+        without = text[: colon.start()] + " " + text[colon.end() :]
+        read = without[line.start() : min(line.end(), colon.end() + LOOKED_AT)]
+        if _ends_still(read, colon.start() - line.start(), grammar, lexicon):
+            text = without
+    return text
+
+
+def _found(mark: re.Pattern[str], text: str, line: re.Match[str]) -> list[Span]:
+    """Give where marks of a kind stand in a line."""
+    return [found.span() for found in mark.finditer(text, *line.span())]
+
+
+def _with_stops(text: str, marks: Sequence[Span]) -> str:
+    """Give a text with stops in place of marks; what begins it needs none."""
+    for first, end in marks:
+        stop = STOP if text[:first].strip() else " "
+        text = text[:first] + stop.ljust(end - first) + text[end:]
+    return text
+
+
+def _between(text: str, line: re.Match[str], marks: Sequence[Span]) -> list[str]:
+    """Give the texts of a line around its marks."""
+    begins = [line.start(), *(end for _, end in marks)]
+    ends = [*(first for first, _ in marks), line.end()]
+    return [text[begin:end] for begin, end in zip(begins, ends, strict=True)]
+
+
+def _is_bulleted(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether each bullet of a line stands before something."""
+    return all(Entry.of(item, grammar, lexicon).things for item in items if item.strip())
+
+
+def _divide(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether marks of one kind stand between entries: each side names something, and when."""
+    if not all(any(map(str.isalnum, item)) and _is_whole(item) for item in items):
+        return False
+    entries = [Entry.of(item, grammar, lexicon) for item in items]
+    if not all(entry.things and entry.timed(listed=len(entries) >= LIST) for entry in entries):
+        return False
+    if any(before.ends and behind.begins for before, behind in pairwise(entries)):
+        # "Gym tue 9 - 10 at the club"
+        return False
+    if any(entry.goes_on for entry in entries[1:]):
+        return False
+    alike = all(entry.begins for entry in entries) or all(entry.ends for entry in entries)
+    return alike or len(entries) >= LIST
+
+
+def _head_entries(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether commas stand between entries headed by days: "mon: gym, tue: swim", "mon gym, tue swim".
+
+    Without a colon, each names one thing: what is done with several, on a day each, may be said once.
+    """
+    entries = []
+    for item in items:
+        time, colon, said = item.partition(":")
+        if colon and said[:1].isspace():
+            heads = _is_time(time, grammar, lexicon) or time.strip().lower() in lexicon.beside.of_hours
+            if not heads or not any(map(str.isalnum, said)):
+                return False
+            entries.append(True)
+        else:
+            words = words_of(item)
+            alone = len(words) == DAY_AND_THING and all(word.is_letters for word in words)
+            if not alone or not names_day(words[0], lexicon) or names_day(words[1], lexicon):
+                return False
+            entries.append(False)
+    return all(entries) or not any(entries)
+
+
+def _last_so_long(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether commas stand between steps and how long they take: "mix 5 min, prove 1h, bake 40 min"."""
+    # Most lines are no such list, and to scan them costs time.
+    numbered = all(any(map(str.isdigit, item)) and item.strip()[:1].isalpha() for item in items)
+    return numbered and all(_is_timed_step(item, grammar, lexicon) for item in items)
+
+
+def _is_timed_step(item: str, grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether a text is a step and how long it takes: "bake 40 min"; but not "boil peas 5 min".
+
+    It is one word, or begins with what takes so long.
+    """
+    scanned = Scanned.of(item, grammar, lexicon)
+    lengths = (piece for piece in scanned.pieces("duration") if piece.end == len(scanned.words))
+    step = scanned.words[: min((piece.start for piece in lengths), default=0)]
+    if not 0 < len(step) <= LONGEST_STEP or not all(word.is_letters for word in step):
+        return False
+    timed = lexicon.timing | lexicon.timing_alone | lexicon.doing.settling
+    return step[-1].text not in lexicon.function_words and (len(step) == 1 or step[0].text in timed)
+
+
+def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether commas stand between things that each have a clock time: "obs 8:00, meds 8:30", "9-10 gym, …".
+
+    The first is one word, so that nothing is done with it that may be done with the others, too.
+    """
+    first = Entry.of(items[0], grammar, lexicon)
+    # Most lines are no such list, and to read the others costs time.
+    others = (Entry.of(item, grammar, lexicon) for item in items[1:])
+    if first.times and first.begins_with_stretch:
+        return all(entry.begins_with_stretch for entry in others)
+    # "Croissants out at 6, baguettes at 7"
+    named = [p for p in first.named if not p or first.words[p].text not in lexicon.beside.states]
+    if len(named) != 1 or not (first.clocked or first.bounded):
+        return False
+    if first.bounded:
+        # "Bake by noon, party at three": what is due, and what happens.
+        return all((entry.clocked or entry.bounded) and entry.has_time and entry.opens for entry in others)
+    # Of starters at 16:15, mains come "40 minutes later"; of a desk at 8:00, coffee "from 8:15".
+    return all(
+        ((entry.clocked or entry.bounded) and entry.named and entry.opens) or entry.counted
+        for entry in others
+    )
+
+
+BY_COMMAS = (_head_entries, headed, _last_so_long, _each_is_timed)
+"""Lists whose entries commas tell apart."""
+
+
+def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether a text is a day or a time of day and nothing else."""
+    words = words_of(text)
+    if len(words) == 1 and names_day(words[0], lexicon):
+        return True
+    if not words or len(words) > LONGEST_TIME:
+        return False
+    scanned = Scanned.of(text, grammar, lexicon)
+    found = [phrase for phrase in phrases_of(scanned, lexicon) if is_when(phrase)]
+    return [(phrase.first, phrase.end) for phrase in found] == [(0, len(scanned.words))]
+
+
+def _is_dated(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether a time is more than a part of the day, which is a time by the colon: "morning: laundry"."""
+    return _is_time(text, grammar, lexicon) and not lexicon.means(text.strip(" -*").lower(), "part")
+
+
+def _ends_still(line: str, end: int, grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether a time ends where it did, without the colon: "mon gym", but "twice 10 minutes"."""
+    if not line[end - 1].isalnum():
+        return False
+    scanned = Scanned.of(line, grammar, lexicon)
+    length = sum(1 for word in scanned.words if word.start < end)
+    found = phrases_of(scanned, lexicon)
+    numbered = line[end:].strip()[:1].isdigit()
+    heads = any(
+        phrase.first == 0 and (phrase.end == length or (numbered and phrase.end > length)) for phrase in found
+    )
+    return heads and (numbered or not any(phrase.first == length for phrase in found))
+
+
+def _is_whole(item: str) -> bool:
+    """Whether no bracket and no mark of a quotation is open in an entry."""
+    return item.count('"') % 2 == 0 and all(item.count(a) == item.count(b) for a, b in BRACKETS)

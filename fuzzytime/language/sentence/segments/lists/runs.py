@@ -1,0 +1,109 @@
+"""Entries that follow each other without a mark, told apart by their times: "8:00 up 8:15 mails 9:00 tea".
+
+Three at least, of which each begins with its time, or each ends with it. One that begins with the number of
+what hardly has another is an entry too: "10am vet 12 lunch 3pm pick up car".
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from functools import cache
+from itertools import pairwise
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.timetables import HALF_DAY
+from fuzzytime.language.grammar.words import words_of
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.sentence.segments.lists.dividers import LINE, STOP
+
+SHORTEST, LEAST = 3, 2
+"""Entries at least, and where each time has its "@"."""
+
+LONGEST_WORD = 40
+"""Characters behind a number that are looked at."""
+
+
+@cache
+def _numbers(halves: frozenset[str]) -> re.Pattern[str]:
+    """Give what finds clock times in such a list: surely so ("7:30", "@7", "7 am"), or a number alone."""
+    half = rf"(?:\s?(?:{'|'.join(map(re.escape, sorted(halves, key=len, reverse=True)))}))"
+    return re.compile(
+        rf"""
+        (?: (?<![^\s(]) | (?=@) )
+        (?: (?P<sure> @\s?\d{{1,2}}(?:[:.]\d\d)?{half}? | \d{{1,2}}:\d\d{half}?
+                    | \d{{1,2}}(?:\.\d\d)?{half} | [012]\d[0-5]\d )
+            (?:\s?[-–]\s?\d{{1,2}}(?::\d\d)?{half}?)?
+          | (?P<bare> \d{{1,2}}) )
+        (?=[\s),;.]|$)
+        """,
+        re.VERBOSE | re.IGNORECASE,
+    )
+
+
+def run_apart(text: str, lexicon: Lexicon) -> str:
+    """Give a text of the same length with a mark between such entries."""
+    for line in LINE.finditer(text):
+        for place in _pauses(text, line.span(), lexicon):
+            text = text[:place] + STOP + text[place + 1 :]
+    return text
+
+
+def _pauses(text: str, line: Span, lexicon: Lexicon) -> Iterator[int]:
+    """Give where one entry of a line ends."""
+    tokens = list(_numbers(lexicon.beside.of_hours).finditer(text, *line))
+    if len(tokens) < (LEAST if all(found[0].startswith("@") for found in tokens) else SHORTEST):
+        return
+    leads = not text[line[0] : tokens[0].start()].strip(" -*")
+    last = text[tokens[-1].end() : line[1]].strip(" .!")
+    if not leads and last:
+        return
+    tokens = [found for found in tokens if found["sure"] or (leads and _is_hour(text, found, lexicon))]
+    if len(tokens) < LEAST or tokens[0]["sure"] is None:
+        return
+    bounds = [found.span() for found in tokens]
+    things = _behind(text, line, bounds) if leads else _in_front(text, line, bounds)
+    if not all(_names(thing, lexicon, leads=leads) for thing in things):
+        return
+    if not leads and any(_is_somebody(thing, lexicon) for thing in things[1:]):
+        # As in "call Ann 9:00 Bob 9:15".
+        return
+    for before, found in pairwise(tokens):
+        place = found.start() - 1 if leads else before.end()
+        if text[place].isspace():
+            yield place
+
+
+def _behind(text: str, line: Span, times: Sequence[Span]) -> list[str]:
+    """Give what stands behind each time of a line."""
+    ends = (*(first for first, _ in times[1:]), line[1])
+    return [text[time[1] : end] for time, end in zip(times, ends, strict=True)]
+
+
+def _in_front(text: str, line: Span, times: Sequence[Span]) -> list[str]:
+    """Give what stands in front of each time of a line."""
+    begins = (line[0], *(end for _, end in times[:-1]))
+    return [text[begin : time[0]] for begin, time in zip(begins, times, strict=True)]
+
+
+def _names(thing: str, lexicon: Lexicon, *, leads: bool) -> bool:
+    """Whether words name something, right beside the time that they are said of."""
+    words = words_of(thing)
+    if not words or not words[0].is_letters:
+        return False
+    beside = words[0] if leads else words[-1]
+    own = beside.is_letters and beside.text not in lexicon.function_words
+    # As in "walk the dog and | 8:00".
+    open_ended = words[-1].text in lexicon.function_words - lexicon.places
+    return own and not open_ended and not lexicon.means(beside.text, "unit", "preposition_before")
+
+
+def _is_somebody(thing: str, lexicon: Lexicon) -> bool:
+    """Whether one word names a person."""
+    words = words_of(thing)
+    return len(words) == 1 and (words[0].capital or words[0].text in lexicon.persons)
+
+
+def _is_hour(text: str, found: re.Match[str], lexicon: Lexicon) -> bool:
+    """Whether a number alone is when something is that has a time: "12 lunch"."""
+    behind = words_of(text[found.end() : found.end() + LONGEST_WORD])
+    timed = lexicon.happening | lexicon.taken | lexicon.events
+    return 0 < int(found["bare"]) <= HALF_DAY and bool(behind) and behind[0].text in timed

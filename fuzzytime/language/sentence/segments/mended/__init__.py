@@ -1,0 +1,4 @@
+"""A tree for each segment (``parsing``), and what trees get wrong.
+
+``mended_verbs`` in ``mended_trees``, ``mended_things``; ``places_in_front``, and what one is ``reminded_of``.
+"""

@@ -1,0 +1,224 @@
+"""Trees mended where a word that is done was taken for a thing, or a thing for what is done."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.segments.mended.mended_verbs import (
+    does_to_person,
+    with_thing_done,
+    with_verb,
+)
+from fuzzytime.language.sentence.trees.tree import Tree
+
+LEAST_DONE = 3
+"""Words of "do ward 7"."""
+
+NOUNS = frozenset({"NN", "NNS", "NNP"})
+"""Tags of things that are listed."""
+
+NTH = 3
+"""Words before the thing in "prune the second rose"."""
+BESIDE_DONE = frozenset({"prep", "agent", "npadvmod", "advmod", "punct", "cc", "conj", "prt"})
+"""How what hangs on a participle that names nothing."""
+
+LET = 2
+"""Words before what is done in "let's film"."""
+
+
+def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give an order its verb, where what is called like one was taken for it."""
+    if not tree.nodes:
+        return tree
+    tree = _with_manner(_with_name_in_front(_with_numbered_things(tree, lexicon), lexicon))
+    tree = does_to_person(tree, lexicon) or tree
+    mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
+    mended = mended or _lets_know(tree, lexicon) or with_verb(tree, lexicon)
+    return _with_list(_wants_done(mended or tree))
+
+
+def _with_manner(tree: Tree) -> Tree:
+    """Give "start the addition, dropwise over an hour" its adverb, which a tree takes for a second verb."""
+    nodes = list(tree.nodes)
+    for place, node in enumerate(nodes):
+        known = node.may_act or not node.lower.endswith(tuple(tree.lexicon.closed.endings_of_manner))
+        if place and node.is_verb and not known and node.relation == "conj":
+            nodes[place] = replace(node, tag="RB", relation="advmod")
+            for below in tree.children(place):
+                nodes[below] = replace(nodes[below], head=node.head)
+    return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
+def _does_numbered(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "do ward 7" its verb."""
+    if not tree.nodes or tree.nodes[0].lower != "do" or tree.root != 1 or len(tree.nodes) < LEAST_DONE:
+        return None
+    if tree.nodes[1].lower not in lexicon.machines or tree.nodes[2].tag != "CD":
+        return None
+    moved = with_thing_done(tree, 1, LEAST_DONE)
+    moved[2] = replace(moved[2], relation="nummod", head=1)
+    return tree.with_nodes(moved)
+
+
+def _does_named(tree: Tree) -> Tree | None:
+    """Give "do the school run" its verb: nobody who is asked to do something has an article."""
+    root = tree.root
+    if not tree.nodes or tree.nodes[0].lower != "do" or tree.nodes[0].relation != "aux" or root < LEAST_DONE:
+        return None
+    subjects = tree.children(root, "nsubj")
+    led = bool(subjects) and tree.nodes[root - 1] is tree.nodes[subjects[0]] and tree.nodes[1].tag == "DT"
+    if not led or tree.nodes[0].head != root or tree.nodes[-1].text == "?" or tree.children(root, "dobj"):
+        return None
+    moved = with_thing_done(tree, root, root)
+    moved[root - 1] = replace(moved[root - 1], relation="compound", head=root)
+    return tree.with_nodes(moved)
+
+
+def _lets_know(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "let ben know" its verb, which a tree takes for one that helps another."""
+    root, nodes = tree.root, list(tree.nodes)
+    helps = bool(nodes) and nodes[0].lower in lexicon.letting and nodes[0].relation == "aux"
+    if not helps or nodes[0].head != root or nodes[root].lemma != "know":
+        return None
+    if not any(0 < place < root for place in tree.children(root, "nsubj")):
+        return None
+    nodes[0] = replace(nodes[0], head=0, relation="ROOT", tag="VB")
+    nodes[root] = replace(nodes[root], head=0, relation="ccomp")
+    return tree.with_nodes(nodes)
+
+
+def _with_numbered_things(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give what has a number as a thing, which was taken for what is done: "start pump 2", "test pump 1"."""
+    nodes = list(tree.nodes)
+    for thing in range(1, len(nodes) - 1):
+        verb, node, number = nodes[thing - 1 : thing + 2]
+        named = node.tag.startswith("VB") and node.lower in lexicon.machines and number.tag == "CD"
+        if not named or not verb.may_act or verb.lower != verb.lemma or verb.tag not in {"VB", "VBP", "NN"}:
+            continue
+        first = node.head == thing or (node.head == thing - 1 and node.relation in {"xcomp", "ccomp", "dobj"})
+        if not first:
+            continue
+        nodes = [replace(one, head=thing - 1) if one.head == thing else one for one in nodes]
+        if node.head == thing:
+            verb = replace(verb, relation="ROOT", head=thing - 1)
+        nodes[thing - 1] = replace(verb, tag="VB")
+        nodes[thing] = replace(node, tag="NN", relation="dobj", head=thing - 1)
+        nodes[thing + 1] = replace(number, relation="nummod", head=thing)
+    return tree.with_nodes(nodes) if nodes != list(tree.nodes) else tree
+
+
+def _with_name_in_front(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give "telly for half an hour" the thing that it names, which was taken for how the rest is."""
+    if tree.root != 1 or tree.nodes[1].tag != "IN" or tree.nodes[0].head != 1:
+        return tree
+    if tree.nodes[0].lower not in lexicon.happening | lexicon.taken:
+        return tree
+    nodes = [replace(tree.nodes[0], tag="NN", relation="ROOT", head=0), *tree.nodes[1:]]
+    nodes[1] = replace(nodes[1], relation="prep", head=0)
+    return tree.with_nodes(nodes)
+
+
+def _does_nth(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "prune the second rose" its thing, which was taken for what rose: behind a number it is one."""
+    if len(tree.nodes) <= NTH:
+        return None
+    first, led, number, thing = tree.nodes[: NTH + 1]
+    counted = led.tag == "DT" and number.lower in lexicon.ordinals and number.relation == "nsubj"
+    if not counted or number.head != NTH or thing.tag != "VBD" or not first.may_act:
+        return None
+    moved = with_thing_done(tree, NTH, NTH)
+    moved[1] = replace(led, head=NTH)
+    moved[2] = replace(number, relation="amod", head=NTH)
+    return tree.with_nodes(moved)
+
+
+def _wants_done(tree: Tree) -> Tree:
+    """Give "I'd like the lawn mown" what is to be done, where that was taken for what the lawn is like.
+
+    "I want the book called Dune" names one.
+    """
+    root = tree.root
+    if tree.nodes[root].lemma not in tree.lexicon.doing.wishing or not tree.children(root, "nsubj"):
+        return tree
+    for done in tree.children(root, "ccomp"):
+        if tree.nodes[done].tag == "VBD" and _is_of_thing(tree, done):
+            # "I want the van washed": what is to be done was taken for what was.
+            nodes = list(tree.nodes)
+            nodes[done] = replace(nodes[done], tag="VBN")
+            return tree.with_nodes(nodes)
+    for thing in tree.children(root, "dobj"):
+        for done in tree.children(root, "xcomp"):
+            if thing < done and any(tree.nodes[p].lower == "to" for p in tree.children(done, "aux")):
+                # "I'd like the kettle to come on at six"
+                nodes = list(tree.nodes)
+                nodes[done] = replace(nodes[done], relation="ccomp")
+                nodes[thing] = replace(nodes[thing], relation="nsubj", head=done)
+                return tree.with_nodes(nodes)
+        for done in tree.children(thing, "acl"):
+            named = [p for p in tree.children(done) if tree.nodes[p].relation not in BESIDE_DONE]
+            if done == thing + 1 and tree.nodes[done].tag == "VBN" and not named:
+                nodes = list(tree.nodes)
+                nodes[done] = replace(nodes[done], relation="ccomp", head=root)
+                nodes[thing] = replace(nodes[thing], relation="nsubj", head=done)
+                return tree.with_nodes(nodes)
+    return tree
+
+
+def _is_of_thing(tree: Tree, done: int) -> bool:
+    """Whether something is done with a named thing, and nobody says when: "I want the van washed"."""
+    subjects = tree.children(done, "nsubj", "nsubjpass")
+    named = bool(subjects) and tree.nodes[subjects[0]].tag in NOUNS
+    return named and not tree.children(done, "mark", "dobj")
+
+
+def _with_list(tree: Tree) -> Tree:
+    """Give "water the roses, the lawn and the pots" all its things, where a tree hangs some on the verb."""
+    root = tree.root
+    things = tree.children(root, "dobj")
+    if not tree.nodes[root].is_verb or len(things) != 1:
+        return tree
+    thing, comma = things[0], things[0] + 1
+    if comma >= len(tree.nodes) or tree.nodes[comma].text != ",":
+        return tree
+    further = [*tree.children(root, "conj", "dep"), *tree.children(thing, "conj", "appos")]
+    listed = next((p for p in further if tree.nodes[p].tag in NOUNS and _is_led(tree, p, comma + 1)), None)
+    if listed is None or not tree.children(listed, "conj"):
+        return tree
+    nodes = list(tree.nodes)
+    nodes[listed] = replace(nodes[listed], head=thing, relation="conj")
+    nodes[comma] = replace(nodes[comma], head=thing)
+    return tree.with_nodes(nodes)
+
+
+def _is_led(tree: Tree, place: int, first: int) -> bool:
+    """Whether a noun begins at a place with its article, or whose it is."""
+    return first in tree.children(place, "det", "poss")
+
+
+def _lets(tree: Tree) -> Tree | None:
+    """Give "let's film at noon" its second verb, which was taken for a thing."""
+    if len(tree.nodes) <= LET or tree.root != 0 or tree.nodes[0].lower != "let":
+        return None
+    us, done = tree.nodes[1], tree.nodes[LET]
+    if us.lower not in {"'s", "’s", "us"} or us.head != LET or done.tag != "NN" or not done.may_act:
+        return None
+    nodes = list(tree.nodes)
+    nodes[LET] = replace(done, tag="VB", relation="ccomp")
+    nodes[1] = replace(us, relation="nsubj")
+    return tree.with_nodes(nodes)
+
+
+def as_order(tree: Tree) -> Tree:
+    """Give a tree a verb for its first word, which has an object and was taken for a noun: "phone them"."""
+    tree = _with_manner(tree)
+    root = tree.root
+    first = tree.nodes[0] if tree.nodes else None
+    if first is None or root != 0 or not first.tag.startswith("NN") or not first.may_act:
+        return tree
+    return tree.with_nodes((replace(first, tag="VB"), *tree.nodes[1:])) if tree.children(0, "dobj") else tree
+
+
+def as_acting(tree: Tree) -> Tree:
+    """Give what one does next its verb, which may be a plural too: "robot 2 cleans the tank, then docks"."""
+    if not tree.nodes or tree.root != 0 or tree.nodes[0].tag not in {"NNS", "VB"}:
+        return tree
+    return tree.with_nodes((replace(tree.nodes[0], tag="VBZ"), *tree.nodes[1:]))

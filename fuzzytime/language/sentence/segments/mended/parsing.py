@@ -1,0 +1,112 @@
+"""Segments parsed: a tree each, again in other words where the first is doubtful."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import blanked
+from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
+from fuzzytime.language.sentence.segments.mended.mended_things import (
+    with_event_names,
+    with_her,
+    with_object_of_aim,
+    with_whole_things,
+)
+from fuzzytime.language.sentence.segments.mended.mended_trees import as_acting, as_done, as_order
+from fuzzytime.language.sentence.segments.mended.places_in_front import with_places_in_front
+from fuzzytime.language.sentence.segments.mended.reminded_of import with_reminded
+from fuzzytime.language.sentence.segments.waiting import Waiting
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tree import Tree, Trees
+from fuzzytime.language.sentence.verbs.called import with_called, with_clause, with_event, with_worker
+from fuzzytime.language.sentence.verbs.named_deeds import with_named_deed
+from fuzzytime.language.sentence.verbs.statement_trees import as_statement
+
+CARRIERS = ("", "please ", "you should ")
+"""Words that make a parser see the verb behind them, tried in this order."""
+
+
+def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
+    """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
+    texts = [_heard(one) for one in waiting]
+    found = [
+        as_done(in_place(tree, one.source.sound, one.segment.span, one.segment.borrowed), lexicon)
+        for one, tree in zip(waiting, uncapitalised(texts, trees), strict=True)
+    ]
+    own = {place for place, one in enumerate(waiting) if not one.segment.borrowed}
+    led_astray = [p for p, tree in enumerate(found) if p in own and tree.root in waiting[p].timed(tree)]
+    blanked = trees([_without_root(found[place]) for place in led_astray])
+    for place, tree in zip(led_astray, blanked, strict=True):
+        # "The ferry leaves at 10:45 sharp": a word about time is never what is to be done.
+        if tree.root not in waiting[place].timed(tree):
+            found[place] = replace(tree, text=texts[place])
+    for carrier in CARRIERS:
+        again = [
+            (place, waiting[place].behind_time)
+            for place, tree in enumerate(found)
+            if place in own
+            and waiting[place].doubts(tree, lexicon)
+            and (carrier or waiting[place].behind_time)
+        ]
+        carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
+        for (place, skipped), tree in zip(again, carried, strict=True):
+            bare = as_order(tree.without_carrier(carrier, texts[place], skipped))
+            if bare.nodes and _may_be_done(bare, lexicon) and not waiting[place].doubts(bare, lexicon):
+                found[place] = bare
+    found = with_places_in_front(waiting, found, trees, lexicon)
+    told = [place for place, one in enumerate(waiting) if one.segment.doer is not None]
+    led = trees([f"{waiting[place].segment.doer} {texts[place]}" for place in told])
+    for place, tree in zip(told, led, strict=True):
+        # "The plumber comes at four, fixes the tap": it is a verb behind who does it.
+        alone = tree.without_carrier(f"{waiting[place].segment.doer} ", texts[place], 0)
+        found[place] = as_acting(alone)
+    return [_mended(one, tree, lexicon) for one, tree in zip(waiting, found, strict=True)]
+
+
+def _mended(one: Waiting, tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give a tree with what its model overlooks; where all words are of its time, it is empty."""
+    if not tree.nodes:
+        return tree
+    timed = one.timed(tree)
+    tree = with_her(with_whole_things(tree), timed)
+    tree = with_event_names(with_object_of_aim(tree, timed), timed)
+    tree = with_event(with_clause(with_reminded(tree, lexicon), lexicon), lexicon)
+    tree = with_called(with_worker(tree, lexicon), timed, lexicon)
+    return as_statement(with_named_deed(tree, timed, lexicon), timed, lexicon.travelling)
+
+
+def _may_be_done(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether the root of a tree is a known verb, or has an object: "pipette the buffer", but "session 2".
+
+    Behind "please", a parser takes any noun for a verb.
+    """
+    node = tree.nodes[tree.root]
+    known = lexicon.addressing | lexicon.chores | lexicon.ordering | lexicon.alone | lexicon.timing_alone
+    led = any(one.tag in DETERMINERS | {"PRP"} for one in tree.nodes[tree.root + 1 : tree.root + 2])
+    return node.may_act or node.lower in known or led
+
+
+def _heard(one: Waiting) -> str:
+    """Give the main words of a segment, or all of it with those that it borrows."""
+    segment = one.segment
+    return with_borrowed(one.source.sound, segment.span, segment.borrowed) if segment.borrowed else one.text
+
+
+def _without_root(tree: Tree) -> str:
+    """Give the text of a tree with spaces for its root."""
+    node = tree.nodes[tree.root]
+    return blanked(tree.text, [(node.start, node.end)])
+
+
+def uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:
+    """Parse texts as if they began with a small letter: a capital makes a verb look like a name ("Chop")."""
+    asked = [_lowered(text) if text[1:2].islower() else text for text in texts]
+    return [
+        tree.without_carrier("", text, 0) if text != said else tree
+        for text, said, tree in zip(texts, asked, trees(asked), strict=True)
+    ]
+
+
+def _lowered(text: str) -> str:
+    """Give a text whose first letter is no capital, as behind other words."""
+    return text[:1].lower() + text[1:] if len(text[:1].lower()) == 1 else text

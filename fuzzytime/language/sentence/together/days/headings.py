@@ -1,0 +1,190 @@
+"""Times on lines of their own, which hold for the lines below: "Saturday:", "Before the guests come:"."""
+
+from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
+from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.phrases import places_in
+from fuzzytime.language.meaning.told_apart import told_apart
+from fuzzytime.language.sentence.segments.drafts import Draft, Heading
+from fuzzytime.language.sentence.segments.waiting import Part
+from fuzzytime.language.sentence.sketches.sketch import sketch_of
+from fuzzytime.language.sentence.together.days.titles import (
+    LONGEST,
+    held,
+    hours_of,
+    is_of_calendar,
+    name_of,
+    names_day,
+    title_of,
+)
+
+MARK = ":"
+"""What ends a heading."""
+
+CALLED = 2
+"""Words that call a worker: "Robot 2:"."""
+
+
+def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
+    """Give drafts of lines said at one moment, each with the time that the nearest line above names alone.
+
+    A part of the day, or a clause, is of the day that a line above it names.
+    """
+    headings = [_heading_of(draft, lexicon) for draft in drafts]
+    if headings and headings[0] is None:
+        headings[0] = title_of(drafts, lexicon)
+    found: list[Draft] = []
+    heading: Heading | None = None
+    day: Heading | None = None
+    for place, draft in enumerate(drafts):
+        if place and draft.now != drafts[place - 1].now:
+            heading = day = None
+        named = headings[place]
+        if named is not None:
+            heading = _on_day(named, day)
+            day = named if named.is_day or any(map(names_day, named.phrases)) else day
+        if named is not None and named.happens:
+            found.append(replace(draft, remarks=(*draft.remarks, _remark_on(named, (0, len(draft.text))))))
+            continue
+        found.append(replace(draft, heading=heading, leads=named is not None and _holds(headings, place)))
+    return found
+
+
+def _holds(headings: Sequence[Heading | None], place: int) -> bool:
+    """Whether a heading has lines below it, or one for some of them."""
+    heading, below = headings[place], headings[place + 1 : place + 2]
+    if heading is None or not below:
+        return False
+    return below[0] is None or (heading.is_day and not below[0].is_day)
+
+
+def _heading_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
+    """Give what a line names that says a time, and nothing else."""
+    marked = draft.text.rstrip(" *_").endswith(MARK)
+    if marked and (called := _called(draft, lexicon)) is not None:
+        return Heading(called, draft.text, draft.scanned, addressee=called)
+    if marked and _is_title(draft, lexicon):
+        days = [phrase for phrase in draft.phrases if not _names_thing(phrase, draft)]
+        return Heading(name_of(draft), draft.text, draft.scanned, held(draft, days))
+    if marked and (hours := hours_of(draft, lexicon)) is not None:
+        return hours
+    if len(draft.parts) != 1 or not (marked or len(draft.phrases) == 1):
+        return None
+    if marked:
+        sketch = sketch_of(draft, draft.parts[0], lexicon)
+        phrases, clauses = sketch.phrases, sketch.clauses
+    else:
+        phrases, clauses = draft.phrases, ()
+    heard = [*(phrase.span for phrase in phrases), *(clause.span for clause in clauses)]
+    if not heard or any(isinstance(p.said.time, TimeWord) for p in phrases):
+        return None
+    # As in "Saturday in the garden:", where more than the day is named.
+    titled = marked and sketch.operation is None and any(p.said.is_day for p in phrases)
+    if _says_more(draft, heard) and not titled:
+        return None
+    if (not marked and not is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
+        return None
+    return Heading(name_of(draft), draft.text, draft.scanned, held(draft, phrases), clauses)
+
+
+def _is_title(draft: Draft, lexicon: Lexicon) -> bool:
+    """Whether a line with a colon says what the lines below are about: "Saturday, garden:", "Bakery:".
+
+    It has no times but days, and asks for nothing.
+    """
+    named = [word for word in draft.scanned.words if word.is_letters]
+    timed = places_in(draft.phrases)
+    beside = [
+        word for place, word in enumerate(draft.scanned.words) if place not in timed and word.is_letters
+    ]
+    if not beside or beside[0].text in lexicon.function_words or len(named) > LONGEST:
+        return False
+    if not all(phrase.said.is_day and is_of_calendar(phrase) for phrase in draft.phrases):
+        return False
+    asked = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
+    return not any(_begins_order(part, asked) for part in draft.parts)
+
+
+def _names_thing(phrase: Phrase, draft: Draft) -> bool:
+    """Whether a part of the day calls what stands behind it: "Morning round:"."""
+    words = draft.scanned.words
+    return not names_day(phrase) and phrase.end < len(words) and words[phrase.end].is_letters
+
+
+def _begins_order(part: Part, asked: AbstractSet[str]) -> bool:
+    """Whether a part begins with what is done to something: "clean:", "fix the fence:"."""
+    tree = part.tree
+    first = next((place for place, node in enumerate(tree.nodes) if node.text[0].isalpha()), None)
+    if first is None:
+        return False
+    owned = any(tree.children(thing, "det", "poss") for thing in tree.children(first, "dobj"))
+    root = tree.nodes[tree.root]
+    return tree.nodes[first].lower in asked or root.lower in asked or owned
+
+
+def _called(draft: Draft, lexicon: Lexicon) -> str | None:
+    """Give who is called by a number, and asked for nothing: "Robot 2:"."""
+    words = [word for word in draft.scanned.words if word.text[0].isalnum()]
+    if len(words) != CALLED or words[0].text not in lexicon.workers or not words[1].is_digits:
+        return None
+    return draft.text[words[0].start : words[1].end]
+
+
+def _says_more(draft: Draft, heard: Sequence[Span]) -> bool:
+    """Whether words stand outside of some stretches."""
+    words = (word for word in draft.scanned.words if word.text[0].isalnum())
+    return any(not any(first <= word.start < end for first, end in heard) for word in words)
+
+
+def _is_meal(phrase: Phrase) -> bool:
+    """Whether a time may as well be a thing: "Dinner:"."""
+    time = phrase.said.time
+    if not isinstance(time, Wall) or time.days is not None or phrase.said.preposition is not None:
+        return False
+    return time.clock is None and time.part is not None and time.part.meal
+
+
+def _on_day(heading: Heading, above: Heading | None) -> Heading:
+    """Give a heading that names no day on that of a line above."""
+    own = heading.is_day or any(map(names_day, heading.phrases))
+    if above is None or above.day is None or own:
+        return heading
+    if heading.addressee is not None:
+        return replace(heading, phrases=above.phrases, clauses=above.clauses)
+    told = [told_apart(phrase.said, above.day.said) for phrase in heading.phrases]
+    phrases = [
+        phrase if said is None else replace(phrase, said=said)
+        for phrase, said in zip(heading.phrases, told, strict=True)
+    ]
+    if not any(told):
+        phrases = [above.day, *phrases]
+    return replace(heading, phrases=tuple(phrases), name=f"{above.name}, {heading.name}")
+
+
+def read_heading(draft: Draft) -> Reading:
+    """Give the reading of a time that holds for the lines below it."""
+    heading = draft.heading or Heading(draft.text, draft.text, draft.scanned)
+    remark = _remark_on(heading, (0, len(draft.text)))
+    return Reading(text=draft.text, now=draft.now, instructions=(), remarks=(remark,))
+
+
+def _remark_on(heading: Heading, span: Span) -> Remark:
+    """Say for what the lines below take a heading."""
+    what = "day" if heading.is_day and not heading.clauses else "time"
+    message = f"{heading.name!r} is taken as the {what} of the lines below it"
+    if not heading.phrases and not heading.clauses:
+        message = f"{heading.name!r} is taken as what the lines below it are about"
+    if heading.addressee is not None:
+        message = f"{heading.name!r} is taken as who is asked in the lines below it"
+    return Remark(RemarkKind.POLICY, span, message)
+
+
+def day_above(heading: Heading | None) -> Calendar | None:
+    """Give the day that a line above names."""
+    day = None if heading is None else heading.day
+    return day.said.time.days if day is not None and isinstance(day.said.time, Wall) else None

@@ -1,0 +1,302 @@
+"""Words that are no instruction: questions, and what is not English. They are said, and not planned."""
+
+from collections.abc import Iterator, Sequence
+
+from fuzzytime.language.grammar.judging.dated_entries import HEADS_ALONE
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.quotes import is_quoted
+from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
+from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.segments.waiting import Part
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.none_of_it.orders_again import is_about_orders
+from fuzzytime.language.sentence.together.none_of_it.what_was import tells_what_was
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+
+OBJECTS = ("dobj", "attr", "oprd")
+BESIDE = frozenset({"advcl", "ccomp", "conj", "parataxis", "dep"})
+"""Relations of a verb that may be a further order, and was not cut off."""
+NAMES = ("NN", "CD")
+"""How tags of words begin that name or count something."""
+
+GREETED = 2
+"""Words behind a greeting that are no time."""
+
+DENYING = "not"
+WHAT_WAS = "what was"
+
+
+def doubts_of(
+    text: str, span: Span, words: Sequence[Word], sketch: Sketch, lexicon: Lexicon
+) -> Iterator[Remark]:
+    """Give what makes a stretch of a text no instruction; ``sketch`` is that of its words."""
+    tree = sketch.part.tree
+    heads = [phrase.span for phrase in sketch.phrases if phrase.rule in HEADS_ALONE]
+    # "AM: post the letters" is not about who speaks.
+    inside = (word for word in words if span[0] <= word.start < span[1])
+    said = [word for word in inside if not any(first <= word.start < end for first, end in heads)]
+    behind = next((word.text for word in words if word.start >= span[1]), "")
+    has_to = " ".join(word.text for word in said[:2]) in lexicon.beside.obliging and behind != "?"
+    if (asks(said, behind, lexicon) and not has_to) or (behind == "?" and _is_inverted(tree)):
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} asks, and says nothing to do")
+        return
+    if _greets(sketch, said, lexicon):
+        yield Remark(
+            RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} greets, and says nothing to do"
+        )
+        return
+    if _takes_back(said, lexicon):
+        message = f"{text[slice(*span)]!r} takes back what was said before, and says nothing to do"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+        return
+    if _repeats(sketch.operation, lexicon):
+        message = f"{text[slice(*span)]!r} names nothing to repeat: say again what is to be done"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+        return
+    if _shifts(said, lexicon):
+        message = f"{text[slice(*span)]!r} is about when something else is: say the new time of that itself"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+        return
+    if is_about_orders(sketch.operation, lexicon):
+        message = f"{text[slice(*span)]!r} is about what was asked for before: say anew what is meant"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+        return
+    told = _tells(sketch, lexicon)
+    if told is not None:
+        yield Remark(
+            RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} tells {told}, and says nothing to do"
+        )
+        return
+    foreign = [tree.nodes[place].text for place in foreign_words(tree, lexicon)]
+    if foreign:
+        message = f"{text[slice(*span)]!r} is not English, as {foreign[0]!r} shows"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+
+
+def unasked(clauses: Sequence[Clause], text: str, lexicon: Lexicon) -> tuple[Clause, ...]:
+    """Give the clauses that do not ask when something is: "when does the shop open"."""
+    said = [[word.text for word in words_of(text[slice(*clause.span)])] for clause in clauses]
+    asking = [
+        words[:1] == ["when"] and words[1:2] != [] and words[1] in lexicon.closed.inverted_auxiliaries
+        for words in said
+    ]
+    return tuple(clause for clause, asks in zip(clauses, asking, strict=True) if not asks)
+
+
+def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[Span]) -> Iterator[Remark]:
+    """Point at orders in the tree of an instruction that its operation does not hold: nothing is dropped.
+
+    ``heard`` are the stretches of its times and clauses.
+    """
+    tree, held = part.tree, set(operation.name.lower().split())
+    for place, node in enumerate(tree.nodes):
+        start = node.start + part.offset
+        inside = any(first <= start < end for first, end in heard) or operation.span[0] == start
+        if inside or node.lower in held or node.tag not in IMPERATIVE or node.relation not in BESIDE:
+            continue
+        if tree.children(place, *SUBJECTS, "aux", "mark") or not tree.children(place, *OBJECTS, "prt"):
+            continue
+        below = [p for p in tree.below(place) if tree.nodes[p].relation != "punct"]
+        span = (tree.nodes[min(below)].start + part.offset, tree.nodes[max(below)].end + part.offset)
+        message = f"{text[slice(*span)]!r} is not planned: say it as an instruction of its own"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+
+
+def things_or_orders(text: str, part: Part, lexicon: Lexicon) -> Iterator[Remark]:
+    """Point at a thing beside another that may as well be an order: "strip the wall and paint by noon"."""
+    tree = part.tree
+    for place, node in enumerate(tree.nodes):
+        over = tree.nodes[node.head]
+        joined = node.relation == "conj" and over.relation == "dobj" and over.tag.startswith("NN")
+        bare = node.tag == "NN" and not tree.children(place) and tree.nodes[place - 1].lower in {"and", "&"}
+        led = any(tree.nodes[p].tag in DETERMINERS for p in tree.children(node.head, "det", "poss"))
+        if joined and bare and led and node.lower in lexicon.chores:
+            span = (node.start + part.offset, node.end + part.offset)
+            message = f"{text[slice(*span)]!r} is taken for a thing: say 'then' before it if it is to be done"
+            yield Remark(RemarkKind.POLICY, span, message)
+
+
+def unused_front(text: str, part: Part, heard: Sequence[Span]) -> Iterator[Remark]:
+    """Point at a clause in front that says nothing that is understood: nothing is dropped."""
+    first, end = part.segment.span[0], part.offset
+    said = text[first:end].rstrip(" ,")
+    if said and not any(overlap(span, (first, first + len(said))) for span in heard):
+        message = f"{said!r} says when, and is not understood"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, (first, first + len(said)), message)
+
+
+def unused_words(
+    text: str, part: Part, operation: Operation, heard: Sequence[Span], lexicon: Lexicon
+) -> Iterator[Remark]:
+    """Point at names and numbers of an instruction that neither its operation nor a time holds."""
+    beside, why = lexicon.beside, _reasons(part.tree, lexicon)
+    held = {word.text for word in words_of(f"{operation.name} {operation.addressee or ''}")}
+    known = held | {word.removesuffix("'s") for word in held}
+    known |= (lexicon.persons - lexicon.names) | lexicon.machines | lexicon.addresses | beside.nothing
+    left = [
+        place
+        for place, node in enumerate(part.tree.nodes)
+        if (node.tag.startswith(NAMES) or node.lower in beside.marking_order or _says_how(node, lexicon))
+        and node.text[0].isalnum()
+        and place not in why
+        and not any(word.text in known for word in words_of(node.text))
+        and not any(a <= node.start + part.offset < b for a, b in heard)
+    ]
+    for first in (place for place in left if place - 1 not in left):
+        last = next(place for place in left if place >= first and place + 1 not in left)
+        span = (part.tree.nodes[first].start + part.offset, part.tree.nodes[last].end + part.offset)
+        yield Remark(RemarkKind.POLICY, span, f"{text[slice(*span)]!r} is not used")
+
+
+def _reasons(tree: Tree, lexicon: Lexicon) -> frozenset[int]:
+    """Give the words that only say why: "cook the rice at six because Ann comes"."""
+    marks = (node for node in tree.nodes if node.lower in lexicon.closed.subordinators_of_reason)
+    return frozenset(p for mark in marks if mark.relation == "mark" for p in tree.below(mark.head))
+
+
+def uncounted(text: str, part: Part, operation: Operation, lexicon: Lexicon) -> Iterator[Remark]:
+    """Point at a number of which nothing says what it counts: "plank 10"; but "play 7" names one."""
+    lasting = lexicon.timing | lexicon.timing_alone | lexicon.intransitive | lexicon.lasting
+    acts = any(node.lower == operation.verb and node.may_act for node in part.tree.nodes)
+    number = (operation.object or "").lower()
+    if (number.isdigit() or number in lexicon.numbers) and (operation.lemma in lasting or not acts):
+        place = text.lower().find(number, part.segment.span[0])
+        span = (place, place + len(number))
+        message = f"{text[slice(*span)]!r}: what it counts is not said, as in 'for {number} minutes'"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+
+
+def _says_how(node: Node, lexicon: Lexicon) -> bool:
+    """Whether a word is an adverb that says how something is done, or how often."""
+    told = node.tag.startswith("RB") and node.relation == "advmod"
+    return told and node.lower not in lexicon.vague_adverbs | lexicon.particles.keys() | lexicon.places
+
+
+def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[Span]) -> Iterator[Remark]:
+    """Point at words without a verb that is understood; at none where all that is said is a time."""
+    first, end = part.segment.span
+    inside = (word for word in words if first <= word.start < end)
+    said = [word for word in inside if word.is_letters or is_quoted(word.text)]
+    if not all(any(a <= word.start < b for a, b in heard) for word in said):
+        message = f"{text[first:end]!r} names nothing to do that is understood"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, part.segment.span, message)
+
+
+def _tells(sketch: Sketch, lexicon: Lexicon) -> str | None:
+    """Give what a sentence tells where it asks for nothing: what was, or what nobody does."""
+    closed, tree = lexicon.closed, sketch.part.tree
+    root = tree.root
+    if not tree.nodes:
+        return None
+    subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
+    denied = [p for p in subjects if tree.nodes[p].lower in closed.negative_pronouns or _is_no_one(tree, p)]
+    if denied:
+        return "what nobody does"
+    if _is_denied(tree, root):
+        return "what is not to be"
+    return WHAT_WAS if tells_what_was(sketch, lexicon) else None
+
+
+def _is_denied(tree: Tree, root: int) -> bool:
+    """Whether nothing is to be: "no calls between twelve and one", "there is no school on friday"."""
+    named = [root]
+    if tree.children(root, "expl") and not any(tree.nodes[p].tag == "VB" for p in tree.below(root)):
+        # "There is no need to call" is no more than that.
+        named += tree.children(root, "attr")
+    return any(tree.nodes[p].lower == "no" and p < noun for noun in named for p in tree.children(noun, "det"))
+
+
+def _is_no_one(tree: Tree, place: int) -> bool:
+    """Whether it is "no one"."""
+    return tree.nodes[place].lower == "one" and place > 0 and tree.nodes[place - 1].lower == "no"
+
+
+def _greets(sketch: Sketch, said: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words wish something, or take leave: "merry christmas", "see you tomorrow".
+
+    Behind the greeting stands who is greeted, at most, or what for.
+    """
+    greeting = longest_match(said, 0, lexicon.conversation["greeting"]) if said else None
+    if greeting is None:
+        return False
+    heard = sketch.heard
+    behind = [word for word in said[len(greeting) :] if word.is_letters]
+    left = [word for word in behind if not any(a <= word.start < b for a, b in heard)]
+    if left and any(isinstance(p.said.time, Wall) and p.said.time.clock for p in sketch.phrases):
+        # "Happy hour at six"
+        return False
+    return len(left) <= GREETED and not any(word.text in lexicon.particles for word in left)
+
+
+def _takes_back(said: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words do nothing but deny: "wait, not now"."""
+    marks = {word for form in lexicon.corrections for word in form} | lexicon.beside.taken_back
+    texts = [word.text for word in said if word.text.isalpha()]
+    return DENYING in texts and all(text in marks for text in texts)
+
+
+def _repeats(operation: Operation | None, lexicon: Lexicon) -> bool:
+    """Whether what was done is to be done again, which is not named: "repeat twice more"."""
+    if operation is None or operation.lemma not in lexicon.doing.repeating or operation.stated:
+        return False
+    return (operation.object or "it").lower() in lexicon.closed.singular_anaphors
+
+
+def _shifts(said: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether what has a time is moved by a length: "delay the call by an hour"."""
+    if not said or said[0].text not in lexicon.moving | lexicon.doing.shifting:
+        return False
+    counting = lexicon.numbers.keys() | lexicon.beside.of_lengths
+    for first in (
+        place + 1 for place, word in enumerate(said) if word.text in lexicon.closed.particles_of_shifts
+    ):
+        behind = first
+        while behind < len(said) and (said[behind].text in counting or said[behind].is_digits):
+            behind += 1
+        units = lexicon.pieces(said, behind) if first < behind < len(said) else ()
+        if any(piece.category == "unit" for piece in units):
+            return True
+    return False
+
+
+def _is_inverted(tree: Tree) -> bool:
+    """Whether a helping verb stands before who does it: "do the bins go out?", but not "could you …?"."""
+    root = tree.root
+    if not tree.nodes or tree.nodes[0].relation != "aux" or tree.nodes[0].head != root:
+        return False
+    subjects = [place for place in tree.children(root, *SUBJECTS) if place < root]
+    return bool(subjects) and tree.nodes[subjects[0]].lower not in {"you", "we"}
+
+
+def asks(words: Sequence[Word], behind: str, lexicon: Lexicon) -> bool:
+    """Whether words are a question; "could you …?" and "why don't you …?" ask for something to be done.
+
+    ``behind`` is the mark that follows them.
+    """
+
+    def opens(place: int, *names: str) -> bool:
+        forms = (form for name in names for form in lexicon.questions[name])
+        return place < len(words) and longest_match(words, place, forms) is not None
+
+    if not words or opens(0, "requesting", "suggesting"):
+        return False
+    placed = opens(0, "placing") and (opens(1, "helping") or behind == "?")
+    return placed or opens(0, "asking", "stating") or (opens(0, "helping") and opens(1, "asked"))
+
+
+def foreign_words(tree: Tree, lexicon: Lexicon) -> list[int]:
+    """Give the words that no English sentence has: small words of another language.
+
+    Of those that English has too, "den" is one without an article, and "die" where it has an object.
+    """
+    found = []
+    for place, node in enumerate(tree.nodes):
+        named = place > 0 and tree.nodes[place - 1].tag in DETERMINERS
+        if node.text in lexicon.foreign and not named:
+            acts = node.is_verb and bool(tree.children(place, *OBJECTS))
+            if acts or not (node.may_act and node.is_verb):
+                found.append(place)
+    return found

@@ -1,0 +1,7 @@
+"""Times shared, and several times of one thing.
+
+Several times: ``several_times``, ``said_again``, ``pairs``, ``both_sides``, ``also_at_events``, ``at_once``.
+One of several: ``first_offered``, ``choices_of_repetitions``.
+Repeated: ``again_between``, ``first_times``, ``turns``, ``one_by_one``. A part of the day behind another:
+``mornings``. Said once: ``for_all``.
+"""

@@ -1,0 +1,204 @@
+"""Times said once for several instructions: "by five, wash the car and mow the lawn", "…, both by five".
+
+What stands in front of an order holds for what is joined to it and has no time of its own: bounds, windows,
+repetitions and conditions as they are; of a moment, what follows is not before it, as the first is begun
+then. A deadline behind the last holds for all that is joined to it without a time, and so does any time that
+says so: "both by five", "each at noon". Days have rules of their own (``days_apart``).
+"""
+
+import re
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Offset,
+    Phrase,
+    Range,
+    Repeat,
+    Said,
+    TimeWord,
+    Wall,
+)
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
+from fuzzytime.language.sentence.sketches.clause_requirements import LASTING
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.together.told.consequences import leads_to_consequence
+from fuzzytime.requirement import Constraint
+
+HELD = frozenset({"when", "if", "after", "before"})
+"""Kinds of clauses that hold for all that is joined."""
+
+IF = "if"
+"""The kind of clauses that hold for what has a time of its own, too."""
+
+STEPS = JOINED | {"first", "then"}
+"""Connectives of steps, which a deadline may be for."""
+
+FOR_ALL = re.compile(r",\s*(\w+)(?: of (?:them|these|those))?\s*$")
+"""The word before a time for all: ", both at noon", ", all of them by five"."""
+
+BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
+
+
+def said_for_all(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Give each instruction what is said once for several; what asks for nothing has no operation by now."""
+    return _held_behind(_held_in_front(sketches, text, lexicon), text, lexicon)
+
+
+def _held_in_front(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Give the times and clauses in front of an order to what the same sentence joins to it."""
+    found: list[Sketch] = []
+    phrases: tuple[Phrase, ...] = ()
+    clauses: tuple[Clause, ...] = ()
+    inserted = False
+    for sketch in sketches:
+        if not found or _is_ended(found[-1], sketch, text):
+            phrases, clauses = (), ()
+        if found and sketch.operation is not None and _is_otherwise(found[-1], sketch, text, lexicon):
+            found.append(sketch.under((), _denied(found[-1].clauses)))
+            continue
+        if (phrases or clauses) and _is_bare(sketch, JOINED):
+            found.append(sketch.under(phrases, clauses))
+            continue
+        if phrases and _is_bare(sketch, STEPS):
+            # "By five, wash the car, then mow the lawn"
+            due = tuple(phrase for phrase in phrases if phrase.said.constraint is Constraint.BEFORE)
+            found.append(sketch.under(due))
+            continue
+        # "Buy milk, and if they have eggs buy six, and be back by noon": that is of its own order alone.
+        inserted = inserted and "," in (text_between(found[-1], sketch, text) if found else "")
+        conditions = () if inserted else tuple(clause for clause in clauses if clause.kind == IF)
+        if conditions and sketch.asks and sketch.part.segment.connective in JOINED and not sketch.clauses:
+            # "If it rains, bring in the chairs and call mum at six"
+            found.append(sketch.under((), conditions))
+            continue
+        found.append(sketch)
+        if sketch.operation is not None and sketch.asks:
+            begin = sketch.operation.span[0]
+            phrases = tuple(h for p in sketch.phrases if p.span[1] <= begin for h in _handed_on(p))
+            clauses = tuple(c for c in sketch.clauses if c.span[1] <= begin and c.kind in HELD)
+            inserted = len(found) > 1 and not _is_ended(found[-2], sketch, text)
+    return found
+
+
+def _is_otherwise(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+    """Whether it is what is done where the condition of the one before is not so: "…, otherwise go on"."""
+    first, end = sketch.part.segment.span
+    said = f"{text_between(before, sketch, text)} {text[first:end]}".lower().split()
+    contrary = not lexicon.beside.contrary.isdisjoint(said[:3])
+    return contrary and any(clause.condition is not None for clause in before.clauses)
+
+
+def _denied(clauses: Sequence[Clause]) -> tuple[Clause, ...]:
+    """Give conditions as those of what is done where they are not so."""
+    return tuple(
+        replace(clause, condition=replace(clause.condition, negated=not clause.condition.negated))
+        for clause in clauses
+        if clause.condition is not None
+    )
+
+
+def _held_behind(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Give orders what is said behind the last of them: a deadline, or a time that is said to be for all."""
+    found = [_without_all(sketch, lexicon) for sketch in sketches]
+    for place, sketch in enumerate(sketches):
+        shared = [p for p in sketch.phrases if _is_shared(p, sketch, text, lexicon)]
+        last = place + 1 == len(sketches) or _is_ended(sketch, sketches[place + 1], text)
+        for other in range(place - 1, -1, -1):
+            if not shared or not last or _is_ended(found[other], found[other + 1], text):
+                break
+            if leads_to_consequence(found[other], found[other + 1], text):
+                # "Chill it for four hours, so make it before lunch": the one is why, not what is due.
+                break
+            if not _is_bare(found[other], STEPS):
+                break
+            found[other] = found[other].under(shared)
+        if last and place and _is_verb_alone(found[place - 1], text) and _is_bare(found[place - 1], STEPS):
+            # "Level and float when the pour is finished", "stretch and fold every half hour"
+            phrases = [phrase for phrase in sketch.phrases if isinstance(phrase.said.time, Repeat)]
+            clauses = [
+                clause for clause in sketch.clauses if clause.kind in HELD and _follows(clause, sketch)
+            ]
+            joint = text_between(found[place - 1], sketch, text).strip().lower()
+            if (
+                joint in lexicon.closed.additions
+                or sketch.part.segment.connective in lexicon.closed.additions
+            ):
+                found[place - 1] = found[place - 1].under(phrases, clauses)
+    return found
+
+
+def _is_verb_alone(sketch: Sketch, text: str) -> bool:
+    """Whether nothing is said of an order but its verb."""
+    first, end = sketch.part.segment.span
+    return text[first:end].strip(" ,").isalpha()
+
+
+def _follows(clause: Clause, sketch: Sketch) -> bool:
+    """Whether a clause stands behind what is to be done."""
+    return sketch.operation is not None and clause.span[0] > sketch.operation.span[0]
+
+
+def _without_all(sketch: Sketch, lexicon: Lexicon) -> Sketch:
+    """Leave the word for all out of what the last order is about: "call Ann, then Bob, both before noon"."""
+    operation = sketch.operation
+    thing, _, word = (operation.object or "").rpartition(", ") if operation is not None else ("", "", "")
+    if operation is None or not thing or word.lower() not in lexicon.closed.universal_pronouns:
+        return sketch
+    return replace(sketch, operation=replace(operation, object=thing))
+
+
+def _is_shared(phrase: Phrase, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+    """Whether a time behind an order is a deadline, or led by a word for all: ", both at noon"."""
+    operation = sketch.operation
+    if operation is None or not sketch.asks or phrase.span[0] < operation.span[1]:
+        return False
+    led = FOR_ALL.search(text[: phrase.span[0]])
+    if led is not None and led[1].lower() in lexicon.closed.universal_pronouns:
+        return True
+    said = phrase.said
+    due = said.constraint is Constraint.BEFORE and said.preposition not in LASTING
+    lengths = all(p is phrase or p.said.constraint is Constraint.FOR for p in sketch.phrases)
+    # "Wash the car and, after lunch, mow the lawn by five": that is said of the lawn alone.
+    alone = lengths and not sketch.clauses and sketch.part.segment.connective in JOINED
+    return due and alone and isinstance(said.time, (Wall, Duration))
+
+
+def _is_ended(before: Sketch, sketch: Sketch, text: str) -> bool:
+    """Whether a sentence ends between two."""
+    return not ENDS.isdisjoint(text_between(before, sketch, text))
+
+
+def _is_bare(sketch: Sketch, joints: Collection[str]) -> bool:
+    """Whether it asks for something, joined so, and says at most how long."""
+    lengths = all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
+    return sketch.asks and sketch.part.segment.connective in joints and lengths and not sketch.clauses
+
+
+def _handed_on(phrase: Phrase) -> list[Phrase]:
+    """Give what a time in front of the first order says of the others, if anything."""
+    said, time = phrase.said, phrase.said.time
+    if (
+        said.preposition in LASTING
+        or isinstance(time, TimeWord)
+        or (isinstance(time, Offset) and time.anchor is None)
+    ):
+        return []
+    if said.constraint in BOUNDS or isinstance(time, (Range, Repeat)):
+        return [phrase]
+    later = _not_before(said)
+    return [] if later is None else [replace(phrase, said=later)]
+
+
+def _not_before(said: Said) -> Said | None:
+    """Read a moment as one that what is done next does not come before."""
+    time = said.time
+    if said.constraint not in {None, Constraint.AT} or said.is_day:
+        return None
+    if isinstance(time, Duration):
+        counted = said.preposition == "in"
+        return replace(said, constraint=Constraint.AFTER, preposition="after") if counted else None
+    return replace(said, constraint=Constraint.AFTER, preposition="from")

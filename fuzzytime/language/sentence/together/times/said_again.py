@@ -1,0 +1,174 @@
+"""What is done at several times: "before lunch and again at two", "one at six, the other at ten"."""
+
+from collections.abc import Container, Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
+from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.language.sentence.segments.events.instances import Instances
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.requirement import Constraint, Unit
+
+SEVERAL = 2
+OF = "of"
+ONE_OF = "one of the "
+"""What is said of one of several: "one of the alarms"."""
+
+
+def done_again(sketch: Sketch, words: Sequence[Word]) -> list[Sketch]:
+    """Give one sketch for each time that "and again" joins to those before it.
+
+    Times that go on for a while are of all of them; what else is said belongs to the time that it stands by.
+    """
+    cuts = list(_cuts(sketch, words))
+    if not cuts or sketch.operation is None:
+        return [sketch]
+    lasting = {phrase.span[0] for phrase in sketch.phrases if phrase.said.constraint is Constraint.FOR}
+    ends = pairwise([0, *(cut[1] for cut in cuts), len(words) and words[-1].end])
+    return [replace(_of_stretch(sketch, range(*stretch), lasting), joints=tuple(cuts)) for stretch in ends]
+
+
+def each_of(sketch: Sketch, instances: Instances) -> list[Sketch]:
+    """Give one sketch for each of several of one kind; what is said before the first holds for all."""
+    first, end = sketch.part.segment.span
+    starts = [start for start in instances.starts if first <= start < end]
+    operation = sketch.operation
+    if len(starts) < SEVERAL or operation is None:
+        return [sketch]
+    if instances.counted and operation.object is not None:
+        # "Give him two pills" has who gets them in front.
+        before, counted, behind = (
+            operation.object.removesuffix(" and").rstrip(" ,").partition(instances.counted)
+        )
+        operation = replace(operation, object=f"{before}{ONE_OF}{counted}{behind}" if counted else before)
+    leading = (span[0] for span in sketch.heard if span[0] < starts[0] < span[1])
+    starts[0] = next(leading, starts[0])
+    named = replace(sketch, operation=operation)
+    return [_of_stretch(named, range(*stretch), range(starts[0])) for stretch in pairwise([*starts, end])]
+
+
+def _of_stretch(sketch: Sketch, stretch: range, shared: Container[int]) -> Sketch:
+    """Give a sketch with its times and clauses in a stretch, and those that begin at shared places."""
+
+    def is_its(span: Span) -> bool:
+        return span[0] in stretch or span[0] in shared
+
+    kept = [place for place, phrase in enumerate(sketch.phrases) if is_its(phrase.span)]
+    return replace(
+        sketch,
+        phrases=tuple(sketch.phrases[place] for place in kept),
+        references=tuple(sketch.references[place] for place in kept),
+        clauses=tuple(clause for clause in sketch.clauses if is_its(clause.span)),
+    )
+
+
+def _cuts(sketch: Sketch, words: Sequence[Word]) -> Iterator[Span]:
+    """Give the stretches between two times that say that something is done again."""
+    beside = sketch.part.tree.lexicon.beside
+    for (_, end), (start, _) in pairwise(sorted(sketch.heard)):
+        between = {word.text for word in words if end <= word.start < start}
+        again = between & beside.twice and between <= beside.beside_twice
+        if again and between & {"and", "&", ",", "then"}:
+            yield end, start
+
+
+def apart(phrases: Sequence[Phrase]) -> list[Phrase]:
+    """Give times for one thing with clock times that are said twice in both halves of a day: "at 8 and 8"."""
+    clocks = [_open(phrase) for phrase in phrases]
+    found = []
+    for place, phrase in enumerate(phrases):
+        time, clock = phrase.said.time, clocks[place]
+        if clock is not None and isinstance(time, Wall) and clocks.count(clock) > 1:
+            half = Half.PM if clock in clocks[:place] else Half.AM
+            decided = replace(time, clock=replace(time.clock, half=half)) if time.clock else time
+            found.append(replace(phrase, said=replace(phrase.said, time=decided)))
+        else:
+            found.append(phrase)
+    return found
+
+
+def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
+    """Give days of a list the clock time of the last of them: "monday, wednesday and friday at ten"."""
+    for giving, others in ((phrases[-1], phrases[:-1]), (phrases[0], phrases[1:])):
+        if isinstance(hours := giving.said.time, Range):
+            return _with_shared_hours(giving, others, hours) or list(phrases)
+    times = [phrase.said.time for phrase in (phrases[-1], phrases[0])]
+    # "At eleven on tuesday and thursday"
+    time = next((one for one in times if isinstance(one, Wall) and one.clock is not None), None)
+    if time is None or not _is_listed(time):
+        return list(phrases)
+    walls = [phrase.said.time for phrase in phrases]
+    if not all(isinstance(wall, Wall) and _is_listed(wall) for wall in walls):
+        return list(phrases)
+    found = []
+    for phrase in phrases:
+        own = phrase.said.time
+        alone = isinstance(own, Wall) and own.clock is None and own.part is None
+        told = replace(own, clock=time.clock) if alone and isinstance(own, Wall) else own
+        found.append(replace(phrase, said=replace(phrase.said, time=told)))
+    return found
+
+
+def with_shared_part(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase]:
+    """Give days of a list the part that the first is of: "on the nights of the 4th and 5th"."""
+    times = [phrase.said.time for phrase in phrases]
+    walls = [time for time in times if isinstance(time, Wall) and _is_listed(time)]
+    of = OF in (word.text for word in words[phrases[0].first : phrases[0].end])
+    if len(walls) < len(times) or not of or walls[0].part is None or any(wall.part for wall in walls[1:]):
+        return list(phrases)
+    clock = walls[0].clock or walls[-1].clock
+    told = (replace(wall, part=walls[0].part, clock=wall.clock or clock, weak=False) for wall in walls)
+    return [
+        replace(phrase, said=replace(phrase.said, time=wall))
+        for phrase, wall in zip(phrases, told, strict=True)
+    ]
+
+
+def _with_shared_hours(giving: Phrase, others: Sequence[Phrase], hours: Range) -> list[Phrase]:
+    """Give days of a list the hours of the first or the last: "monday and friday from seven till eleven"."""
+    first, last = hours.first, hours.last
+    walls = [phrase.said.time for phrase in others]
+    alone = all(isinstance(w, Wall) and _is_listed(w) and w.clock is None and w.part is None for w in walls)
+    if not alone or not isinstance(first, Wall) or not isinstance(last, Wall) or not _is_listed(first):
+        return []
+    found = [giving]
+    for phrase, wall in zip(others, walls, strict=True):
+        days = wall.days if isinstance(wall, Wall) else None
+        ends = replace(last, days=days) if last.days is not None else last
+        told = replace(giving.said, time=replace(hours, first=replace(first, days=days), last=ends))
+        found.append(replace(phrase, said=replace(told, preposition=phrase.said.preposition)))
+    return sorted(found, key=lambda phrase: phrase.span)
+
+
+def is_weekday(phrase: Phrase) -> bool:
+    """Whether it is a day of the week, with or without a time of day."""
+    return isinstance(phrase.said.time, Wall) and _is_weekday(phrase.said.time)
+
+
+def is_from_today(phrase: Phrase) -> bool:
+    """Whether it is so many days from today: "tomorrow"."""
+    return isinstance(phrase.said.time, Wall) and isinstance(phrase.said.time.days, Relative)
+
+
+def _is_weekday(wall: Wall) -> bool:
+    return isinstance(wall.days, Fields) and wall.days.weekly
+
+
+def _is_listed(wall: Wall) -> bool:
+    """Whether it is a day of the week or of some month, or so far from today, as a list may have several."""
+    days = wall.days
+    if isinstance(days, Relative):
+        return days.grain is Unit.DAY
+    return _is_weekday(wall) or (isinstance(days, Fields) and days.is_day_of_month)
+
+
+def _open(phrase: Phrase) -> tuple[int, int, int] | None:
+    """Give a clock time without am or pm, and without a day."""
+    time = phrase.said.time
+    clock = time.clock if isinstance(time, Wall) and time.days is None and time.part is None else None
+    return None if clock is None or not clock.is_open else (clock.hour, clock.minute, clock.shift)

@@ -1,0 +1,223 @@
+"""Several times of one thing: all are meant ("at seven and at eight"), or one ("at seven or at eight")."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.bounded_repeats import is_of_day
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord, Wall
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.times.mornings import part_said
+from fuzzytime.language.sentence.together.times.said_again import (
+    apart,
+    is_from_today,
+    is_weekday,
+    with_shared_clock,
+    with_shared_part,
+)
+from fuzzytime.requirement import Constraint
+
+BESIDE_MEALS = "meals.beside_meals"
+"""The rule of bounds that are a list: "before breakfast, lunch and dinner"."""
+
+ON_CONDITION = "if_it_is.at_on_condition"
+"""The rule of a clock time that a condition of the calendar stands behind."""
+
+LIST = 2
+"""Weekdays side by side, without "and", that are hardly a list."""
+
+BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
+
+TYPED_JOINTS = frozenset({"/", "+"})
+"""Marks between two clock times that are both meant."""
+
+AT = "at"
+MERIDIEMS = frozenset({"am", "pm", "noon", "midnight"})
+"""Words that end a clock time, and are no day."""
+
+
+def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> list[Sketch]:
+    """Give one sketch for each time that is meant, or one of which each time is an alternative.
+
+    "At seven and at six" asks for two, "at seven or at eight" for one; "tomorrow, by noon" is one time.
+    """
+    closed = lexicon.closed
+    joining = closed.additions | closed.alternatives
+    for place in range(len(sketch.phrases) - 1):
+        group, joints = _joined(sketch.phrases[place:], words, lexicon)
+        several = len(group) > LIST and (all(map(is_weekday, group)) or all(map(_is_clock, group)))
+        if len(group) > 1 and (several or joints & joining - {","}):
+            rest = [phrase for phrase in sketch.phrases if phrase not in group]
+            if joints & closed.alternatives:
+                shared = _with_part_behind(_with_month_behind(with_shared_part(group, words)))
+                # "Today if you can, otherwise tomorrow at ten": today at any time
+                near = any(map(is_from_today, shared))
+                first, *others = _on_one_day(shared if near else with_shared_clock(shared), words)
+                others = [
+                    _bound_as(first, replace(one, said=replace(one.said, alternative=True))) for one in others
+                ]
+                return [_with(sketch, [*rest, first, *others])]
+            times = with_shared_clock(with_shared_part(_with_month_behind(apart(group)), words))
+            return [_with(sketch, [*rest, one]) for one in times]
+    return [sketch]
+
+
+def _joined(
+    phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon
+) -> tuple[list[Phrase], set[str]]:
+    """Give the first time with those that are joined to it, and the words that join them."""
+    closed = lexicon.closed
+    group, joints = [phrases[0]], set[str]()
+    for following in phrases[1:]:
+        between = {word.text for word in words[group[-1].end : following.first]}
+        if between & lexicon.beside.second_choice:
+            # "Today if you can, otherwise tomorrow", "at noon or, failing that, at two"
+            between -= lexicon.beside.courteous | closed.singular_anaphors
+        if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
+            # "Monday wednesday and friday", as it is said; "mon/wed/fri"
+            between = {","}
+        if between and between <= TYPED_JOINTS and _is_clock(group[-1]) and _is_clock(following):
+            # "7am/7pm", "7am + 7pm"
+            between = {"&"}
+        if not between and _is_clock(group[-1]) and _is_clock(following):
+            # "For 6 am 6 15 am and 6 30 am", as it is said
+            between = {","}
+        if not between or between - closed.additions - closed.alternatives:
+            break
+        either = not between.isdisjoint(closed.alternatives)
+        both = not either and _are_two_of_a_day(group[-1], following)
+        if not both and not all(
+            _is_when(one) or (either and one.said.constraint in BOUNDS) for one in (group[-1], following)
+        ):
+            break
+        group.append(following)
+        joints |= between
+    return group, joints
+
+
+def _with(sketch: Sketch, phrases: Sequence[Phrase]) -> Sketch:
+    """Give a sketch with some of its times, which may have got a day or a clock time, in their order."""
+    references = {
+        phrase.span: reference for phrase, reference in zip(sketch.phrases, sketch.references, strict=True)
+    }
+    times = tuple(sorted(phrases, key=lambda phrase: phrase.span))
+    return replace(sketch, phrases=times, references=tuple(references[time.span] for time in times))
+
+
+def _on_one_day(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase]:
+    """Give clock times the day, or the part of it, that one of them is on: "tomorrow at six or at seven".
+
+    A day in front of its clock time is lent to none before: "at five or tomorrow at nine".
+    """
+    times = [phrase.said.time for phrase in phrases]
+    whole: Wall | None = None
+    found = []
+    if _ends_with_day(phrases[-1], words) and isinstance(last := times[-1], Wall):
+        whole = last
+    for phrase, time in zip(phrases, times, strict=True):
+        if isinstance(time, Wall) and time.clock is not None and (time.days or time.part) is not None:
+            whole = time
+        alone = isinstance(time, Wall) and time.clock is not None and time.days is None and time.part is None
+        if alone and isinstance(time, Wall) and whole is not None:
+            told = replace(whole, clock=time.clock)
+            found.append(replace(phrase, said=replace(phrase.said, time=told)))
+        else:
+            found.append(phrase)
+    return found
+
+
+def _bound_as(first: Phrase, phrase: Phrase) -> Phrase:
+    """Give a number alone the side of the time before it: "by six or eight"."""
+    said, bound = phrase.said, first.said
+    if bound.constraint not in BOUNDS or said.preposition is not None or said.constraint is not None:
+        return phrase
+    return replace(phrase, said=replace(said, constraint=bound.constraint, preposition=bound.preposition))
+
+
+def _ends_with_day(phrase: Phrase, words: Sequence[Word]) -> bool:
+    """Whether a day, or a part of it, stands behind a clock time: "at seven tomorrow".
+
+    A condition holds for its own time alone: "at seven, or at eight if it's sunday".
+    """
+    if phrase.rule == ON_CONDITION:
+        return False
+    time, last = phrase.said.time, words[phrase.end - 1].text
+    dated = isinstance(time, Wall) and time.clock is not None and (time.days or time.part) is not None
+    before = [word.text for word in words[phrase.first : phrase.end - 1]]
+    return dated and last.isalpha() and AT not in before[1:] and last not in MERIDIEMS
+
+
+def _with_month_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
+    """Give days of a list the month, and the year, of the last of them: "on the 5th, 6th or 9th of may"."""
+    last = _days_of(phrases[-1])
+    if last is None or last.day is None or last.month is None:
+        return list(phrases)
+    found = []
+    for phrase in phrases:
+        time, days = phrase.said.time, _days_of(phrase)
+        alone = days is not None and days.is_day_of_month and days.month is None
+        if isinstance(time, Wall) and days is not None and alone:
+            dated = replace(time, days=replace(days, month=last.month, year=last.year))
+            found.append(replace(phrase, said=replace(phrase.said, time=dated)))
+        else:
+            found.append(phrase)
+    return found
+
+
+def _with_part_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
+    """Give weekdays the part of the day behind the last of them: "saturday or sunday morning"."""
+    said = phrases[-1].said
+    part = said.time.part if isinstance(said.time, Wall) and said.time.clock is None else None
+    if part is None or said.preposition is not None or not all(map(is_weekday, phrases)):
+        return list(phrases)
+    return [
+        replace(phrase, said=replace(phrase.said, time=replace(phrase.said.time, part=part)))
+        if isinstance(phrase.said.time, Wall)
+        and phrase.said.time.clock is None
+        and phrase.said.time.part is None
+        else phrase
+        for phrase in phrases
+    ]
+
+
+def _days_of(phrase: Phrase) -> Fields | None:
+    days = phrase.said.time.days if isinstance(phrase.said.time, Wall) else None
+    return days if isinstance(days, Fields) else None
+
+
+def _are_two_of_a_day(first: Phrase, second: Phrase) -> bool:
+    """Whether one of two is beside a meal, and both bound no stretch: "before breakfast and at six"."""
+    meals = [one for one in (first, second) if _is_beside_meal(one)]
+    others = [one for one in (first, second) if not _is_beside_meal(one)]
+    if not meals or not all(_is_when(one) and is_of_day(one.said.time) for one in others):
+        return False
+    parts = {one.said.constraint: part_said(one.said) for one in meals}
+    begins, ends = parts.get(Constraint.AFTER), parts.get(Constraint.BEFORE)
+    # "Before dinner and after work"
+    return begins is None or ends is None or begins.end > ends.start
+
+
+def _is_clock(phrase: Phrase) -> bool:
+    """Whether it is a clock time of a day that is not said."""
+    return is_of_day(phrase.said.time) and phrase.said.time.clock is not None
+
+
+def _is_beside_meal(phrase: Phrase) -> bool:
+    """Whether it is before or after a meal of a day that is not said."""
+    said, part = phrase.said, part_said(phrase.said)
+    beside = said.constraint in BOUNDS and said.preposition in {"before", "after"}
+    return beside and part is not None and part.meal and is_of_day(said.time)
+
+
+def _is_when(phrase: Phrase) -> bool:
+    """Whether it is a time at which something may be done, and not a bound, a length or a repetition."""
+    said = phrase.said
+    if phrase.rule == BESIDE_MEALS:
+        return True
+    if isinstance(said.time, TimeWord):
+        return (said.constraint or said.time.constraint) is Constraint.AT
+    if isinstance(said.time, Duration):
+        return said.constraint is Constraint.AT
+    return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(said.time, Repeat)

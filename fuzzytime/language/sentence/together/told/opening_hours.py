@@ -1,0 +1,80 @@
+"""What is done where something opens or closes: "buy stamps, the shop shuts at six"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
+from fuzzytime.language.sentence.segments.told.asides_of_hours import HOURS, bounding
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.requirement import Constraint
+
+BESIDE = frozenset({"", ",", "-", "–", ";", ":", "so", ", so", "; so", ", and so"})
+"""What stands between an order and what is told of where it is done."""
+
+POINTS = frozenset({None, Constraint.AT})
+
+STRETCHES = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
+
+
+def within_opening_hours(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Bound orders without a time by when it is told beside them that somewhere opens or closes.
+
+    What is asked for behind that is an errand: "the office closes at five, lock up" is done later. So is
+    whatever has to be done once somewhere is open.
+    """
+    found = list(sketches)
+    for place, sketch in enumerate(found):
+        bound = _bound_of(sketch, lexicon)
+        if bound is None:
+            continue
+        closing = bound.said.constraint is not Constraint.AFTER
+        before = place - 1
+        if before >= 0 and _is_unbound(found[before]) and _is_beside(found[before], sketch, text):
+            if closing or is_errand(found[before], lexicon):
+                found[before] = found[before].under([bound])
+            continue
+        behind = place + 1
+        # "The shop opens at nine and closes at five, buy milk"
+        while behind < len(found) and _bound_of(found[behind], lexicon) is not None:
+            behind += 1
+        if behind == len(found) or not _is_unbound(found[behind], opened=True):
+            continue
+        if _is_beside(found[behind - 1], found[behind], text) and is_errand(found[behind], lexicon):
+            found[behind] = found[behind].under([bound])
+    return found
+
+
+def _bound_of(sketch: Sketch, lexicon: Lexicon) -> Phrase | None:
+    """Give when somewhere is told to open or close as a bound of what is done there."""
+    operation, doing = sketch.operation, lexicon.doing
+    if operation is None or not operation.stated or len(sketch.phrases) != 1 or sketch.clauses:
+        return None
+    phrase = replace(sketch.phrases[0], rule=HOURS)
+    tree, root = sketch.part.tree, sketch.part.tree.root
+    described = tree.children(root, "acomp")
+    if any(tree.nodes[place].lower in doing.opening_up for place in described):
+        # "The shop is open until five"
+        return phrase if phrase.said.constraint in STRETCHES or isinstance(phrase.said.time, Range) else None
+    at = isinstance(phrase.said.time, Wall) and phrase.said.constraint in POINTS
+    closing = operation.lemma in doing.closing_up
+    if not at or not (closing or operation.lemma in doing.opening_up):
+        return None
+    return bounding(phrase, closing=closing)
+
+
+def _is_unbound(sketch: Sketch, *, opened: bool = False) -> bool:
+    """Whether something is asked for, and not when; where it is ``opened``, but for a bound from before."""
+    kinds = {phrase.said.constraint for phrase in sketch.phrases} - {Constraint.FOR}
+    kinds -= {Constraint.AFTER} if opened else set()
+    return sketch.asks and not sketch.clauses and not kinds
+
+
+def is_errand(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether it is done at a place while that is open."""
+    return sketch.operation is not None and sketch.operation.lemma in lexicon.doing.errands
+
+
+def _is_beside(before: Sketch, sketch: Sketch, text: str) -> bool:
+    """Whether nothing more than a mark, or "so", stands between two parts."""
+    return text_between(before, sketch, text).strip().lower() in BESIDE and not sketch.part.segment.connective

@@ -1,0 +1,88 @@
+"""What is done because of what is told to happen: "the guests come at seven, so set the table"."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.sentence.references.mentions import BE, comes
+from fuzzytime.language.sentence.segments.told.asides_of_hours import bounding
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.together.told.opening_hours import is_errand
+from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.requirement import Constraint
+
+LEADING = frozenset({"so", ", so", "; so", ", and so", "- so", "– so", ":", "-", "–", "—"})
+"""What stands between what is told and what is done because of it."""
+
+POINTS = frozenset({None, Constraint.AT})
+
+
+def due_before_told(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Bound orders without a time by when it is told right before them that something begins, comes or goes.
+
+    What comes is waited for by what is done with it: "the truck arrives at ten, so unload it". Behind what
+    ends comes what is no errand: "the meeting ends at three, so clean the room".
+    """
+    found = list(sketches)
+    for place in range(1, len(found)):
+        told, order = found[place - 1 : place + 1]
+        between = text_between(told, order, text).strip().lower()
+        if between not in LEADING or order.part.segment.connective or not _is_open(order):
+            continue
+        said = _said_when(told)
+        ends = _ends(told, lexicon)
+        if said is not None and (
+            ends or (_begins(told, lexicon) and not _is_done_with(order, told, lexicon))
+        ):
+            closing = not ends or is_errand(order, lexicon)
+            found[place] = order.under([bounding(said, closing=closing)])
+    return found
+
+
+def _said_when(sketch: Sketch) -> Phrase | None:
+    """Give the only time of what is told to happen then; None for all else."""
+    operation = sketch.operation
+    if operation is None or not operation.stated or len(sketch.phrases) != 1 or sketch.clauses:
+        return None
+    phrase = sketch.phrases[0]
+    at = isinstance(phrase.said.time, Wall) and phrase.said.constraint in POINTS
+    return phrase if at else None
+
+
+def _ends(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether something is told to end, and does not close."""
+    lemma = None if sketch.operation is None else sketch.operation.lemma
+    return lemma in lexicon.doing.ending - lexicon.doing.closing_up
+
+
+def _begins(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether something is told to begin, to come or to go, or what who speaks does then."""
+    operation, doing = sketch.operation, lexicon.doing
+    if operation is None:
+        return False
+    named = content_words(operation.object)
+    happens = operation.complement is None and not named.isdisjoint(lexicon.happening | lexicon.taken)
+    begins = (doing.beginning | doing.leaving) - doing.opening_up
+    becomes = operation.lemma in doing.becoming and not named.isdisjoint(lexicon.impersonal)
+    tree, root = sketch.part.tree, sketch.part.tree.root
+    doers = tree.children(root, *SUBJECTS)
+    # "We fly at nine, so pack the bags"
+    ours = any(tree.nodes[place].lower in lexicon.closed.first_person for place in doers)
+    return operation.lemma in begins or becomes or ours or (operation.lemma == BE and happens)
+
+
+def _is_open(sketch: Sketch) -> bool:
+    """Whether something is asked for, and not when."""
+    kinds = {phrase.said.constraint for phrase in sketch.phrases} - {Constraint.FOR}
+    return sketch.asks and not sketch.clauses and not kinds
+
+
+def _is_done_with(order: Sketch, told: Sketch, lexicon: Lexicon) -> bool:
+    """Whether it is done with what comes, which has to be there."""
+    asked, happening = order.operation, told.operation
+    if asked is None or happening is None or not comes(happening, lexicon):
+        return False
+    known = content_words(asked.object) | content_words(asked.place)
+    again = (asked.object or "").lower() in lexicon.closed.all_anaphors
+    return again or not known.isdisjoint(content_words(happening.object))

@@ -1,0 +1,192 @@
+"""What is told beside what has a time: what the same one does next, and what others do then."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.references.mentions import BE, Mentions
+from fuzzytime.language.sentence.segments.further.same_doers import tells_more
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.requirement import Constraint
+
+AND, THEN, ONLY = "and", "then", "only"
+BREAKS = frozenset({",", "-", "–", ";"})
+"""Marks between an order and what is told of it."""
+
+
+def told_beside(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Give what is told without a time that of what is told before it in its sentence.
+
+    What the same one does comes next ("Kestrel takes off at nine, surveys the field"); what others do is then
+    ("I'm on break from two to three, Dee covers").
+    """
+    found: list[Sketch] = []
+    for sketch in sketches:
+        told = sketch
+        if tells_more(sketch.part) and sketch.operation is not None:
+            goes_on = bool(found) and _is_on(found[-1], sketch, lexicon)
+            told = sketch if goes_on else _done_next(sketch, sketch.operation, text, lexicon)
+        elif found and _is_then(found[-1], sketch, text, lexicon) and sketch.operation is not None:
+            before = found[-1]
+            told = replace(sketch, operation=replace(sketch.operation, due=None, stated=True))
+            told = told.under([p for p in before.phrases if _says_when(p)], before.clauses)
+        elif found and _may_only(found[-1], sketch, text, lexicon):
+            found[-1] = _at_the_only(found[-1], sketch)
+            continue
+        found.append(told)
+    return found
+
+
+def _is_order_without_time(sketch: Sketch) -> bool:
+    """Whether something is asked for, and not when."""
+    asked = sketch.operation is not None and sketch.operation.is_asked
+    return asked and not sketch.clauses and not any(map(_says_when, sketch.phrases))
+
+
+def _is_beside(before: Sketch, sketch: Sketch, text: str) -> bool:
+    """Whether a comma alone stands between two parts."""
+    return text_between(before, sketch, text).strip() in BREAKS and not sketch.part.segment.connective
+
+
+def _may_only(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+    """Whether it is said when alone an order can be done: "ring her, she's only free between 11 and 12"."""
+    tree, root = sketch.part.tree, sketch.part.tree.root
+    if not tree.nodes or not _is_order_without_time(before) or not _is_beside(before, sketch, text):
+        return False
+    subjects = {tree.nodes[p].lower for p in tree.children(root, *SUBJECTS)}
+    only = any(node.lower == ONLY for node in tree.nodes)
+    is_so = tree.nodes[root].lemma in lexicon.closed.lemmas_of_be and bool(
+        subjects & lexicon.closed.third_person
+    )
+    return only and is_so and any(map(_says_when, sketch.phrases))
+
+
+def _at_the_only(before: Sketch, sketch: Sketch) -> Sketch:
+    """Give an order with the time that is told behind it, and the words that tell it."""
+    told = before.under([phrase for phrase in sketch.phrases if _says_when(phrase)])
+    segment = before.part.segment
+    whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
+    return replace(told, part=replace(before.part, segment=whole))
+
+
+def _done_next(sketch: Sketch, operation: Operation, text: str, lexicon: Lexicon) -> Sketch:
+    """Give what one does who was named before, behind what that one did before it."""
+    segment = sketch.part.segment
+    told = _done_by(operation, segment.doer or "", asked=segment.doer == segment.addressee)
+    if (
+        segment.connective
+        or sketch.clauses
+        or any(map(_says_when, sketch.phrases))
+        or _lasts(sketch, lexicon)
+    ):
+        return replace(sketch, operation=told)
+    return _behind(replace(sketch, operation=told), text)
+
+
+def _behind(sketch: Sketch, text: str) -> Sketch:
+    """Give what is told as what comes behind what is told before it, at the comma or "and" between them."""
+    segment = sketch.part.segment
+    before = text[: segment.span[0]].rstrip()
+    joint = len(before) - (len(AND) if before.lower().endswith(AND) else 1)
+    joined = replace(segment, connective=THEN, connective_span=(joint, len(before)))
+    return replace(sketch, part=replace(sketch.part, segment=joined))
+
+
+def _is_on(before: Sketch, sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether what one does is what goes on then: "we're on at nine and play for an hour"."""
+    first, second = before.operation, sketch.operation
+    begins = first is not None and first.lemma in lexicon.doing.beginning | {BE}
+    lasts = bool(sketch.phrases) and not any(map(_says_when, sketch.phrases))
+    return begins and lasts and second is not None and second.object is None
+
+
+def _done_by(operation: Operation, doer: str, *, asked: bool) -> Operation:
+    """Give what somebody does who is named before: "feeds the cows" as "Steve feeds the cows"."""
+    if asked:
+        # "Robot 2 cleans the tank at nine and docks" asks it to dock.
+        return replace(operation, verb=operation.lemma, addressee=doer)
+    said = " ".join(filter(None, (operation.object, operation.complement)))
+    return replace(operation, object=doer, complement=said or None, stated=True)
+
+
+def _is_then(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+    """Whether what is told has no time, and stands beside what has one in the same sentence."""
+    first, second = before.operation, sketch.operation
+    if first is None or second is None or not (second.stated or (first.stated and _do_so(sketch, second))):
+        return False
+    if (second.complement or "").lower() in lexicon.closed.anaphors:
+        # "Wash the car at ten, Tom dries it"
+        return False
+    if first.is_asked and second.attended:
+        # "Set an alarm for six I have a flight" tells why.
+        return False
+    between = text_between(before, sketch, text)
+    alone = not sketch.clauses and not any(map(_says_when, sketch.phrases)) and not _lasts(sketch, lexicon)
+    return (
+        alone
+        and not ENDS & set(between)
+        and not sketch.part.segment.connective
+        and before.part.segment.span[1] <= sketch.part.segment.span[0]
+    )
+
+
+def _do_so(sketch: Sketch, operation: Operation) -> bool:
+    """Whether several who are named do it, and are not said to have to: "…, Priya and Tom go"."""
+    tree, root = sketch.part.tree, sketch.part.tree.root
+    if operation.due is None or tree.children(root, "aux", "auxpass", "xcomp"):
+        return False
+    named = tree.children(root, *SUBJECTS)
+    return bool(named) and tree.nodes[named[0]].tag == "NNP" and bool(tree.children(named[0], "conj"))
+
+
+def _lasts(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether it is said how long something takes: "the show starts at eight and lasts two hours"."""
+    operation = sketch.operation
+    lasting = operation is not None and operation.lemma in lexicon.doing.taking | lexicon.doing.running
+    return lasting and bool(sketch.phrases)
+
+
+def _says_when(phrase: Phrase) -> bool:
+    """Whether a time is no length."""
+    return phrase.said.constraint is not Constraint.FOR
+
+
+def due_before(sketches: Sequence[Sketch], text: str, mentions: Mentions, first: int) -> list[Sketch]:
+    """Let what takes long, and was not asked for, be over when what it is for has to be so.
+
+    "Makeup for Ines takes 90 minutes, she has to be on set by 8"; ``first`` instructions were given before.
+    """
+    found = list(sketches)
+    for place in range(len(found) - 1):
+        why, due = found[place : place + 2]
+        operation = why.operation
+        if operation is None or operation.object is None or not _tells_length(why, mentions.lexicon):
+            continue
+        bounds = any(phrase.said.constraint is Constraint.BEFORE for phrase in due.phrases)
+        known = mentions.about(content_words(operation.object), first) is not None
+        if known or not bounds or not _has_to_be_so(due, mentions.lexicon) or not _is_beside(why, due, text):
+            continue
+        found[place] = replace(why, operation=replace(operation, lemma=BE, complement=None))
+        found[place + 1] = _behind(due, text)
+    return found
+
+
+def _tells_length(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether it is only told how long something takes."""
+    operation = sketch.operation
+    taking = operation is not None and operation.stated and operation.lemma in lexicon.doing.taking
+    return taking and not sketch.clauses and bool(sketch.phrases) and not any(map(_says_when, sketch.phrases))
+
+
+def _has_to_be_so(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether somebody or something has to be somewhere, or to be so: "she has to be on set by eight"."""
+    tree, root = sketch.part.tree, sketch.part.tree.root
+    if sketch.operation is None or sketch.operation.lemma not in {BE, "get"}:
+        return False
+    helping = {tree.nodes[p].lower for p in (root, *tree.children(root, "aux"))}
+    return bool(helping & lexicon.closed.verbs_of_obligation) and bool(tree.children(root, *SUBJECTS))

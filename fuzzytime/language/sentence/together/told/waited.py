@@ -1,0 +1,40 @@
+"""A length in front of what is to be done "then" is what is waited: "give it a week, then call them"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.distances import later_by
+from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.sentence.segments.told.asides import Aside
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+
+THEN = "then"
+
+
+def waited(
+    sketches: list[Sketch], asides: Sequence[Aside], given: Sequence[Operation | None], lexicon: Lexicon
+) -> list[Sketch]:
+    """Let the first instruction come as long after the last one ``given`` as its aside in front says.
+
+    Where that one is done for so many minutes ("bake the bread"), the length may be its own: it is left.
+    """
+    if not sketches or not asides:
+        return sketches
+    (aside, *_), first = asides, sketches[0]
+    segment, length = first.part.segment, aside.length.said.time
+    leads = aside.span[1] <= segment.span[0] and segment.connective == THEN and not aside.way
+    before = given[-1] if given else None
+    cooked = before is not None and before.lemma in lexicon.timing | lexicon.timing_alone
+    if not leads or cooked or not isinstance(length, Duration):
+        return sketches
+    said = later_by(length)
+    segment = replace(segment, span=(aside.span[0], segment.span[1]), connective="")
+    told = replace(
+        first,
+        part=replace(first.part, segment=segment),
+        phrases=(replace(aside.length, said=said, span=aside.span), *first.phrases),
+        references=(None, *first.references),
+    )
+    return [told, *sketches[1:]]
