@@ -21,9 +21,6 @@ AMOUNTS = ({"lower it", "rotate it", "adjust it", "turn up it", "turn down it"},
 TOPICS = ({"the picture", "the song", "the movie", "the film", "the book"}, {"about"})
 """What may be about three of something."""
 
-DEGREES = ({"the temperature"}, {"sixish"})
-"""What may have a number right behind it."""
-
 
 def chores() -> list[tuple[str, str]]:
     """Give every operation that the table of durations knows, with each of its things."""
@@ -50,4 +47,4 @@ def test_an_hour_behind_any_chore_is_read(time: str) -> None:
 def may_be_none(thing: str, time: str) -> bool:
     """Whether a time behind a thing may as well be something else."""
     first, *_ = time.split()
-    return any(thing in things and first in words for things, words in (AMOUNTS, TOPICS, DEGREES))
+    return any(thing in things and first in words for things, words in (AMOUNTS, TOPICS))

@@ -196,8 +196,12 @@ def test_whom_a_sentence_without_a_comma_asks_is_kept() -> None:
         ("Cook dinner for seven at six", []),
         ("Make lunch for 30", []),
         ("Cook dinner for Ann", []),
+        ("turn it up by three", ["by three"]),
+        ("raise the flag by eight in the morning", []),
+        ("turn it up from three to six", ["from three to six"]),
+        ("rotate the table by 90", []),
     ],
 )
 def test_a_number_that_may_be_the_hour_is_said_to_count(text: str, said: list[str]) -> None:
     remarks = language().read(text, now=NOW).remarks
-    assert [text[slice(*r.span)] for r in remarks if "how many it is for" in r.message] == said
+    assert [text[slice(*r.span)] for r in remarks if "is taken for how m" in r.message] == said

@@ -140,7 +140,7 @@ class Lexicon:
         Words beside which a number is an amount.
     dividing
         Verbs beside which a number says into how many parts.
-    changing, reading, counting, amount_nouns
+    changing, reading, counting, rating, amount_nouns
         Words beside which even a bound is one: "by 10", "until 10".
     transliterated
         By their sounds, feasts whose names Latin letters spell in many ways.
@@ -234,6 +234,7 @@ class Lexicon:
     dividing: frozenset[str]
     changing: frozenset[tuple[str, ...]]
     counting: frozenset[str]
+    rating: frozenset[str]
     reading: frozenset[str]
     amount_nouns: frozenset[str]
     questions: Mapping[str, frozenset[tuple[str, ...]]]

@@ -9,9 +9,13 @@ from fuzzytime.language.meaning.expressions import Range, Said, Wall
 from fuzzytime.requirement import Constraint, Unit
 
 AT = "at"
+TO = "to"
 
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 """Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
+
+OF_TIME = frozenset({"by", "between"})
+"""Those of amounts that are of time behind a thing that is counted."""
 
 CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
@@ -42,6 +46,8 @@ class Measures:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
         if self._says_how_much(piece):
             return True
+        if self.tells_hour(piece):
+            return False
         if piece.value.preposition in {None, *NEARLY} and self._switches(piece):
             return False
         for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
@@ -52,6 +58,11 @@ class Measures:
             if self._measures(place, piece):
                 return True
         return False
+
+    def tells_hour(self, piece: Piece) -> bool:
+        """Whether its last word says that it is an hour: "measure it sixish"; but "dim it to sixish"."""
+        raised = TO in self.texts[max(0, piece.start - 1) : piece.start + 1]
+        return self.texts[piece.end - 1] in self.beside.telling_hours and not raised
 
     def _says_how_much(self, piece: Piece) -> bool:
         """Whether a clause says that something is a number: "when the queue is longer than 4"."""
@@ -135,10 +146,11 @@ class Measures:
             return text in lexicon.measure_verbs or text in lexicon.measure_nouns
         if said.preposition not in AMOUNTED:
             return False
-        if text in lexicon.counting and said.preposition == "by" and place + 1 < piece.start:
-            # "Choose one by five", "count the till by ten"
+        counts, rates, apart = text in lexicon.counting, text in lexicon.rating, place + 1 < piece.start
+        if apart and ((counts and said.preposition in OF_TIME) or (rates and said.preposition == "by")):
+            # "Choose one by five", "count the till between nine and ten"
             return False
-        if self._has_amount(place) or text in lexicon.counting:
+        if self._has_amount(place) or counts or rates:
             return True
         if self.texts[piece.start] not in {"by", "from", "up"}:
             return False
@@ -234,8 +246,9 @@ class Measures:
         if bare and COLON in self.texts[piece.start : piece.end]:
             # "Concrete truck 8:30": no truck has a number of two parts.
             nouns = nouns - self.lexicon.machines
-        # "Turn it down a degree at ten": how much is said.
-        told = not bare and self.texts[max(0, piece.start - 2) : piece.start - 1] in (["a"], ["one"])
+        # "Turn it down a degree at ten": how much is said. "The temperature sixish": when.
+        told = self.texts[max(0, piece.start - 2) : piece.start - 1] in (["a"], ["one"])
+        told = not bare and (told or self.tells_hour(piece))
         return piece.start > 0 and self.texts[piece.start - 1] in nouns and not told
 
 

@@ -170,6 +170,7 @@ class BesideTimes:
     with_levels: Words
     of_hours: Words
     of_clocks: Words
+    telling_hours: Words
     clock_subjects: Words
     bound_for: Words
     getting_off: Words

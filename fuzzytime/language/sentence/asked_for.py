@@ -21,7 +21,7 @@ from fuzzytime.language.sentence.together.none_of_it.doubts import (
     unasked,
     unused_orders,
 )
-from fuzzytime.language.sentence.together.none_of_it.how_many import counted_people
+from fuzzytime.language.sentence.together.none_of_it.how_much import counted
 from fuzzytime.language.sentence.together.none_of_it.what_was import is_over, tells_what_was
 
 
@@ -52,7 +52,7 @@ def asked_of(
         else:
             remarks += unused_orders(draft.text, sketch.part, operation, sketch.heard)
             remarks += things_or_orders(draft.text, sketch.part, lexicon)
-            remarks += counted_people(draft.text, sketch, draft.scanned.words, lexicon)
+            remarks += counted(draft.text, sketch, draft.scanned.words, lexicon)
             anchors = Anchors(first + len(found), first, operations, mentions, lexicon)
             thing = thing_of_clause_in_front(sketch, operation, anchors)
             thing = thing or _behind_denials(sketch, operation, operations, mentions, first)

@@ -242,7 +242,9 @@ class Borders:
     def _numbers_things(self, piece: Piece) -> bool:
         """Whether it begins with the numbers of several things: "read chapters 5 to 7 tonight"."""
         place = piece.start
-        if not (self._joins_numbers(place) or self.measures.is_number(place)):
+        counts = self._joins_numbers(place) or self.measures.is_number(place)
+        if not counts or self.measures.tells_hour(piece):
+            # "Empty the bins sixish"
             return False
         while place and (self._joins_numbers(place - 1) or self.measures.is_number(place - 1)):
             place -= 1

@@ -150,6 +150,10 @@ class NoTime(Standing):
         days = wall.days if isinstance(wall, Wall) and wall.clock is None and wall.part is None else None
         if days is None or days.grain in {Unit.DAY, Unit.WEEK}:
             return False
+        if piece.value.preposition == OF and days.grain is Unit.YEAR:
+            # "The class of 2020"; but "the summer of 2031"
+            thing = piece.start - 1
+            return thing >= 0 and self.texts[thing].isalpha() and not self.around.timely(thing)
         if piece.value.preposition == "for":
             return self.around.before(piece) in self.lexicon.no_times.for_periods
         article = self.texts[piece.start] in self.closed.noun_openers and piece.start > 0
@@ -186,10 +190,9 @@ class NoTime(Standing):
         return named and not self.around.may_end(piece)
 
     def _ends_in_article(self, piece: Piece) -> bool:
-        """Whether its last letter is an article, and no half of the day: "one in a | million"."""
+        """Whether its last letter is an article, and no half of the day: "one in a | million", "5 a | day"."""
         last = piece.end - 1
-        return (
-            self.texts[last - 1 : piece.end] == ["in", "a"]
-            and self.around.follower(piece).isalpha()
-            and not self.words[last].glued
-        )
+        if self.texts[last] != "a" or self.words[last].glued:
+            return False
+        joined = self.texts[last - 1] == "in" and self.around.follower(piece).isalpha()
+        return joined or self.around.is_unit(piece.end)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.judging.bare_hours import BareHours
+from fuzzytime.language.grammar.judging.bare_hours import YEARS, BareHours
 from fuzzytime.language.grammar.judging.dated_entries import HEADS, LINE_STARTS, dates_entry
 from fuzzytime.language.grammar.judging.naming import Naming
 from fuzzytime.language.grammar.judging.standing import Standing
@@ -191,7 +191,9 @@ class Walls(Standing):
         # "After the 10 o'clock feed"
         clocked = self.around.follower(piece) in self.beside.of_hours
         dated = dates_entry(self.words, piece.start, piece.end, self.lexicon)
-        return dated or (bound and not clocked and self.around.may_end(piece))
+        # "In the summer of 2031 fly to Rome": nothing is counted by a year.
+        ends = self.around.may_end(piece) or (piece.start == 0 and self.texts[piece.end - 1] in YEARS)
+        return dated or (bound and not clocked and ends)
 
     def is_left_out(self, piece: Piece) -> bool:
         """Whether it is left out of days: "every monday except the 16th"; but "every page but the first"."""

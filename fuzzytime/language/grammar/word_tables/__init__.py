@@ -158,6 +158,7 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
         dividing=speech.single_words("measures", "dividing"),
         changing=frozenset(speech.words("measures", "changing")),
         counting=speech.single_words("measures", "counting"),
+        rating=speech.single_words("measures", "rating"),
         reading=speech.single_words("measures", "reading"),
         amount_nouns=speech.single_words("measures", "amounts"),
         questions={name: frozenset(speech.words("questions", name)) for name in _ROWS["questions"]},
@@ -244,7 +245,7 @@ _ROWS = {
         "in its place of", "going", "one", "clock", "parting", "asking for help", "asking for the list",
         "quitting",
     ),
-    "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "amounts"),
+    "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "rating", "amounts"),
 }  # fmt: skip
 """Sections whose rows rules ask for by name: all of them, and no other."""
 

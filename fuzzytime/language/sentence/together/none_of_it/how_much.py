@@ -1,0 +1,51 @@
+"""Numbers that are taken for how many or how much, and for no hour: "dinner for seven", "raise it by two"."""
+
+from collections.abc import Iterator, Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.measuring import AMOUNTED
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Remark, RemarkKind
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+
+HOURS = 12
+"""The last hour of a clock: a larger number is none."""
+
+FOR = "for"
+
+
+def counted(text: str, sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Iterator[Remark]:
+    """Say how the last numbers of an order without a time are taken: they may be meant as its hours."""
+    first, end = sketch.part.segment.span
+    said = [word for word in words if first <= word.start < end and word.text.isalnum()]
+    if sketch.phrases or sketch.clauses or not said:
+        return
+    joint = _joint(said, lexicon)
+    if joint < 1:
+        return
+    number = said[-1].text
+    if said[joint].text == FOR:
+        how, meant = "how many it is for", f"at {number}"
+    else:
+        how, meant = "how much", f"{number} o'clock"
+    if joint > 1 or said[joint].text != FOR:
+        span = (said[joint].start, said[-1].end)
+        message = f"{text[slice(*span)]!r} is taken for {how}: say {meant!r} for a time"
+        yield Remark(RemarkKind.POLICY, span, message)
+
+
+def _joint(said: Sequence[Word], lexicon: Lexicon) -> int:
+    """Give the place of the preposition before the hours that end what is said, or -1."""
+    place = len(said) - 1
+    while place > 0 and (
+        _is_hour(said[place], lexicon) or said[place].text in lexicon.closed.range_joints_or_and
+    ):
+        place -= 1
+    bound = said[place].text in AMOUNTED | {FOR} and place + 1 < len(said)
+    return place if bound and _is_hour(said[-1], lexicon) else -1
+
+
+def _is_hour(word: Word, lexicon: Lexicon) -> bool:
+    """Whether a word is a number that may be an hour."""
+    number = int(word.text) if word.is_digits else lexicon.numbers.get(word.text)
+    return number is not None and 0 < number <= HOURS
