@@ -190,7 +190,7 @@ class NoTime(Standing):
         return named and not self.around.may_end(piece)
 
     def _ends_in_article(self, piece: Piece) -> bool:
-        """Whether its last letter is an article, and no half of the day: "one in a | million", "5 a | day"."""
+        """Whether its last letter is an article, and no half of the day: "5 a | day"."""
         last = piece.end - 1
         if self.texts[last] != "a" or self.words[last].glued:
             return False
