@@ -17,6 +17,7 @@ from fuzzytime.language.sentence.segments.events.in_between import said_apart
 from fuzzytime.language.sentence.segments.events.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
 from fuzzytime.language.sentence.segments.further.calls import called_first, called_next
+from fuzzytime.language.sentence.segments.further.orders_behind_joints import orders_behind_joints
 from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.further.same_doers import done_next
 from fuzzytime.language.sentence.segments.lists.dividers import divided
@@ -236,12 +237,17 @@ def _cut_again(
     alone = [place for place in range(len(waiting)) if place not in led]
     joined = [waiting[place] for place in alone], [parsed[place].tree for place in alone]
     runs_on = {alone[at]: start for at, start in run_on_orders(*joined, trees, lexicon).items()}
-    return [
+    cuts = [
         list(one.cut_at(led[place].start, led[place].main, lexicon))
         if place in led
         else _cut(one, part, runs_on.get(place), lexicon)
         for place, (one, part) in enumerate(zip(waiting, parsed, strict=True))
     ]
+    whole = [place for place, cut in enumerate(cuts) if not cut]
+    uncut = [waiting[place] for place in whole], [parsed[place].tree for place in whole]
+    for at, start in orders_behind_joints(*uncut, trees, lexicon).items():
+        cuts[whole[at]] = list(waiting[whole[at]].cut_before(start, lexicon))
+    return cuts
 
 
 def _cut(one: Waiting, part: Part, runs_on: int | None, lexicon: Lexicon) -> list[Waiting]:

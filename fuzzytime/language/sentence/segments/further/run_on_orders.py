@@ -71,12 +71,12 @@ def run_on_orders(
         one = first.without_carrier(carrier, attempt.before, 0)
         other = second.without_carrier("" if attempt.told else CARRIER, attempt.behind, 0)
         if attempt.told:
-            whole = _is_whole(one, lexicon, timed=False) and _has_object(one) and _tells(other)
+            whole = is_whole(one, lexicon, timed=False) and _has_object(one) and _tells(other)
         else:
-            whole = _tells(one) if attempt.tells else _is_whole(one, lexicon, timed=attempt.timed)
+            whole = _tells(one) if attempt.tells else is_whole(one, lexicon, timed=attempt.timed)
             surely = attempt.timed or not attempt.tells or _is_state(one, lexicon)
             whole = whole and (surely or _is_done_with_it(other, 0))
-            whole = whole and (_governs(other) or _governs(own))
+            whole = whole and (governs(other) or governs(own))
         if attempt.one not in cut and whole:
             cut[attempt.one] = attempt.start
     return cut
@@ -194,7 +194,7 @@ def _is_listed(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     return next(behind, len(tree.nodes)) - 1 in timed
 
 
-def _is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
+def is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
     """Whether an order is said to its end, and is none that leads to what others do: "let the kids"."""
     # "Don't boil the milk just warm it"
     denied = denied_from(tree, tree.root) == 0
@@ -218,7 +218,7 @@ def _tells(tree: Tree) -> bool:
     return finite and any(tree.reach(place)[0] == 0 for place in subjects)
 
 
-def _governs(tree: Tree) -> bool:
+def governs(tree: Tree) -> bool:
     """Whether an order has an object, with which nobody does another thing: "cake mix the shop sells"."""
     objects = tree.children(0, "dobj", "dative", "ccomp", "npadvmod")
     described = any(tree.children(place, "relcl") for place in objects)

@@ -1,0 +1,81 @@
+"""Orders behind "and" or a comma which the tree of both does not show: "shear the sheep and bleed the taps".
+
+A verb that is a noun too, or that the model does not know, is taken for a second thing. Where it has a thing
+of its own behind it, both parts are parsed apart; if both are orders, they were two.
+"""
+
+from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.sentence.segments.fronts import CARRIER
+from fuzzytime.language.sentence.segments.further.run_on_orders import governs, is_whole
+from fuzzytime.language.sentence.segments.waiting import Waiting
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
+from fuzzytime.language.sentence.trees.tree import Tree, Trees
+
+LEAST = 3
+"""Words of an order with its thing and a joint behind them, at least."""
+
+NOUN = "NN"
+
+
+@dataclass(frozen=True, slots=True)
+class _Try:
+    """A place at which a further order may begin, in the text and behind its joint, with both parts."""
+
+    one: int
+    start: int
+    before: str
+    behind: str
+
+
+def orders_behind_joints(
+    waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees, lexicon: Lexicon
+) -> dict[int, int]:
+    """Give where a second order begins, by the places of those that wait; ``found`` are their trees."""
+    tries = [
+        attempt
+        for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
+        for attempt in _tries(place, one, tree, lexicon)
+    ]
+    before = trees([CARRIER + attempt.before for attempt in tries])
+    behind = trees([CARRIER + attempt.behind for attempt in tries])
+    cut: dict[int, int] = {}
+    for attempt, first, second in zip(tries, before, behind, strict=True):
+        one = first.without_carrier(CARRIER, attempt.before, 0)
+        other = second.without_carrier(CARRIER, attempt.behind, 0)
+        whole = is_whole(one, lexicon, timed=True) and governs(one)
+        if whole and governs(other) and other.nodes[0].tag in IMPERATIVE:
+            cut.setdefault(attempt.one, attempt.start)
+    return cut
+
+
+def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+    source, timed = one.source, one.timed(tree)
+    main = one.main + one.behind_time
+    for here in range(LEAST, len(tree.nodes) - 1):
+        led = tree.nodes[here - 1]
+        if led.lower not in lexicon.closed.joints_of_orders or not _may_act_on(tree, here, timed, lexicon):
+            continue
+        start = tree.nodes[here].start + one.main
+        words = source.places(main, start)
+        if any(longest_match(source.scanned.words, word, lexicon.clauses) is not None for word in words):
+            # "Stir it when the chef salts the soup and pepper the steak": what is in a clause.
+            return
+        before = source.sound[main : led.start + one.main].strip()
+        yield _Try(place, start, before, source.sound[start : one.segment.span[1]])
+
+
+def _may_act_on(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+    """Whether a word has a thing behind it that it may be done with: "back up the files"."""
+    node, behind, *further = tree.nodes[place : place + 3]
+    if not timed.isdisjoint({place, place + 1}) or node.lower in lexicon.function_words:
+        return False
+    third = further[0].tag if further and place + 2 not in timed else ""
+    opens = behind.tag in DETERMINERS or behind.lower in lexicon.closed.indefinite_determiners
+    carried = node.lower in lexicon.particles.get(behind.lower, ()) and third in DETERMINERS
+    # "Discharge bed four"
+    counted = behind.tag == NOUN and third == "CD"
+    return node.text.isalpha() and node.tag not in DETERMINERS and (opens or carried or counted)
