@@ -3,7 +3,6 @@
 import csv
 import io
 import json
-import os
 import subprocess
 import sys
 from datetime import timedelta
@@ -13,6 +12,7 @@ from xml.dom import minidom
 import icalendar
 import pytest
 
+from console import environment
 from fuzzytime_cli.formats.series import SHOWN
 from terminal.running import ran
 
@@ -240,10 +240,12 @@ def test_a_picture_tells_each_start_in_figures(tmp_path: Path) -> None:
         ("svg", b"Zo\xc3\xab"),
     ],
 )
-def test_what_a_terminal_has_no_letters_for_is_written_all_the_same(form: str, shown: bytes) -> None:
+def test_what_a_terminal_has_no_letters_for_is_written_all_the_same(
+    form: str, shown: bytes, tmp_path: Path
+) -> None:
     written = subprocess.run(
         [sys.executable, "-m", "fuzzytime_cli", "plan", "-i", "Call Zoë soon", "--format", form],
-        env={**os.environ, "PYTHONIOENCODING": "ascii"},
+        env={**environment(tmp_path), "PYTHONIOENCODING": "ascii"},
         capture_output=True,
         check=True,
     )
