@@ -1,6 +1,7 @@
 """The command `fuzzytime`: its commands, and the one place where errors become exit codes."""
 
 import gc
+import io
 import os
 import signal
 import sys
@@ -111,6 +112,7 @@ def _called(arguments: list[str]) -> int:
 def main() -> None:
     """Run the command as the shell does."""
     _hold_closed_streams()
+    _write_whatever_is_typed()
     code = run(sys.argv[1:])
     if code in {Exit.CLOSED_PIPE, Exit.IO_ERROR} and sys.stdout is not None:
         # What could not be written Python must not try to write again, and complain, on the way out.
@@ -130,3 +132,9 @@ def _hold_closed_streams() -> None:
             os.open(os.devnull, os.O_RDWR)  # the lowest number that is free: this one
     if sys.stdout is None:
         sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 - as long as the process
+
+
+def _write_whatever_is_typed() -> None:
+    """Let a terminal that lacks a character show its number instead, and not end the command."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")

@@ -113,8 +113,18 @@ def _settings(environment: Mapping[str, str]) -> Check:
 def _folders(environment: Mapping[str, str]) -> Iterator[Check]:
     from fuzzytime_cli.places import data_folder, parse_cache
 
-    for name, folder in (("sessions", data_folder()), ("cache", parse_cache(environment))):
-        yield Check(name, good=True, finding=_folder(folder))
+    sessions = data_folder()
+    damage = _damage(sessions)
+    yield Check("sessions", good=not damage, finding=damage or _folder(sessions))
+    yield Check("cache", good=True, finding=_folder(parse_cache(environment)))
+
+
+def _damage(folder: Path | None) -> str:
+    from fuzzytime_cli.session import damage_of
+
+    path = folder / "sessions.sqlite" if folder is not None else None
+    damage = damage_of(path) if path is not None and path.is_file() else ""
+    return damage and f"{path}: {damage}: nothing is kept until it is moved away"
 
 
 def _folder(folder: Path | None) -> str:

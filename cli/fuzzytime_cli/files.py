@@ -1,5 +1,6 @@
 """Files written whole or not at all."""
 
+import io
 import os
 import sys
 import tempfile
@@ -54,7 +55,9 @@ def _put_in_place(target: Path, pieces: Iterable[str]) -> None:
 
 
 def write_out(path: Path | None, text: str) -> None:
-    """Write a text in a file's place, or to standard output where there is no file.
+    """Write a text in a file's place, or to standard output where there is no file: there, too, in UTF-8.
+
+    A calendar or a page says that it is UTF-8; in a pipe it must be, whatever the terminal's encoding is.
 
     Raises
     ------
@@ -62,6 +65,8 @@ def write_out(path: Path | None, text: str) -> None:
         If that is not possible; the file is then as it was.
     """
     if path is None:
+        if isinstance(sys.stdout, io.TextIOWrapper) and not sys.stdout.isatty():
+            sys.stdout.reconfigure(encoding="utf-8")
         sys.stdout.write(text)
     else:
         replace_file(path, text)

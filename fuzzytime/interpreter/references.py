@@ -164,9 +164,15 @@ def _said_by_identifier(
                 where = f"line {interpreted.wish.line}: " if interpreted.wish.line is not None else ""
                 meant = suggestion(name, by_identifier)
                 raise FuzzytimeError(f"{where}'after' must name the id of a skill, got {name!r}{meant}")
-            found += [
-                (position, Precedence(first, position)) for first in by_identifier[name] if first != position
-            ]
+            others = [first for first in by_identifier[name] if first != position]
+            found += [(position, Precedence(first, position)) for first in others]
+            if not others:
+                message = f"{name} cannot come after itself: this order is not kept"
+                problems.append(
+                    problem_of(
+                        interpreted.wish, ProblemKind.UNRESOLVED, message, identifier=interpreted.identifier
+                    )
+                )
     return found
 
 

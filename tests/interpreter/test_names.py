@@ -68,3 +68,10 @@ def test_what_comes_after_an_instruction_that_is_not_understood_is_planned_and_s
 def test_a_name_that_nobody_has_is_refused(interpreter: Interpreter) -> None:
     with pytest.raises(FuzzytimeError, match="must name the id of a skill, got 's7'"):
         planned(interpreter, said("Feed the cat now", after=("s7",)))
+
+
+def test_what_is_to_come_after_itself_is_told(interpreter: Interpreter) -> None:
+    made = planned(interpreter, said("Feed the cat now", identifier="cat", after=("cat",)))
+    assert [problem.message for problem in made.problems if problem.kind is ProblemKind.UNRESOLVED] == [
+        "cat cannot come after itself: this order is not kept"
+    ]

@@ -199,3 +199,57 @@ def test_what_is_no_calendar_is_refused_by_name(tmp_path: Path) -> None:
         read_calendar(tmp_path / "mine.ics", NOW)
     with pytest.raises(FuzzytimeError, match="must be readable"):
         read_calendar(tmp_path / "missing.ics", NOW)
+
+
+@pytest.mark.parametrize(
+    ("start", "until", "count"),
+    [
+        (";VALUE=DATE:20260329", "20260331", 3),
+        (";TZID=Europe/Berlin:20260329T150000", "20260331", 3),
+        (";TZID=Europe/Berlin:20260329T150000", "20260331T150000", 3),
+        (";TZID=Europe/Berlin:20260329T150000", "20260331T145959", 2),
+        (":20260329T150000", "20260331T150000", 3),
+        (":20260329T150000", "20260331T130000Z", 3),
+        (":20260329T150000", "20260331T125959Z", 2),
+    ],
+)
+def test_a_series_ends_with_its_last_day_or_time_as_programs_write_them(
+    start: str, until: str, count: int, tmp_path: Path
+) -> None:
+    assert len(taken(tmp_path, f"DTSTART{start}\nRRULE:FREQ=DAILY;UNTIL={until}\nSUMMARY:Run")) == count
+    assert read_calendar(tmp_path / "busy.ics", NOW).unread == ()
+
+
+@pytest.mark.parametrize(
+    ("event", "said", "found"),
+    [
+        (
+            "DTSTART;TZID=Mars/Olympus:20260329T100000\nDURATION:PT1H\nSUMMARY:Fair",
+            "event 'Fair' is taken as a time here: its zone 'Mars/Olympus' is not known",
+            ["29. 10:00-29. 11:00 Fair"],
+        ),
+        (
+            "DTSTART:20260329T100000\nDTEND:20260329T090000\nSUMMARY:Fair",
+            "event 'Fair' takes no time: it ends before it starts",
+            ["29. 10:00-29. 10:00 Fair"],
+        ),
+    ],
+)
+def test_an_event_whose_times_are_odd_is_told(
+    event: str, said: str, found: list[str], tmp_path: Path
+) -> None:
+    assert taken(tmp_path, event) == found
+    assert read_calendar(tmp_path / "busy.ics", NOW).unread == (f"busy.ics: {said}",)
+
+
+def test_calendars_one_behind_the_other_in_a_file_are_all_read(tmp_path: Path) -> None:
+    taken(tmp_path, "DTSTART:20260329T100000\nDURATION:PT1H\nSUMMARY:Fair")
+    path = tmp_path / "busy.ics"
+    path.write_text(path.read_text() + path.read_text().replace("Fair", "Choir"))
+    assert [busy.what for busy in read_calendar(path, NOW).busy] == ["Fair", "Choir"]
+
+
+def test_a_file_without_a_calendar_says_so(tmp_path: Path) -> None:
+    (tmp_path / "empty.ics").write_text("")
+    with pytest.raises(FuzzytimeError, match=r"empty\.ics must be an iCalendar file .* holds no calendar$"):
+        read_calendar(tmp_path / "empty.ics", NOW)

@@ -362,3 +362,11 @@ def test_a_step_that_is_said_anew_is_the_same_step() -> None:
     talk.say(":edit 2 boil the brown rice")
     starts = [talk.start(name) for name in ("s1", "s2", "s3")]
     assert starts == sorted(starts)
+
+
+@pytest.mark.parametrize("quote", ["", '"', "'"])
+def test_a_file_whose_name_has_spaces_may_be_quoted(quote: str, tmp_path: Path) -> None:
+    talk = Talk()
+    talk.say("stir the soup soon")
+    assert "written" in talk.say(f":save {quote}{tmp_path / 'my dinner.csv'}{quote}")
+    assert (tmp_path / "my dinner.csv").is_file()

@@ -205,6 +205,15 @@ def test_the_doctor_reads_the_tables_of_whoever_asks(tmp_path: Path) -> None:
     assert told.code == 1
 
 
+def test_the_doctor_tells_that_the_sessions_are_damaged(tmp_path: Path) -> None:
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data" / "sessions.sqlite").write_text("no database")
+    told = ran("doctor", folder=tmp_path, COLUMNS="300")
+    assert "FAIL sessions" in told.out
+    assert "sessions.sqlite: file is not a database" in told.out
+    assert told.code == 1
+
+
 @pytest.mark.model
 def test_keeping_takes_one_back_of_what_was_dropped() -> None:
     talk = Talk()

@@ -3,6 +3,8 @@
 import csv
 import io
 import json
+import subprocess
+import sys
 from datetime import timedelta
 from pathlib import Path
 from xml.dom import minidom
@@ -10,6 +12,7 @@ from xml.dom import minidom
 import icalendar
 import pytest
 
+from console import environment
 from fuzzytime_cli.formats.series import SHOWN
 from terminal.running import ran
 
@@ -226,3 +229,24 @@ def test_a_picture_tells_each_start_in_figures(tmp_path: Path) -> None:
     assert ">start<" in drawn
     assert ">23:00<" in drawn
     assert ">Thu 02:00<" in drawn
+
+
+@pytest.mark.parametrize(
+    ("form", "shown"),
+    [
+        ("table", b"call Zo\\xeb"),
+        ("csv", b"call Zo\xc3\xab"),
+        ("ics", b"call Zo\xc3\xab"),
+        ("svg", b"Zo\xc3\xab"),
+    ],
+)
+def test_what_a_terminal_has_no_letters_for_is_written_all_the_same(
+    form: str, shown: bytes, tmp_path: Path
+) -> None:
+    written = subprocess.run(
+        [sys.executable, "-m", "fuzzytime_cli", "plan", "-i", "Call Zoë soon", "--format", form],
+        env={**environment(tmp_path), "PYTHONIOENCODING": "ascii"},
+        capture_output=True,
+        check=True,
+    )
+    assert shown in written.stdout

@@ -1,7 +1,7 @@
 """Busy times from an iCalendar file."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from datetime import date, datetime, time, timedelta
+from datetime import UTC, date, datetime, time, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -56,22 +56,29 @@ def read_calendar(path: Path, now: datetime, ahead: float = AHEAD) -> Taken:
     except (OSError, ValueError) as error:
         raise FuzzytimeError(f"a calendar file must be readable, got {str(path)!r}") from error
     try:
-        calendar = icalendar.Calendar.from_ical(raw)
+        calendars = icalendar.Calendar.from_ical(raw, multiple=True)
     except _BROKEN as error:
         reason = f": {str(error)[:80]}" if isinstance(error, ValueError) else ""  # others are of its inside
         raise FuzzytimeError(f"{path.name} must be an iCalendar file of at most 4 MB{reason}") from error
+    if not calendars:
+        raise FuzzytimeError(f"{path.name} must be an iCalendar file of at most 4 MB, and holds no calendar")
     ahead = max(ahead, AHEAD)
     try:
-        parts = [*_taken_by_events(calendar.walk("VEVENT"), now, ahead)]
+        parts = [*_taken_by_events(_all(calendars, "VEVENT"), now, ahead)]
     except FuzzytimeError as error:
         raise FuzzytimeError(f"{path.name}: {error}") from error
-    parts += [_taken_in_free_busy(one, now, ahead) for one in calendar.walk("VFREEBUSY")]
+    parts += [_taken_in_free_busy(one, now, ahead) for one in _all(calendars, "VFREEBUSY")]
     busy = sorted((one for part in parts for one in part.busy), key=lambda taken: (taken.start, taken.end))
     unread = [f"{path.name}: {sentence}" for part in parts for sentence in part.unread]
     if len(unread) > MOST_UNREAD + 1:
         left = len(unread) - MOST_UNREAD
         unread = [*unread[:MOST_UNREAD], f"{path.name}: {left} more events cannot be read as they are"]
     return Taken(tuple(busy), tuple(unread))
+
+
+def _all(calendars: "Sequence[Any]", name: str) -> list[object]:
+    """Give the components of a name in all calendars of a file: it may hold several in a row."""
+    return [component for calendar in calendars for component in calendar.walk(name)]
 
 
 def _taken_by_events(events: "Sequence[object]", now: datetime, ahead: float) -> Iterator[Taken]:
@@ -105,6 +112,7 @@ def _taken_by(event: "object", now: datetime, ahead: float, moved: set[float]) -
         return Taken((), (f"{name} takes no time: {why}",))
     gone = moved | _moments(event, "EXDATE", now)
     unread = [f"the {part} of {name} cannot be read, and does not count" for part in broken]
+    unread += [f"{name} {doubt}" for doubt in _doubts(event, start, now)]
     if len(starts) == MAX_OCCURRENCES:
         unread.append(f"{name} repeats very often: its first {MAX_OCCURRENCES} times count")
     found = []
@@ -112,6 +120,16 @@ def _taken_by(event: "object", now: datetime, ahead: float, moved: set[float]) -
         if first + length > 0 and first < ahead and first not in gone:
             found.append(Busy(first, first + length, what))
     return Taken(tuple(found), tuple(unread))
+
+
+def _doubts(event: "object", start: datetime, now: datetime) -> Iterator[str]:
+    """Give what is odd about an event's times, though they can be read."""
+    zone = _of(event, "DTSTART").params.get("TZID")
+    if zone is not None and getattr(_of(event, "DTSTART").dt, "tzinfo", None) is None:
+        yield f"is taken as a time here: its zone {str(zone)[:40]!r} is not known"
+    end = _of(event, "DTEND")
+    if end is not None and seconds_between(start, _instant(end.dt, now)) < 0:
+        yield "takes no time: it ends before it starts"
 
 
 def _taken_in_free_busy(component: "object", now: datetime, ahead: float) -> Taken:
@@ -178,7 +196,9 @@ def _occurrences(
 
     after = max(start, _floor(now, start) - timedelta(seconds=length))
     first = start + timedelta(seconds=_skipped(rule, (after - start).total_seconds()))
-    series = rrulestr(rule.to_ical().decode(), dtstart=first, ignoretz=start.tzinfo is None)
+    if "UNTIL" in rule:
+        rule = type(rule)({**rule, "UNTIL": [_last(one, start) for one in rule["UNTIL"]]})
+    series = rrulestr(rule.to_ical().decode(), dtstart=first)
     until = _floor(now, start) + timedelta(seconds=ahead)
     found = []
     for occurrence in series.xafter(after, count=MAX_OCCURRENCES, inc=True):
@@ -186,6 +206,13 @@ def _occurrences(
             break
         found.append(occurrence)
     return found
+
+
+def _last(until: date | datetime, start: datetime) -> datetime:
+    """Give the end of a series in UTC: many programs write its last day, or a time of the event's zone."""
+    if not isinstance(until, datetime):
+        until = datetime.combine(until, time.max)
+    return (until if until.tzinfo is not None else until.replace(tzinfo=start.tzinfo)).astimezone(UTC)
 
 
 def _skipped(rule: "Mapping[str, Sequence[str | int]]", passed: float) -> float:

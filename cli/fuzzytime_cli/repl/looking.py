@@ -3,7 +3,6 @@
 from collections import Counter
 from dataclasses import replace
 from datetime import datetime
-from pathlib import Path
 
 from rich.text import Text
 
@@ -14,7 +13,7 @@ from fuzzytime_cli.formats.clock import Clock, date_of
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Move, lengths_of, moves, news_of
 from fuzzytime_cli.repl.naming import identifier_meant
-from fuzzytime_cli.repl.scene import Reply, Scene, position_of, running_lines, said
+from fuzzytime_cli.repl.scene import Reply, Scene, file_named, position_of, running_lines, said
 from fuzzytime_cli.session import Started, State
 
 MINUTE = 60.0
@@ -112,14 +111,14 @@ def plot(scene: Scene, text: str) -> Reply:
 
     which, _, file = text.strip().partition(" ")
     if which.lower().endswith(SVG):
-        path = Path(which).expanduser()
+        path = file_named(which)
         replace_file(path, plan_svg(scene.plan))
         return said(f"written: {path}")
     position = position_of(scene, which)
     interpreted = scene.plan.everything[position]
     chart = chart_of(interpreted, scene.plan, position)
     if file.strip():
-        path = Path(file.strip()).expanduser()
+        path = file_named(file)
         if path.suffix.lower() != SVG:
             raise FuzzytimeError(f"a picture's file must end in {SVG}, got {file.strip()!r}")
         replace_file(path, chart_svg(chart, interpreted.skill.name))

@@ -11,7 +11,7 @@ from fuzzytime_cli.choices import PlanFormat
 from fuzzytime_cli.formats.clock import date_of
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
-from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, got, problem_lines, said, step
+from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, file_named, got, problem_lines, said, step
 from fuzzytime_cli.session import KeptBusy, State
 
 AHEAD = 13 * WEEK
@@ -33,7 +33,7 @@ def save(scene: Scene, text: str) -> Reply:
     from fuzzytime_cli.formats import written
     from fuzzytime_cli.session import state_text
 
-    path = Path(text.strip()).expanduser()
+    path = file_named(text)
     kind = PlanFormat.of_file(path)
     if kind is None or kind is PlanFormat.TABLE:
         exports = sorted(f".{kind}" for kind in PlanFormat if kind not in {PlanFormat.TABLE, PlanFormat.JSON})
@@ -68,7 +68,7 @@ def load(scene: Scene, text: str) -> Reply:
 
     if not text.strip():
         raise FuzzytimeError("a file must follow: a saved session, a calendar (.ics), or instructions a line")
-    path = Path(text.strip()).expanduser()
+    path = file_named(text)
     if path.suffix.lower() == ".ics":
         return _load_calendar(scene, path)
     source = read_source(str(path))

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
+from pathlib import Path
 
 from rich.text import Text
 
@@ -23,6 +24,9 @@ MOST_REPEATED = 40
 
 MOST_DIGITS = 9
 """Of a number that somebody types."""
+
+QUOTES = "\"'"
+"""What may stand around the name of a file."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -221,3 +225,10 @@ def problem_lines(problem: Problem, width: int) -> list[Text | str]:
     if problem.span is not None and problem.text:
         lines += underlined(problem.text, problem.span, width).split("\n")
     return lines
+
+
+def file_named(text: str) -> Path:
+    """Give the file that a command names; quotes around its name are none of it, as in a shell."""
+    name = text.strip()
+    quoted = len(name) > 1 and name[0] == name[-1] and name[0] in QUOTES
+    return Path(name[1:-1] if quoted else name).expanduser()

@@ -9,7 +9,7 @@ from fuzzytime_cli.session.state import (
     Started,
     State,
 )
-from fuzzytime_cli.session.store import NotKeptError, SessionStore, open_store
+from fuzzytime_cli.session.store import NotKeptError, SessionStore, damage_of, open_store
 
 __all__ = [
     "Entry",
@@ -20,6 +20,7 @@ __all__ = [
     "SessionStore",
     "Started",
     "State",
+    "damage_of",
     "open_store",
     "state_of",
     "state_text",

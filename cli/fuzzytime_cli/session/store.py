@@ -223,6 +223,18 @@ def open_store(path: Path | None) -> tuple[SessionStore, str]:
         return _copied(path), f"{path}: {reason or error}"
 
 
+def damage_of(path: Path) -> str:
+    """Say what is wrong with a store's file that is no database, or a broken one; nothing is written."""
+    try:
+        with closing(sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", uri=True)) as file:
+            (found,) = file.execute("PRAGMA quick_check(1)").fetchone()
+    except sqlite3.OperationalError:  # locked, or on a disk that cannot be written: whole all the same
+        return ""
+    except sqlite3.DatabaseError as error:
+        return str(error)
+    return "" if found == "ok" else str(found)
+
+
 def _copied(path: Path | None) -> SessionStore:
     """Copy a file that can only be read into memory; of one that cannot be read nothing comes."""
     # Where no file may be made beside it, SQLite reads a file only if told that nobody writes it.

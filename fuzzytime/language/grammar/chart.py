@@ -68,30 +68,44 @@ def literal(word: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class _Index:
-    """Rules by their first symbol: those of one symbol, and by their second symbol those of more.
+class _Beginning:
+    """The rules that begin with one symbol: those of no other, and by their second symbol those of more.
 
     With these stands their third symbol, None where they have no more.
     """
 
-    literals: frozenset[str]
-    single: Mapping[str, list[Rule]]
-    longer: Mapping[str, Mapping[str, list[tuple[str | None, Rule]]]]
+    single: list[Rule]
+    longer: Mapping[str, list[tuple[str | None, Rule]]]
 
     @classmethod
-    def of(cls, rules: Iterable[Rule]) -> "_Index":
-        literals: set[str] = set()
-        single: dict[str, list[Rule]] = {}
-        longer: dict[str, dict[str, list[tuple[str | None, Rule]]]] = {}
+    def of(cls, rules: Iterable[Rule]) -> "_Beginning":
+        single: list[Rule] = []
+        longer: dict[str, list[tuple[str | None, Rule]]] = {}
         for rule in rules:
-            literals.update([symbol[1:] for symbol in rule.symbols if symbol[0] == "'"])
-            first = rule.symbols[0]
             if len(rule.symbols) == 1:
-                single.setdefault(first, []).append(rule)
+                single.append(rule)
             else:
                 second, *more = rule.symbols[1:]
-                longer.setdefault(first, {}).setdefault(second, []).append((next(iter(more), None), rule))
-        return cls(frozenset(literals), single, longer)
+                longer.setdefault(second, []).append((next(iter(more), None), rule))
+        return cls(single, longer)
+
+
+class _Index:
+    """Rules by their first symbol, sorted further when a text first has it: few texts have all."""
+
+    def __init__(self, rules: Iterable[Rule]) -> None:
+        self._rules: dict[str, list[Rule]] = {}
+        self._beginnings: dict[str, _Beginning] = {}
+        for rule in rules:
+            self._rules.setdefault(rule.symbols[0], []).append(rule)
+        symbols = {symbol for found in self._rules.values() for rule in found for symbol in rule.symbols}
+        self.literals = frozenset(symbol[1:] for symbol in symbols if symbol[0] == "'")
+
+    def beginning(self, first: str) -> _Beginning:
+        """Give the rules that begin with a symbol."""
+        if first not in self._beginnings:
+            self._beginnings[first] = _Beginning.of(self._rules.get(first, ()))
+        return self._beginnings[first]
 
 
 class Grammar:
@@ -131,7 +145,7 @@ class Grammar:
     def _indexed(self) -> "_Index":
         """Give the rules by their first symbols: only a grammar that parses needs them so."""
         if self._index is None:
-            self._index = _Index.of(self.rules)
+            self._index = _Index(self.rules)
         return self._index
 
     def parse(self, words: Sequence[Word], lexical: Mapping[int, Iterable[Piece]]) -> list[Cell]:
@@ -166,16 +180,16 @@ def _close(index: _Index, chart: "Chart", start: int, agenda: list[Piece]) -> No
         if held is not None and held.weight >= piece.weight:
             continue
         known[piece.end] = piece
-        for rule in index.single.get(piece.category, ()):
+        beginning = index.beginning(piece.category)
+        for rule in beginning.single:
             _make(rule, (piece,), cell, agenda)
-        longer = index.longer.get(piece.category)
-        if longer is not None:
+        if beginning.longer:
             for second in chart.following(piece.end):
                 for symbol, choices in second.items():
-                    if symbol not in longer:
+                    if symbol not in beginning.longer:
                         continue
                     behind = chart.behind(choices)
-                    for third, rule in longer[symbol]:
+                    for third, rule in beginning.longer[symbol]:
                         # Most rules begin with what is there, and go on with what is not.
                         if third is None or third in behind:
                             _extend(chart, rule, (piece,), choices, agenda)

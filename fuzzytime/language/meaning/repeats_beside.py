@@ -4,10 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import (
-    Repeat,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Repeat, Time, Wall
 from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.nested import EachDay, Nth, Share
 from fuzzytime.language.meaning.times_of_day import Part
@@ -61,6 +58,8 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
         if repeat.until is not None or repeat.starting is not None or _is_within_turn(repeat, wall.days):
             return None
         return replace(repeat, starting=wall, until=wall)
+    if repeat.every is not None and wall.clock is not None and _is_day(repeat.until):
+        return None  # "every hour until tomorrow | at seven" ends then
     if wall.clock is not None and repeat == Repeat(repeat.every, until=repeat.until):
         # "At ten every two hours" begins at ten.
         return replace(repeat, starting=wall)
@@ -79,6 +78,11 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
         days_of = EachDay(Weekend()) if each else old.days
         walls.append(replace(old, days=days_of, clock=clock, part=wall.part or old.part))
     return replace(repeat, walls=tuple(walls))
+
+
+def _is_day(until: Time | None) -> bool:
+    """Whether a repetition ends with a day, or a part of one, whose hour is still open."""
+    return isinstance(until, Wall) and until.days is not None and until.clock is None
 
 
 def _is_within_turn(repeat: Repeat, days: Calendar) -> bool:

@@ -1,14 +1,15 @@
 """Parses kept on disk, so that a text parsed before needs no model: a value that the caller passes in.
 
 A row is keyed by the text, the model and this program's version. The cache only ever saves time: where its
-file cannot be used (locked for long, damaged, on a full disk), texts are parsed as if it were empty.
+file cannot be used (locked for long, on a full disk), texts are parsed as if it were empty. A damaged file
+gives way to a new one.
 """
 
 import hashlib
 import json
 import sqlite3
 from collections.abc import Iterable, Sequence
-from contextlib import closing
+from contextlib import closing, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -27,6 +28,7 @@ _READING = 0.5
 _WRITING = 5.0
 """Seconds that a lock is waited for."""
 _MOST_KEYS = 500
+_DAMAGED = frozenset({sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT})
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,8 +73,15 @@ class ParseCache:
                 if count > ROWS:
                     oldest = "SELECT rowid FROM parses ORDER BY rowid LIMIT ?"
                     connection.execute(f"DELETE FROM parses WHERE rowid IN ({oldest})", (count - ROWS,))  # noqa: S608
-        except (sqlite3.Error, OSError):
-            return
+        except (sqlite3.Error, OSError) as error:
+            if getattr(error, "sqlite_errorcode", None) in _DAMAGED:
+                self._remove()
+
+    def _remove(self) -> None:
+        """Make room for a new file: a damaged one would never be of use again."""
+        for end in ("", "-wal", "-shm"):
+            with suppress(OSError):
+                self.path.with_name(self.path.name + end).unlink(missing_ok=True)
 
 
 def _key(text: str, package: ModelPackage) -> bytes:
