@@ -102,3 +102,23 @@ def test_what_is_called_a_truck_or_a_delivery_comes() -> None:
 def test_a_clause_behind_two_verbs_is_of_both() -> None:
     found = starts(told(["Pour the slab at 10 am", "Level and float when the slab is poured"]))
     assert "10:00" <= found["s2"] < found["s2.2"]
+
+
+@pytest.mark.parametrize(
+    ("line", "hour"),
+    [
+        ("Vases out 10.20", "10:20"),
+        ("Teardown 4.40, 20 min", "16:40"),
+        ("Group B workshop 10-11.30 upstairs", "10:00"),
+        ("Lunch 12 to 1 (closed)", "12:00"),
+    ],
+)
+def test_a_number_behind_a_thing_is_an_hour_where_other_lines_say_when(line: str, hour: str) -> None:
+    assert hour in starts(told(["Open the hall at 9", line, "Lock the hall by 6"])).values()
+
+
+@pytest.mark.parametrize("line", ["Mix 1.50 kg of lime", "Dive 1, with the new boat", "Paint rooms 2-4"])
+def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
+    made = told(["Open the hall at 9", line, "Lock the hall by 6"])
+    assert made.schedule.skills[1].name.split()[1] in line
+    assert starts(made)["s2"] < "09:00"
