@@ -306,6 +306,7 @@ class NoTimes:
     of_years: Words
     aging: Words
     numbered: Words
+    numbered_in_two: Words
     versioning: Words
     screens: Words
     shapes: Words

@@ -244,6 +244,9 @@ class Borders:
         place = piece.start
         if not (self._joins_numbers(place) or self.measures.is_number(place)):
             return False
+        if self.texts[place + 1 : place + 2] == [":"]:
+            # "Gates 9:15"
+            return False
         while place and (self._joins_numbers(place - 1) or self.measures.is_number(place - 1)):
             place -= 1
         named = self.texts[place - 1] if place else ""
