@@ -110,7 +110,7 @@ def test_a_clause_behind_two_verbs_is_of_both() -> None:
         ("Vases out 10.20", "10:20"),
         ("Teardown 4.40, 20 min", "16:40"),
         ("Group B workshop 10-11.30 upstairs", "10:00"),
-        ("Rehearsal 12 to 1 (closed)", "12:00"),
+        ("Rehearsal 12 to 1 (in costume)", "12:00"),
     ],
 )
 def test_a_number_behind_a_thing_is_an_hour_where_other_lines_say_when(line: str, hour: str) -> None:

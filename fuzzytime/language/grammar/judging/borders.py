@@ -245,7 +245,7 @@ class Borders:
         if not (self._joins_numbers(place) or self.measures.is_number(place)):
             return False
         if self.texts[place + 1 : place + 2] == [":"]:
-            # "Gates 9:15"
+            # As in "gates 9:15".
             return False
         while place and (self._joins_numbers(place - 1) or self.measures.is_number(place - 1)):
             place -= 1
