@@ -111,13 +111,18 @@ def test_a_clause_behind_two_verbs_is_of_both() -> None:
         ("Teardown 4.40, 20 min", "16:40"),
         ("Group B workshop 10-11.30 upstairs", "10:00"),
         ("Rehearsal 12 to 1 (in costume)", "12:00"),
+        ("Dive 1 - 9.40, 45 mins", "09:40"),
+        ("7.10 crew meeting", "07:10"),
+        ("9.04 weather (1 min)", "09:04"),
     ],
 )
 def test_a_number_behind_a_thing_is_an_hour_where_other_lines_say_when(line: str, hour: str) -> None:
     assert hour in starts(told(["Open the hall at 9", line, "Lock the hall by 6"])).values()
 
 
-@pytest.mark.parametrize("line", ["Mix 1.50 kg of lime", "Dive 1, with the new boat", "Paint rooms 2-4"])
+@pytest.mark.parametrize(
+    "line", ["Mix 1.50 kg of lime", "Boil 12.30 litres", "Dive 1, with the new boat", "Paint rooms 2-4"]
+)
 def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
     made = told(["Open the hall at 9", line, "Lock the hall by 6"])
     assert made.schedule.skills[1].name.split()[1] in line

@@ -36,8 +36,8 @@ LONGEST_ELLIPSIS = 4
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
 
-MARK = "@"
-"""What people type in front of an hour."""
+MARKS = {" ": "@", ".": ":"}
+"""What people type in front of an hour and between it and its minutes, by what may stand there instead."""
 
 ROUNDS = 6
 """How often the best pieces are chosen anew because the judge refused some of them."""
@@ -47,7 +47,7 @@ ROUNDS = 6
 class Scanned:
     """A text's words, everything the grammar finds in them, and the tables that it found it by.
 
-    Behind each of the spaces at ``hours``, an hour is read as if "@" stood in front of it.
+    At each of the places of ``hours`` stands a space or a point that is read as the mark of an hour.
     """
 
     text: str
@@ -91,12 +91,12 @@ def _with_quotes(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Word]:
 
 
 def _with_marks(words: Sequence[Word], hours: frozenset[int]) -> list[Word]:
-    """Put a mark, which takes no room, in front of each word behind a space where an hour is."""
+    """Put "@", which takes no room, before each word behind a space of hours; a point becomes a colon."""
     found: list[Word] = []
     for word in words:
-        if word.start - 1 in hours:
-            found.append(Word(MARK, word.start, word.start, glued=False))
-        found.append(word)
+        if word.start - 1 in hours and not word.glued:
+            found.append(Word(MARKS[" "], word.start, word.start, glued=False))
+        found.append(replace(word, text=MARKS["."]) if word.start in hours else word)
     return found
 
 

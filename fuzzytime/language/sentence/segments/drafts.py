@@ -7,7 +7,7 @@ from datetime import datetime
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.denied import denied
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.spans import MARK, Scanned, phrases_of
+from fuzzytime.language.grammar.spans import MARKS, Scanned, phrases_of
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.phrases import places_in
@@ -193,9 +193,9 @@ def drafted(
 
 def _in_entries(text: str, hours: frozenset[int], grammar: Grammar, lexicon: Lexicon) -> Scanned:
     """Scan a text with a stop between each two entries of a line; ``hours`` are marked as such."""
-    marked = "".join(MARK if place in hours else letter for place, letter in enumerate(text))
+    marked = "".join(MARKS.get(c, c) if place in hours else c for place, c in enumerate(text))
     listed = switched_apart(run_apart(divided(marked, grammar, lexicon), lexicon), lexicon)
-    typed = "".join(text[place] if place in hours else letter for place, letter in enumerate(listed))
+    typed = "".join(text[place] if place in hours else c for place, c in enumerate(listed))
     return Scanned.of(typed, grammar, lexicon, hours=hours)
 
 

@@ -35,6 +35,9 @@ SURE = re.compile(
 DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 """A number with two digits behind its point."""
 
+LEADING = re.compile(r"\s*(?:2[0-3]|[01]?\d)(\.)[0-5]\d(?=\s+[^\W\d])")
+"""An hour and its minutes in front of a line."""
+
 ENDS = r"\s*(?:$|[,;()!]|\.(?!\d)|[-–—]\s)"
 """What ends what is said of when something is."""
 
@@ -47,7 +50,8 @@ def _hours(halves: frozenset[str]) -> re.Pattern[str]:
     return re.compile(
         rf"""
         (?<=[\w)]) \s {hour} (?P<minutes>{minutes})?
-        (?P<until> {half} (?:\s?[-–]\s?|\s(?:to|till|until)\s) {hour} (?P<last>{minutes})? )?
+        (?P<until> {half} (?:(?P<dash>\s[-–]\s)|\s?[-–]\s?|\s(?:to|till|until)\s)
+                   {hour} (?P<last>{minutes})? )?
         {half} (?P<ends>(?={ENDS}))? (?![\w.:/%°]\S|[/%°])
         """,
         re.VERBOSE | re.IGNORECASE,
@@ -66,13 +70,13 @@ def are_times(texts: Sequence[str], lexicon: Lexicon) -> bool:
 
 
 def hours_in(text: str, lexicon: Lexicon) -> frozenset[int]:
-    """Give where in a line of a list of times a space stands between what it names and its hour.
+    """Give where in a line of a list of times a space stands before an hour, or a point in the first of it.
 
     >>> from fuzzytime.language import shipped_lexicon
     >>> hours_in("Panel 11.30", shipped_lexicon())
     frozenset({5})
     """
-    return frozenset(_behind_things(text, lexicon))
+    return frozenset((*_behind_things(text, lexicon), *_in_front(text, lexicon)))
 
 
 def _behind_things(text: str, lexicon: Lexicon) -> Iterator[int]:
@@ -82,9 +86,21 @@ def _behind_things(text: str, lexicon: Lexicon) -> Iterator[int]:
         behind = words_of(text[found.end() :])[:1]
         if not before or _is_amount(behind, lexicon):
             continue
+        if found["last"] and found["dash"] and not found["minutes"] and _is_called(before[-1], lexicon):
+            # "Dive 1 - 9.30"
+            yield found.end("dash") - 1
+            continue
         sure = _is_thing if found["minutes"] or found["last"] else _is_timed
         if sure(before[-1], lexicon) and _may_end(found, behind, lexicon):
             yield found.start()
+
+
+def _in_front(text: str, lexicon: Lexicon) -> Iterator[int]:
+    """Give where the point is in an hour in front of what is then: "7.10 crew call"."""
+    for line in LINE.finditer(text):
+        found = LEADING.match(line[0])
+        if found is not None and not _is_amount(words_of(line[0][found.end() :])[:1], lexicon):
+            yield line.start() + found.start(1)
 
 
 def _may_end(found: re.Match[str], behind: Sequence[Word], lexicon: Lexicon) -> bool:
@@ -98,7 +114,8 @@ def _may_end(found: re.Match[str], behind: Sequence[Word], lexicon: Lexicon) -> 
 
 def _is_amount(behind: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether a number counts what is behind it: "add 1.50 litres"."""
-    return any(word.text in lexicon.measure_nouns or lexicon.means(word.text, "unit") for word in behind)
+    measured = lexicon.measure_nouns | lexicon.no_times.measured_in
+    return any(word.text in measured or lexicon.means(word.text, "unit") for word in behind)
 
 
 def _is_thing(word: Word, lexicon: Lexicon) -> bool:
@@ -108,5 +125,10 @@ def _is_thing(word: Word, lexicon: Lexicon) -> bool:
 
 def _is_timed(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word names what has a time, and is not called by a number: "lunch", but "race 1"."""
+    return has_time(word.text, lexicon) and not _is_called(word, lexicon)
+
+
+def _is_called(word: Word, lexicon: Lexicon) -> bool:
+    """Whether a number behind a word may be the name of a thing: "race 1"."""
     called = lexicon.measure_nouns | lexicon.machines | lexicon.no_times.numbered
-    return has_time(word.text, lexicon) and called.isdisjoint({word.text, singular(word.text)})
+    return not called.isdisjoint({word.text, singular(word.text)})
