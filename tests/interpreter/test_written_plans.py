@@ -127,3 +127,9 @@ def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
     made = told(["Open the hall at 9", line, "Lock the hall by 6"])
     assert made.schedule.skills[1].name.split()[1] in line
     assert starts(made)["s2"] < "09:00"
+
+
+@pytest.mark.parametrize("way", ["hour and a quarter drive", "75 minutes' drive", "an hour's drive"])
+def test_how_long_one_drives_may_be_said_behind_a_comma(way: str) -> None:
+    (leaving,) = told([f"Leave at 2, {way}"]).skills
+    assert leaving.skill.time_until_done == (3600.0 if "hour's" in way else 4500.0)
