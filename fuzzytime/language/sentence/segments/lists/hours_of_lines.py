@@ -38,6 +38,9 @@ DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 LEADING = re.compile(r"\s*(?:2[0-3]|[01]?\d)(\.)[0-5]\d(?=\s+[^\W\d])")
 """An hour and its minutes in front of a line."""
 
+GOING_ON = "ing"
+"""The ending of what goes on."""
+
 ENDS = r"\s*(?:$|[,;()!]|\.(?!\d)|[-–—]\s)"
 """What ends what is said of when something is."""
 
@@ -91,7 +94,8 @@ def _behind_things(text: str, lexicon: Lexicon) -> Iterator[int]:
             yield found.end("dash") - 1
             continue
         sure = _is_thing if found["minutes"] or found["last"] else _is_timed
-        if sure(before[-1], lexicon) and _may_end(found, behind, lexicon):
+        goes_on = found["until"] is not None and _goes_on(before, lexicon)
+        if (goes_on or sure(before[-1], lexicon)) and _may_end(found, behind, lexicon):
             yield found.start()
 
 
@@ -126,6 +130,13 @@ def _is_thing(word: Word, lexicon: Lexicon) -> bool:
 def _is_timed(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word names what has a time, and is not called by a number: "lunch", but "race 1"."""
     return has_time(word.text, lexicon) and not _is_called(word, lexicon)
+
+
+def _goes_on(entry: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether one word that opens a line names what goes on, or several such: "trading", "interviews"."""
+    first = entry[-1]
+    alone = len(entry) == 1 and not _is_called(first, lexicon)
+    return alone and (first.text.endswith(GOING_ON) or has_time(singular(first.text), lexicon))
 
 
 def _is_called(word: Word, lexicon: Lexicon) -> bool:
