@@ -124,7 +124,8 @@ class Language:
             given_since.append(since)
             reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
             said = last_said(_times_in(reading), since)
-            since = night_told(reading, replace(said, clock=last_said(_first_times(reading), since).clock))
+            said = replace(said, clock=last_said(_first_times(reading), since).clock)
+            since = night_told(reading, said.behind(since))
             for instruction in reading.instructions:
                 mentions.told.add(len(mentions.operations), instruction, reading.now)
                 mentions.add(instruction.operation)

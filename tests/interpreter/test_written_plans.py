@@ -133,3 +133,9 @@ def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
 def test_how_long_one_drives_may_be_said_behind_a_comma(way: str) -> None:
     (leaving,) = told([f"Leave at 2, {way}"]).skills
     assert leaving.skill.time_until_done == (3600.0 if "hour's" in way else 4500.0)
+
+
+def test_lines_that_go_through_a_day_in_order_go_on_further() -> None:
+    lines = ["Open the hall at 8", "Sweep it at 10", "Lunch at 1.30", "Count the tickets at 7.15"]
+    assert starts(told(lines))["s4"] == "19:15"
+    assert starts(told(lines[2:]))["s2"] == "07:15"
