@@ -38,6 +38,20 @@ DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 LEADING = re.compile(r"\s*(?:2[0-3]|[01]?\d)(\.)[0-5]\d(?=\s+[^\W\d])")
 """An hour and its minutes in front of a line."""
 
+BESIDE_HOURS = (
+    "hedge",
+    "hedge_after",
+    "preposition_at",
+    "preposition_before",
+    "preposition_after",
+    "forward",
+    "within",
+    "weekday",
+    "day",
+    "month",
+)
+"""What words mean that belong to the hour behind them: "exactly 9.10", "friday 9.30"."""
+
 GOING_ON = "ing"
 """The ending of what goes on."""
 
@@ -87,15 +101,17 @@ def _behind_things(text: str, lexicon: Lexicon) -> Iterator[int]:
     for found in _hours(lexicon.beside.of_hours).finditer(text):
         before = words_of(text[: found.start()])
         behind = words_of(text[found.end() :])[:1]
-        if not before or _is_amount(behind, lexicon):
+        sure = ":" in found[0]
+        if sure or not before or _is_amount(behind, lexicon):
+            # "Panel 9:15" needs no mark.
             continue
         if found["last"] and found["dash"] and not found["minutes"] and _is_called(before[-1], lexicon):
             # "Dive 1 - 9.30"
             yield found.end("dash") - 1
             continue
-        sure = _is_thing if found["minutes"] or found["last"] else _is_timed
+        has_hour = _is_thing if found["minutes"] or found["last"] else _is_timed
         goes_on = found["until"] is not None and _goes_on(before, lexicon)
-        if (goes_on or sure(before[-1], lexicon)) and _may_end(found, behind, lexicon):
+        if (goes_on or has_hour(before[-1], lexicon)) and _may_end(found, behind, lexicon):
             yield found.start()
 
 
@@ -123,8 +139,8 @@ def _is_amount(behind: Sequence[Word], lexicon: Lexicon) -> bool:
 
 
 def _is_thing(word: Word, lexicon: Lexicon) -> bool:
-    """Whether a word names something, and is no preposition of the hour."""
-    return word.text not in lexicon.function_words
+    """Whether a word names something, and is no preposition, hedge or day of the hour."""
+    return word.text not in lexicon.function_words and not lexicon.means(word.text, *BESIDE_HOURS)
 
 
 def _is_timed(word: Word, lexicon: Lexicon) -> bool:
