@@ -121,7 +121,14 @@ def test_a_number_behind_a_thing_is_an_hour_where_other_lines_say_when(line: str
 
 
 @pytest.mark.parametrize(
-    "line", ["Mix 1.50 kg of lime", "Boil 12.30 litres", "Dive 1, with the new boat", "Paint rooms 2-4"]
+    "line",
+    [
+        "Mix 1.50 kg of lime",
+        "Boil 12.30 litres",
+        "Buy milk 2.50",
+        "Dive 1, with the new boat",
+        "Paint rooms 2-4",
+    ],
 )
 def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
     made = told(["Open the hall at 9", line, "Lock the hall by 6"])

@@ -307,6 +307,7 @@ class NoTimes:
     aging: Words
     numbered: Words
     numbered_in_two: Words
+    costing: Words
     versioning: Words
     screens: Words
     shapes: Words

@@ -66,7 +66,7 @@ def _hours(halves: frozenset[str]) -> re.Pattern[str]:
     hour, minutes = r"(?:2[0-3]|[01]?\d)", r"[.:][0-5]\d"
     return re.compile(
         rf"""
-        (?<=[\w)]) \s {hour} (?P<minutes>{minutes})?
+        (?<=[\w)]) \s (?: {hour} (?P<minutes>{minutes}) | (?:1[0-2]|0?[1-9])(?![\d.:]) )
         (?P<until> {half} (?:(?P<dash>\s[-–]\s)|\s?[-–]\s?|\s(?:to|till|until)\s)
                    {hour} (?P<last>{minutes})? )?
         {half} (?P<ends>(?={ENDS}))? (?![\w.:/%°]\S|[/%°])
@@ -102,7 +102,7 @@ def _behind_things(text: str, lexicon: Lexicon) -> Iterator[int]:
         before = words_of(text[: found.start()])
         behind = words_of(text[found.end() :])[:1]
         sure = ":" in found[0]
-        if sure or not before or _is_amount(behind, lexicon):
+        if sure or not before or _is_amount(behind, lexicon) or _costs(before, lexicon):
             # "Panel 9:15" needs no mark.
             continue
         if found["last"] and found["dash"] and not found["minutes"] and _is_called(before[-1], lexicon):
@@ -138,9 +138,18 @@ def _is_amount(behind: Sequence[Word], lexicon: Lexicon) -> bool:
     return any(word.text in measured or lexicon.means(word.text, "unit") for word in behind)
 
 
+def _costs(before: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a number is a price, or the new version of something: "buy milk 2.50"."""
+    kinds = lexicon.no_times
+    return not (kinds.costing | kinds.versioning).isdisjoint(word.text for word in before)
+
+
 def _is_thing(word: Word, lexicon: Lexicon) -> bool:
-    """Whether a word names something, and is no preposition, hedge or day of the hour."""
-    return word.text not in lexicon.function_words and not lexicon.means(word.text, *BESIDE_HOURS)
+    """Whether a word names something that may have an hour, and is no preposition, hedge or day of one."""
+    kinds = lexicon.no_times
+    numbered = lexicon.measure_nouns | lexicon.amount_nouns | kinds.numbered_in_two | kinds.set_to
+    named = has_time(word.text, lexicon) or word.text not in numbered
+    return named and word.text not in lexicon.function_words and not lexicon.means(word.text, *BESIDE_HOURS)
 
 
 def _is_timed(word: Word, lexicon: Lexicon) -> bool:
