@@ -10,7 +10,7 @@ Understanding (``interpreter``)
     none: ``why_nothing``.
     Repeated beside something else: ``inside``, ``behind``, ``each_turn``, ``of_each``, ``passing``,
     ``turns_in_bounds``.
-    Done ``meanwhile``.
+    Done ``meanwhile``, or ``giving_way`` to what is said to begin.
     Who, and how far ahead: ``asked``, ``horizon``, ``waking_hours``.
 
 What binds skills

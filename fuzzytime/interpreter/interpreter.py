@@ -9,6 +9,7 @@ from fuzzytime.errors import InstructionError
 from fuzzytime.interpreter.asked import by_agents
 from fuzzytime.interpreter.by_the_sky import told_by_the_sky
 from fuzzytime.interpreter.gathering import Gathering
+from fuzzytime.interpreter.giving_way import giving_way
 from fuzzytime.interpreter.horizon import horizon_of, within_horizon
 from fuzzytime.interpreter.in_full import in_full
 from fuzzytime.interpreter.in_order import Rows, free_of_circles, of_places
@@ -132,6 +133,7 @@ class Interpreter:
                 gathered.spoken(wish, reading_left, told)
         gathered.finish()
         skills, called = by_agents(as_they_happened(gathered.skills, request.started), request)
+        skills = giving_way(skills, self.language.lexicon, request.agents)
         skills, passing = in_passing(skills, self.rulebook, request.agents, gathered.links)
         problems += (*called, *passing)
         skills, precedences, unresolved = link(skills, gathered.links, self.rulebook, request.now)

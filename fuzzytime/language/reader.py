@@ -115,7 +115,7 @@ class Language:
         for operation in given:
             mentions.add(operation)
         readings: list[Reading] = []
-        drafts = under_headings(self._drafts(texts), self.lexicon)
+        drafts = under_headings(self._drafts(texts, together=True), self.lexicon)
         since = NOTHING
         given_since = []
         for draft in drafts:
@@ -124,7 +124,8 @@ class Language:
             given_since.append(since)
             reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
             said = last_said(_times_in(reading), since)
-            since = night_told(reading, replace(said, clock=last_said(_first_times(reading), since).clock))
+            said = replace(said, clock=last_said(_first_times(reading), since).clock)
+            since = night_told(reading, said.behind(since))
             for instruction in reading.instructions:
                 mentions.told.add(len(mentions.operations), instruction, reading.now)
                 mentions.add(instruction.operation)
@@ -148,7 +149,8 @@ class Language:
             If a text is too long.
         """
         texts = list(texts)
-        readings = [composed(draft, self.lexicon, Mentions(self.lexicon), 0) for draft in self._drafts(texts)]
+        drafts = self._drafts(texts, together=False)
+        readings = [composed(draft, self.lexicon, Mentions(self.lexicon), 0) for draft in drafts]
         return self._as_typed(readings, texts)
 
     def _as_typed(
@@ -160,12 +162,12 @@ class Language:
             for reading, (text, _) in zip(readings, texts, strict=True)
         ]
 
-    def _drafts(self, texts: list[tuple[str, datetime | None]]) -> list[Draft]:
+    def _drafts(self, texts: list[tuple[str, datetime | None]], *, together: bool) -> list[Draft]:
         for text, _ in texts:
             check_length(text)
         function_words = self.lexicon.function_words
         stopped = [(with_stops(without_unseen(text), function_words), now) for text, now in texts]
-        return drafted(stopped, self.grammar, self.lexicon, self.trees)
+        return drafted(stopped, self.grammar, self.lexicon, self.trees, together=together)
 
     def trees(self, texts: Sequence[str]) -> list[Tree]:
         """Parse texts, those that the cache knows without the model.

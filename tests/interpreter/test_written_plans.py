@@ -102,3 +102,47 @@ def test_what_is_called_a_truck_or_a_delivery_comes() -> None:
 def test_a_clause_behind_two_verbs_is_of_both() -> None:
     found = starts(told(["Pour the slab at 10 am", "Level and float when the slab is poured"]))
     assert "10:00" <= found["s2"] < found["s2.2"]
+
+
+@pytest.mark.parametrize(
+    ("line", "hour"),
+    [
+        ("Vases out 10.20", "10:20"),
+        ("Teardown 4.40, 20 min", "16:40"),
+        ("Group B workshop 10-11.30 upstairs", "10:00"),
+        ("Rehearsal 12 to 1 (in costume)", "12:00"),
+        ("Dive 1 - 9.40, 45 mins", "09:40"),
+        ("7.10 crew meeting", "07:10"),
+        ("9.04 weather (1 min)", "09:04"),
+    ],
+)
+def test_a_number_behind_a_thing_is_an_hour_where_other_lines_say_when(line: str, hour: str) -> None:
+    assert hour in starts(told(["Open the hall at 9", line, "Lock the hall by 6"])).values()
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "Mix 1.50 kg of lime",
+        "Boil 12.30 litres",
+        "Buy milk 2.50",
+        "Dive 1, with the new boat",
+        "Paint rooms 2-4",
+    ],
+)
+def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
+    made = told(["Open the hall at 9", line, "Lock the hall by 6"])
+    assert made.schedule.skills[1].name.split()[1] in line
+    assert starts(made)["s2"] < "09:00"
+
+
+@pytest.mark.parametrize("way", ["hour and a quarter drive", "75 minutes' drive", "an hour's drive"])
+def test_how_long_one_drives_may_be_said_behind_a_comma(way: str) -> None:
+    (leaving,) = told([f"Leave at 2, {way}"]).skills
+    assert leaving.skill.time_until_done == (3600.0 if "hour's" in way else 4500.0)
+
+
+def test_lines_that_go_through_a_day_in_order_go_on_further() -> None:
+    lines = ["Open the hall at 8", "Sweep it at 10", "Lunch at 1.30", "Count the tickets at 7.15"]
+    assert starts(told(lines))["s4"] == "19:15"
+    assert starts(told(lines[2:]))["s2"] == "07:15"

@@ -64,6 +64,12 @@ def and_a_half(quantity: Quantity, unit: UnitWord, fraction: float) -> Duration 
     return length_of(Quantity(quantity.value + fraction, quantity.hedges), unit)
 
 
+@grammar.rule("duration", "<unit> and a <fraction>", weight=-0.2)
+def one_and_a_half(unit: UnitWord, fraction: float) -> Duration | None:
+    """(leave at two,) hour and a half drive: the article is left out."""
+    return length_of(Quantity(1 + fraction), unit)
+
+
 @grammar.rule("duration", "<quantity> <unit> and a bit|little")
 def and_a_bit(quantity: Quantity, unit: UnitWord) -> Duration | None:
     """An hour and a bit."""

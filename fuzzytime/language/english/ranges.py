@@ -192,6 +192,12 @@ def called_between(first: Clock, *last: Clock | str) -> Said | None:
     return sometime_from(first, last[-1]) if isinstance(last[-1], Clock) else None
 
 
+@grammar.rule("said", "@ <clock> -|to|till|until <clock>", weight=1.2)
+def marked_between(first: Clock, last: Clock) -> Said | None:
+    """(lunch) @12-1, @ 12:30 to 2: the mark says that they are hours."""
+    return sometime_from(first, last)
+
+
 @grammar.rule("said", "<wall> <integer> - <integer>", weight=0.9)
 def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
     """Monday 11-4."""

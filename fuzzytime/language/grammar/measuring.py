@@ -244,8 +244,8 @@ class Measures:
         bare = bare and self.lexicon.beside.of_hours.isdisjoint(self.texts[piece.start : piece.end])
         nouns = self.called_by_number if bare else self.lexicon.amount_nouns
         if bare and COLON in self.texts[piece.start : piece.end]:
-            # "Concrete truck 8:30": no truck has a number of two parts.
-            nouns = nouns - self.lexicon.machines
+            # "Concrete truck 8:30", "first race 9:45": few things have a number of two parts.
+            nouns = self.lexicon.amount_nouns | self.lexicon.no_times.numbered_in_two
         # "Turn it down a degree at ten": how much is said. "The temperature sixish": when.
         told = self.texts[max(0, piece.start - 2) : piece.start - 1] in (["a"], ["one"])
         told = not bare and (told or self.tells_hour(piece))

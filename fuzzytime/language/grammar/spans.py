@@ -36,30 +36,39 @@ LONGEST_ELLIPSIS = 4
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
 
+MARKS = {" ": "@", ".": ":"}
+"""What people type in front of an hour and between it and its minutes, by what may stand there instead."""
+
 ROUNDS = 6
 """How often the best pieces are chosen anew because the judge refused some of them."""
 
 
 @dataclass(frozen=True, slots=True)
 class Scanned:
-    """A text's words, everything the grammar finds in them, and the tables that it found it by."""
+    """A text's words, everything the grammar finds in them, and the tables that it found it by.
+
+    At each of the places of ``hours`` stands a space or a point that is read as the mark of an hour.
+    """
 
     text: str
     words: tuple[Word, ...]
     cells: list[Cell]
     lexicon: Lexicon = field(repr=False)
+    hours: frozenset[int] = frozenset()
 
     @classmethod
-    def of(cls, text: str, grammar: Grammar, lexicon: Lexicon) -> "Scanned":
+    def of(
+        cls, text: str, grammar: Grammar, lexicon: Lexicon, *, hours: frozenset[int] = frozenset()
+    ) -> "Scanned":
         """Apply a grammar to a text."""
-        typed = typed_apart(_with_quotes(text, grammar, lexicon))
+        typed = typed_apart(_with_marks(_with_quotes(text, grammar, lexicon), hours))
         words = _parted([_spelt(word, lexicon) for word in typed], lexicon)
         lexical = {}
         for start in range(len(words)):
             found = [*numeral_pieces(words, start, lexicon), *lexicon.pieces(words, start)]
             if found:
                 lexical[start] = found
-        return cls(text, words, grammar.parse(words, lexical), lexicon)
+        return cls(text, words, grammar.parse(words, lexical), lexicon, hours)
 
     def pieces(self, category: str) -> list[Piece]:
         """Give all pieces of a category, by their start."""
@@ -79,6 +88,16 @@ def _with_quotes(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Word]:
         said = Word(text[start:end].lower(), start, end, words[inside[0]].glued)
         words[inside[0] : inside[-1] + 1] = [said]
     return words
+
+
+def _with_marks(words: Sequence[Word], hours: frozenset[int]) -> list[Word]:
+    """Put "@", which takes no room, before each word behind a space of hours; a point becomes a colon."""
+    found: list[Word] = []
+    for word in words:
+        if word.start - 1 in hours and not word.glued:
+            found.append(Word(MARKS[" "], word.start, word.start, glued=False))
+        found.append(replace(word, text=MARKS["."]) if word.start in hours else word)
+    return found
 
 
 def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:

@@ -307,6 +307,8 @@ class NoTimes:
     of_years: Words
     aging: Words
     numbered: Words
+    numbered_in_two: Words
+    costing: Words
     versioning: Words
     screens: Words
     shapes: Words

@@ -56,7 +56,7 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         # Of "at eight, twelve and five", none is at night only because another is in the evening, and nobody
         # has lunch at midnight.
         known = plausible if here.listed or here.carried or here.usual else moments
-        within = CLOSE if here.carried else FOLLOWING
+        within = CLOSE if here.carried and not here.in_order else FOLLOWING
         follows = [moment for moment in known if here.since < moment <= here.since + within]
         if wall.days is not None and not here.carried:
             # "On friday mow at ten and rake at six": the six of that day that follows, however late.

@@ -33,6 +33,8 @@ class Standpoint(ABC):
         Whether what is asked for comes after it.
     carried : bool
         Whether another text said it.
+    in_order : bool
+        Whether the texts so far go through a day in its order.
     ends : bool
         Whether it is a deadline, which is not now: nothing can be done by then.
     opens : bool
@@ -65,6 +67,7 @@ class Standpoint(ABC):
     listed: bool = False
     follows: bool = False
     carried: bool = False
+    in_order: bool = False
     ends: bool = False
     opens: bool = False
     due: datetime | None = None

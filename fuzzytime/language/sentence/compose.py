@@ -99,6 +99,7 @@ class _Composer:
             lexicon.policy,
             since=since.clock,
             carried=since.clock is not None,
+            in_order=since.in_order,
             day=since.day,
             night=since.night,
             window=_window_of(draft, lexicon),

@@ -246,6 +246,9 @@ class Borders:
         if not counts or self.measures.tells_hour(piece):
             # "Empty the bins sixish"
             return False
+        if self.texts[place + 1 : place + 2] == [":"]:
+            # As in "gates 9:15".
+            return False
         while place and (self._joins_numbers(place - 1) or self.measures.is_number(place - 1)):
             place -= 1
         named = self.texts[place - 1] if place else ""

@@ -51,7 +51,12 @@ class Cuts(Standing):
                 return False
             if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
                 after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
-                return word.text in {"%", "°"} or (after is not None and after.glued)
+                if word.text in {"%", "°"} or (after is not None and after.glued):
+                    return True
+        return self._runs_before(piece)
+
+    def _runs_before(self, piece: Piece) -> bool:
+        """Whether typed marks, or letters, go on in front of it."""
         first = self.words[piece.start]
         if piece.start and first.glued and first.is_digits:
             # The "15 on monday" of "train 7:15 on monday"

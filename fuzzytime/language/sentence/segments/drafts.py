@@ -7,7 +7,7 @@ from datetime import datetime
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.denied import denied
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.spans import MARKS, Scanned, phrases_of
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.phrases import places_in
@@ -21,6 +21,7 @@ from fuzzytime.language.sentence.segments.further.orders_behind_joints import or
 from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.further.same_doers import done_next
 from fuzzytime.language.sentence.segments.lists.dividers import divided
+from fuzzytime.language.sentence.segments.lists.hours_of_lines import are_times, hours_in
 from fuzzytime.language.sentence.segments.lists.leading_tags import (
     leading_labels,
     leading_tags,
@@ -137,17 +138,23 @@ class Draft:
 
 
 def drafted(
-    texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
+    texts: Sequence[tuple[str, datetime | None]],
+    grammar: Grammar,
+    lexicon: Lexicon,
+    trees: Trees,
+    *,
+    together: bool,
 ) -> list[Draft]:
-    """Draft texts; ``trees`` parses."""
+    """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
     sources, steps, asides, several, messages, tags = [], [], [], [], [], []
+    timed = together and are_times([text for text, _ in texts], lexicon)
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         tags.append(leading_tags(text))
         plain = blanked(without_marks(text, marks), (*tags[-1], *leading_labels(text, lexicon)))
-        listed = switched_apart(run_apart(divided(plain, grammar, lexicon), lexicon), lexicon)
-        scanned = Scanned.of(listed, grammar, lexicon)
+        hours = hours_in(plain, lexicon) if timed or are_times([text], lexicon) else frozenset()
+        scanned = _in_entries(plain, hours, grammar, lexicon)
         messages.append(messages_of(scanned, lexicon))
         told = (message.span for message in messages[-1])
         scanned = _again(scanned, blanked(scanned.text, told), grammar)
@@ -185,9 +192,19 @@ def drafted(
     ]
 
 
+def _in_entries(text: str, hours: frozenset[int], grammar: Grammar, lexicon: Lexicon) -> Scanned:
+    """Scan a text with a stop between each two entries of a line; ``hours`` are marked as such."""
+    marked = "".join(MARKS.get(c, c) if place in hours else c for place, c in enumerate(text))
+    listed = switched_apart(run_apart(divided(marked, grammar, lexicon), lexicon), lexicon)
+    typed = "".join(text[place] if place in hours else c for place, c in enumerate(listed))
+    return Scanned.of(typed, grammar, lexicon, hours=hours)
+
+
 def _again(scanned: Scanned, text: str, grammar: Grammar) -> Scanned:
     """Scan what a text became, where it is another."""
-    return scanned if text == scanned.text else Scanned.of(text, grammar, scanned.lexicon)
+    return (
+        scanned if text == scanned.text else Scanned.of(text, grammar, scanned.lexicon, hours=scanned.hours)
+    )
 
 
 def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[list[Part]]:

@@ -22,13 +22,29 @@ NIGHT_SECONDS = A_DAY / 2 + 1
 class LastSaid:
     """The clock time, and the day, that were said last, in seconds from now; None where none was.
 
-    ``night`` is from when to when something goes on over midnight, as was told.
+    ``night`` is from when to when something goes on over midnight, as was told; ``forward`` is how many clock
+    times in a row came later than the one before, on lines before this.
     """
 
     clock: float | None = None
     day: float | None = None
     night: tuple[float, float] | None = None
+    forward: int = 0
 
+    @property
+    def in_order(self) -> bool:
+        """Whether lines go through a day in its order, as far as is known."""
+        return self.forward >= IN_ORDER
+
+    def behind(self, before: "LastSaid") -> "LastSaid":
+        """Give the same, with how far lines have gone on from what was said before."""
+        if before.clock is None or self.clock is None or self.clock == before.clock:
+            return replace(self, forward=before.forward)
+        return replace(self, forward=before.forward + 1 if self.clock > before.clock else 0)
+
+
+IN_ORDER = 2
+"""Times in a row that come later than the one before, from which on lines go through a day in its order."""
 
 NOTHING = LastSaid()
 

@@ -62,6 +62,8 @@ def due_by_then(
 def _state(nodes: Sequence[Node], lexicon: Lexicon) -> int:
     """Give where it begins what is so by then: at what is done last, or else where it is; 0 for nothing."""
     last = len(nodes) - 1
+    # "Miked up"
+    last -= last > 1 and nodes[last].lower in lexicon.particles and nodes[last - 1].tag in PARTICIPLES
     if last > 0 and _is_done(nodes[last], nodes[last - 1], lexicon):
         both = last > 2 and nodes[last - 1].lower in {"and", "&"} and nodes[last - 2].tag in PARTICIPLES
         # "Washed and hoovered"

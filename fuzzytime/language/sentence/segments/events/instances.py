@@ -40,7 +40,7 @@ def instances_of(scanned: Scanned, grammar: Grammar, lexicon: Lexicon) -> tuple[
     found = _marked(scanned, lexicon)
     if len(found.starts) < 2 or _begins_alone(scanned, found, lexicon):
         return scanned, NONE
-    bare = Scanned.of(blanked(scanned.text, found.counting), grammar, lexicon)
+    bare = Scanned.of(blanked(scanned.text, found.counting), grammar, lexicon, hours=scanned.hours)
     times = [phrase.span for phrase in phrases_of(bare, lexicon)]
     begins = [next((word.start for word in bare.words if word.start >= start), -1) for start in found.starts]
     # "Two visits today, one at nine": the first may have its day in front.

@@ -19,6 +19,9 @@ PARTS = frozenset({"part", "meal"})
 AND, THEN = "and", "then"
 """Words before what is done next."""
 
+OWNING = frozenset({"'s", "'"})
+"""What makes a length that of what is behind it: "an hour's drive", "40 minutes' drive"."""
+
 RULE = "told"
 """The rule of a length that is told."""
 
@@ -87,7 +90,7 @@ class _Telling:
     def _is_way(self, before: Sequence[str], after: Sequence[str], *, alone: bool) -> bool:
         """Whether words say how far it is: "it's 20 minutes away", "the drive takes half an hour"."""
         said, told = self._said(before), self.told
-        rest = after[1:] if after[:1] in (["'s"], ["’s"]) else after
+        rest = after[1:] if {*after[:1]} & OWNING else after
         goes = (
             rest[:1] == ["away"]
             or (rest[:1] and rest[0] in told["going"])

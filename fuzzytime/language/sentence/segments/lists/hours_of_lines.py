@@ -1,0 +1,170 @@
+"""Hours behind what lines name, where the lines together are a list of times: "Panel 11.30", "Lunch 12 to 1".
+
+On a line by itself such a number may be a price, or of how many. Among lines that each say when something
+is, it is an hour, as if "@" stood in front of it.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from functools import cache
+
+from fuzzytime.english import singular
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.timetables import has_time
+from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.sentence.segments.lists.dividers import LINE
+
+SURELY = 2
+"""Lines with a time that is surely one, beside which others are a list of times."""
+
+TYPED = 3
+"""Lines with a number that may be an hour and its minutes that are a list of times by themselves."""
+
+FIVES = 5
+"""Minutes by which people plan; prices have others."""
+
+SURE = re.compile(
+    r"""
+    (?<![\d.:]) \d{1,2} : [0-5]\d (?![\d:])
+    | \b (?:at|by|from|until|till|before|after) \s (?:[01]?\d|2[0-3]) (?:\.[0-5]\d)? (?= \s* (?:[,;.)]|$) )
+    """,
+    re.VERBOSE | re.IGNORECASE,
+)
+"""A time that is surely one by how it is typed, or by what stands in front of it."""
+
+DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
+"""A number with two digits behind its point."""
+
+LEADING = re.compile(r"\s*(?:2[0-3]|[01]?\d)(\.)[0-5]\d(?=\s+[^\W\d])")
+"""An hour and its minutes in front of a line."""
+
+BESIDE_HOURS = (
+    "hedge",
+    "hedge_after",
+    "preposition_at",
+    "preposition_before",
+    "preposition_after",
+    "forward",
+    "within",
+    "weekday",
+    "day",
+    "month",
+)
+"""What words mean that belong to the hour behind them: "exactly 9.10", "friday 9.30"."""
+
+GOING_ON = "ing"
+"""The ending of what goes on."""
+
+ENDS = r"\s*(?:$|[,;()!]|\.(?!\d)|[-–—]\s)"
+"""What ends what is said of when something is."""
+
+
+@cache
+def _hours(halves: frozenset[str]) -> re.Pattern[str]:
+    """Give what finds a number behind a word, or two from when to when."""
+    half = rf"(?:\s?(?:{'|'.join(map(re.escape, sorted(halves, key=len, reverse=True)))})(?!\w))?"
+    hour, minutes = r"(?:2[0-3]|[01]?\d)", r"[.:][0-5]\d"
+    return re.compile(
+        rf"""
+        (?<=[\w)]) \s (?: {hour} (?P<minutes>{minutes}) | (?:1[0-2]|0?[1-9])(?![\d.:]) )
+        (?P<until> {half} (?:(?P<dash>\s[-–]\s)|\s?[-–]\s?|\s(?:to|till|until)\s)
+                   {hour} (?P<last>{minutes})? )?
+        {half} (?P<ends>(?={ENDS}))? (?![\w.:/%°]\S|[/%°])
+        """,
+        re.VERBOSE | re.IGNORECASE,
+    )
+
+
+def are_times(texts: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether lines are a list of times, as two are surely timed, or three have numbers like hours."""
+    lines = [line[0] for text in texts for line in LINE.finditer(text)]
+    halves = _hours(lexicon.beside.of_hours)
+    sure = sum(SURE.search(line) is not None for line in lines)
+    decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
+    typed = sum(any(found["minutes"] for found in halves.finditer(line)) for line in lines)
+    planned = len(decimals) >= TYPED and all(digits < 60 and digits % FIVES == 0 for digits in decimals)
+    return sure >= SURELY or (planned and typed >= TYPED)
+
+
+def hours_in(text: str, lexicon: Lexicon) -> frozenset[int]:
+    """Give where in a line of a list of times a space stands before an hour, or a point in the first of it.
+
+    >>> from fuzzytime.language import shipped_lexicon
+    >>> hours_in("Panel 11.30", shipped_lexicon())
+    frozenset({5})
+    """
+    return frozenset((*_behind_things(text, lexicon), *_in_front(text, lexicon)))
+
+
+def _behind_things(text: str, lexicon: Lexicon) -> Iterator[int]:
+    """Give where an hour follows what is then."""
+    for found in _hours(lexicon.beside.of_hours).finditer(text):
+        before = words_of(text[: found.start()])
+        behind = words_of(text[found.end() :])[:1]
+        sure = ":" in found[0]
+        if sure or not before or _is_amount(behind, lexicon) or _costs(before, lexicon):
+            # "Panel 9:15" needs no mark.
+            continue
+        if found["last"] and found["dash"] and not found["minutes"] and _is_called(before[-1], lexicon):
+            # "Dive 1 - 9.30"
+            yield found.end("dash") - 1
+            continue
+        has_hour = _is_thing if found["minutes"] or found["last"] else _is_timed
+        goes_on = found["until"] is not None and _goes_on(before, lexicon)
+        if (goes_on or has_hour(before[-1], lexicon)) and _may_end(found, behind, lexicon):
+            yield found.start()
+
+
+def _in_front(text: str, lexicon: Lexicon) -> Iterator[int]:
+    """Give where the point is in an hour in front of what is then: "7.10 crew call"."""
+    for line in LINE.finditer(text):
+        found = LEADING.match(line[0])
+        if found is not None and not _is_amount(words_of(line[0][found.end() :])[:1], lexicon):
+            yield line.start() + found.start(1)
+
+
+def _may_end(found: re.Match[str], behind: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether nothing is behind an hour, or beside minutes where or whose it is: "10-11.30 group A"."""
+    if found["ends"] is not None:
+        return True
+    typed = found["minutes"] or found["last"]
+    placed = all(word.text in lexicon.function_words for word in behind)
+    return bool(typed) and (found["until"] is not None or placed)
+
+
+def _is_amount(behind: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a number counts what is behind it: "add 1.50 litres"."""
+    measured = lexicon.measure_nouns | lexicon.no_times.measured_in
+    return any(word.text in measured or lexicon.means(word.text, "unit") for word in behind)
+
+
+def _costs(before: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a number is a price, or the new version of something: "buy milk 2.50"."""
+    kinds = lexicon.no_times
+    return not (kinds.costing | kinds.versioning).isdisjoint(word.text for word in before)
+
+
+def _is_thing(word: Word, lexicon: Lexicon) -> bool:
+    """Whether a word names something that may have an hour, and is no preposition, hedge or day of one."""
+    kinds = lexicon.no_times
+    numbered = lexicon.measure_nouns | lexicon.amount_nouns | kinds.numbered_in_two | kinds.set_to
+    named = has_time(word.text, lexicon) or word.text not in numbered
+    return named and word.text not in lexicon.function_words and not lexicon.means(word.text, *BESIDE_HOURS)
+
+
+def _is_timed(word: Word, lexicon: Lexicon) -> bool:
+    """Whether a word names what has a time, and is not called by a number: "lunch", but "race 1"."""
+    return has_time(word.text, lexicon) and not _is_called(word, lexicon)
+
+
+def _goes_on(entry: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether one word that opens a line names what goes on, or several such: "trading", "interviews"."""
+    first = entry[-1]
+    alone = len(entry) == 1 and not _is_called(first, lexicon)
+    return alone and (first.text.endswith(GOING_ON) or has_time(singular(first.text), lexicon))
+
+
+def _is_called(word: Word, lexicon: Lexicon) -> bool:
+    """Whether a number behind a word may be the name of a thing: "race 1"."""
+    called = lexicon.measure_nouns | lexicon.machines | lexicon.no_times.numbered
+    return not called.isdisjoint({word.text, singular(word.text)})
