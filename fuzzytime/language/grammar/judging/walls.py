@@ -63,7 +63,8 @@ class Walls(Standing):
             return self.hours.accept_pair(piece, said)
         if wall.weak:
             return self._accepts_weak(piece, said, wall)
-        if wall.days is None and wall.clock is None and self._is_of_noun(piece, said):
+        parted = wall.days is None and wall.clock is None and not self._ends_in_thing(piece)
+        if parted and self._is_of_noun(piece, said):
             return False
         weekly = isinstance(wall.days, Fields) and wall.days.weekly
         led = self.texts[piece.end - 2 : piece.end - 1] == ["the"]
@@ -286,13 +287,23 @@ class Walls(Standing):
 
     def _is_thing(self, piece: Piece, wall: Wall) -> bool:
         """Whether it is served, described, wished: "with tea", "the first thing you see", "good morning"."""
-        if self.texts[piece.end - 1] == THING:
-            return self.around.follower(piece) not in ({""} | self.beside.behind_things)
+        if self._ends_in_thing(piece):
+            follower = self.around.follower(piece)
+            ends = follower in {""} | self.beside.behind_things
+            # "First thing water the plants"
+            led = self.around.opens(piece.start) and self.texts[piece.start] != "the"
+            return not ends and not (
+                led and follower.isalpha() and follower not in self.lexicon.function_words
+            )
         served = self.is_ambiguous(piece.end - 1) or not self.around.may_end(piece)
         greeting = self.around.before(piece) in self.beside.greeting and (
             wall.clock is None or wall.days is not None
         )
         return greeting or (self.texts[piece.start] == "with" and served)
+
+    def _ends_in_thing(self, piece: Piece) -> bool:
+        """Whether its last word may be any thing: "first thing"."""
+        return self.texts[piece.end - 1] == THING
 
     def _is_counted_part(self, piece: Piece, wall: Wall) -> bool:
         """Whether an ordinal counts parts of the day, and is no date: "cancel the second night"."""
