@@ -17,7 +17,7 @@ from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.feasts import OfYear, Season
 from fuzzytime.language.meaning.relations import Deictic, Which
-from fuzzytime.requirement import Unit
+from fuzzytime.requirement import Constraint, Unit
 
 UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
 """Prepositions behind which a meal is a thing, or a place: "sugar in tea", "home from work"."""
@@ -172,6 +172,7 @@ class Walls(Standing):
         unbinding = UNBINDING if wall.part is not None else {None, "to", "at"}
         # "Ask about lunch": what a meal is asked about.
         bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
+        bound = bound or self._begins_at_meal(piece, said, wall)
         numbered = isinstance(wall.days, Fields) and wall.days.is_day_of_month
         if said.preposition == "in" and numbered and wall.clock is None:
             # "The blue car is in first"
@@ -193,6 +194,11 @@ class Walls(Standing):
         clocked = self.around.follower(piece) in self.beside.of_hours
         dated = dates_entry(self.words, piece.start, piece.end, self.lexicon)
         return dated or (bound and not clocked and self.around.may_end(piece))
+
+    def _begins_at_meal(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether more than "from" makes a meal a start: "any time from lunch", not "dishes from lunch"."""
+        led = said.constraint is Constraint.AFTER and self.texts[piece.start] != said.preposition
+        return led and wall.part is not None and not wall.part.place
 
     def is_left_out(self, piece: Piece) -> bool:
         """Whether it is left out of days: "every monday except the 16th"; but "every page but the first"."""
