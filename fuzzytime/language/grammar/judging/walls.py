@@ -297,7 +297,7 @@ class Walls(Standing):
             follower = self.around.follower(piece)
             ends = follower in {""} | self.beside.behind_things
             # "First thing water the plants"
-            led = self.around.opens(piece.start) and self.texts[piece.start] != "the"
+            led = self.around.opens(piece.start) and "the" not in self.texts[piece.end - 3 : piece.end]
             return not ends and not (
                 led and follower.isalpha() and follower not in self.lexicon.function_words
             )
@@ -314,7 +314,8 @@ class Walls(Standing):
     def _is_counted_part(self, piece: Piece, wall: Wall) -> bool:
         """Whether an ordinal counts parts of the day, and is no date: "cancel the second night"."""
         dated = isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day)
-        return dated and wall.part is not None and self.texts[piece.end - 2] in self.lexicon.ordinals
+        counted = self.texts[piece.end - 2] in self.lexicon.ordinals and not self._ends_in_thing(piece)
+        return dated and wall.part is not None and counted
 
     def _is_ordinal(self, place: int) -> bool:
         """Whether an ordinal is at a place: a word, or a number and its ending."""
