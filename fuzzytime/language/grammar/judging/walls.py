@@ -77,7 +77,8 @@ class Walls(Standing):
             ends = self.around.may_end(piece) and self.around.follower(piece) != "of"
             return said.preposition not in {None, "to"} and ends
         alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
-        return not alone or (weekly and (self._is_listed(piece) or self._heads_entry(piece)))
+        entered = self._is_listed(piece) or self._heads_entry(piece) or self._ends_entry(piece)
+        return not alone or (weekly and entered)
 
     def _is_one(self, piece: Piece, wall: Wall) -> bool:
         """Whether it begins with one of some things, and a day: "order a new one | fri"."""
@@ -103,6 +104,18 @@ class Walls(Standing):
         begun = (p + 1 for p, text in enumerate(self.texts[:-1]) if text in {",", *LINE_STARTS})
         others = [p for p in (0, *begun) if p != piece.start]
         return behind.isalpha() and any(self.around.is_weekday(p) for p in others)
+
+    def _ends_entry(self, piece: Piece) -> bool:
+        """Whether a short name of a day ends an order: "call mum sat", not "find where dad sat"."""
+        before, place = self.around.before(piece), piece.start
+        ends = self.around.follower(piece) in self.beside.polite_ends | {""}
+        named = before.isalpha() and before not in self.lexicon.function_words | self.lexicon.addressing
+        clause = self.closed.relatives | self.closed.free_relatives | self.closed.personal_pronouns
+        told = any(text in clause or (text,) in self.lexicon.clauses for text in self.texts[:place])
+        if told or not (ends and named and self.is_ambiguous(place)):
+            return False
+        thing = self.texts[place] in self.beside.things_in_days and not self.words[place].capital
+        return not thing or self.is_called(place)
 
     def _doubtful_feast(self, piece: Piece, said: Said, wall: Wall) -> Piece | None:
         """Give what it begins with, a feast or not: "he lent it", "call Ramadan"; None with its year."""
