@@ -17,8 +17,14 @@ BEFORE, NO_LATER, FROM = "before", "no later than", "from"
 
 @grammar.rule("said", "<said> at|on|of|,|in? the? <wall>", "<said> , on the? <wall>", weight=0.1)
 def range_on_day(said: Said, wall: Wall) -> Said | None:
-    """Between 3 and 5 on friday."""
-    return refined(said, wall)
+    """Between 3 and 5 on friday; but who is picked up "from school on friday" is picked up there."""
+    return None if _is_from_place(said) else refined(said, wall)
+
+
+def _is_from_place(said: Said) -> bool:
+    """Whether it says where, and not since when: "from school"."""
+    part = said.time.part if isinstance(said.time, Wall) else None
+    return said.preposition == FROM and part is not None and part.place
 
 
 @grammar.rule("said", "<wall> , <said>", "<wall> <said>", "<preposition_at> <wall> ,? <said>", weight=0.1)
@@ -34,8 +40,7 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
     if isinstance(first, Preposition) and first.name == "for" and dated:
         # "The rota for next week by thursday": what it is for, and a deadline.
         return None
-    place = isinstance(said.time, Wall) and said.time.part is not None and said.time.part.place
-    if said.preposition == FROM and place:
+    if _is_from_place(said):
         # "Pick up sam wednesday from school": where, and not since when.
         return None
     if wall.weak and wall.part is not None:

@@ -55,8 +55,8 @@ class Walls(Standing):
             return False
         if self._is_thing(piece, wall) or self.naming.hold(piece, said, wall) or self._is_one(piece, wall):
             return False
-        if wall.bare:
-            return self.hours.accept_number(piece, said, wall)
+        if wall.bare or self._goes_to_number(piece, wall):
+            return self._accepts_number(piece, said, wall)
         if self._begins_other(piece, said, wall):
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
@@ -79,6 +79,22 @@ class Walls(Standing):
         alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         entered = self._is_listed(piece) or self._heads_entry(piece) or self._ends_entry(piece)
         return not alone or (weekly and entered)
+
+    def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether a number is an hour: "at six", "push lunch to one tomorrow"."""
+        if wall.bare:
+            return self.hours.accept_number(piece, said, wall)
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        moved = self.given.reschedules(before) and not self.measures.measured(piece)
+        return said.preposition == "to" and (moved or self.hours.accept_number(piece, said, wall))
+
+    def _goes_to_number(self, piece: Piece, wall: Wall) -> bool:
+        """Whether "to" is before a number alone, and a day behind it: "set the heating to 20 tomorrow"."""
+        hour = wall.clock is not None and wall.clock.grain is Unit.HOUR and wall.clock.half is None
+        place = piece.start + (self.texts[piece.start] == "to")
+        told = self.beside.of_hours | self.beside.of_clocks
+        alone = self.measures.is_number(place) and told.isdisjoint(self.texts[place + 1 : place + 2])
+        return hour and not wall.bare and alone and self.texts[place - 1 : place] == ["to"]
 
     def _is_one(self, piece: Piece, wall: Wall) -> bool:
         """Whether it begins with one of some things, and a day: "order a new one | fri"."""
