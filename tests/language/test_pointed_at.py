@@ -334,3 +334,43 @@ def test_a_number_of_which_nothing_says_what_it_counts_is_pointed_at(text: str, 
 
 def test_a_number_that_names_a_thing_is_not_pointed_at() -> None:
     assert not language().read("play 7", now=NOW).remarks
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("book the court 12-2", "12-2"),
+        ("dentist 3/15", "3/15"),
+        ("call mum 15/3.", "15/3"),
+        ("pay the rent 4/2026, please", "4/2026"),
+    ],
+)
+def test_numbers_that_may_be_a_date_or_hours_are_pointed_at(text: str, said: str) -> None:
+    messages = [remark.message for remark in language().read(text, now=NOW).remarks]
+    assert f"{said!r} looks like a time and was not understood" in messages
+
+
+@pytest.mark.parametrize("text", ["read pages 3-5", "mix it 1/3", "file invoice 10/2026"])
+def test_numbers_of_things_are_not_pointed_at(text: str) -> None:
+    assert language().read(text, now=NOW).remarks == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("jog every weekday except holidays", "holidays"),
+        ("open daily except public holidays", "public holidays"),
+        ("jog every day but not on rest days", "rest days"),
+        ("jog every day except for mum's birthday and feed the cat", "mum's birthday"),
+    ],
+)
+def test_days_left_out_that_are_not_known_are_pointed_at(text: str, said: str) -> None:
+    messages = [remark.message for remark in language().read(text, now=NOW).remarks]
+    assert f"{said!r} looks like a time and was not understood" in messages
+
+
+@pytest.mark.parametrize(
+    "text", ["water the plants every day, except the cactus", "jog daily but not on sundays"]
+)
+def test_what_is_left_out_else_is_not_pointed_at(text: str) -> None:
+    assert not [r for r in language().read(text, now=NOW).remarks if r.message.endswith("was not understood")]

@@ -289,9 +289,9 @@ def hedged_repeat(hedge: str, repeat: Repeat) -> Said:
     return Said(repeat, Constraint.EVERY, None, (hedge,))
 
 
-@grammar.rule("said", "<repeat> <hedge_after>", weight=0.2)
+@grammar.rule("said", "<repeat> -|,? <hedge_after>", weight=0.2)
 def repeated_hedged(repeat: Repeat, hedge: str) -> Said:
-    """Every minute or so."""
+    """Every minute or so; every friday, if possible."""
     return Said(repeat, Constraint.EVERY, None, (hedge,))
 
 

@@ -224,6 +224,12 @@ def latest(said: Said) -> Said | None:
     return replace(said, constraint=Constraint.BEFORE, preposition="no later than", edge=Edge.LAST)
 
 
+@grammar.rule("said", "before|by it gets|is|turns <said> at the very? latest", weight=1.2)
+def latest_as_it_gets(said: Said) -> Said | None:
+    """Before it gets dark at the latest: what says so is a bound, and no state that is waited for."""
+    return latest(said)
+
+
 @grammar.rule(
     "said",
     "<said> ,? at? the? very? earliest|soonest",

@@ -5,8 +5,9 @@ from dataclasses import replace
 from fuzzytime.language.english.ranges import between
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.beside import refined
-from fuzzytime.language.meaning.expressions import Edge, Ending, Goal, Range, Said, Wall
+from fuzzytime.language.meaning.beside import joined, refined
+from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Range, Said, Wall
+from fuzzytime.language.meaning.relations import Relative, days_away
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -14,10 +15,16 @@ grammar = Grammar()
 BEFORE, NO_LATER, FROM = "before", "no later than", "from"
 
 
-@grammar.rule("said", "<said> at|on|of|,|in? the? <wall>", weight=0.1)
+@grammar.rule("said", "<said> at|on|of|,|in? the? <wall>", "<said> , on the? <wall>", weight=0.1)
 def range_on_day(said: Said, wall: Wall) -> Said | None:
-    """Between 3 and 5 on friday."""
-    return refined(said, wall)
+    """Between 3 and 5 on friday; but who is picked up "from school on friday" is picked up there."""
+    return None if _is_from_place(said) else refined(said, wall)
+
+
+def _is_from_place(said: Said) -> bool:
+    """Whether it says where, and not since when: "from school"."""
+    part = said.time.part if isinstance(said.time, Wall) else None
+    return said.preposition == FROM and part is not None and part.place
 
 
 @grammar.rule("said", "<wall> , <said>", "<wall> <said>", "<preposition_at> <wall> ,? <said>", weight=0.1)
@@ -33,8 +40,7 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
     if isinstance(first, Preposition) and first.name == "for" and dated:
         # "The rota for next week by thursday": what it is for, and a deadline.
         return None
-    place = isinstance(said.time, Wall) and said.time.part is not None and said.time.part.place
-    if said.preposition == FROM and place:
+    if _is_from_place(said):
         # "Pick up sam wednesday from school": where, and not since when.
         return None
     if wall.weak and wall.part is not None:
@@ -43,6 +49,28 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
     until = said.preposition == BEFORE or (wall.part is not None and said.preposition == NO_LATER)
     bound = refined(said, wall)
     return _on_day(bound, wall) if until and bound is not None else bound
+
+
+@grammar.rule("day away", "in <duration> time?", "in <duration> '|'s time")
+def day_away(duration: Duration) -> Wall | None:
+    """In two days: the day, and no hour of it."""
+    away = None if duration.hedges else days_away(duration, Relative(0), 1)
+    return None if away is None else Wall(away)
+
+
+@grammar.rule("said", "<day away> ,? <said>", "<said> ,? <day away>", weight=0.8)
+def beside_day_away(*both: Wall | Said) -> Said | None:
+    """In two days by five, from two to four in a week, in the evening in three days."""
+    said = next((one for one in both if isinstance(one, Said)), None)
+    wall = next((one for one in both if isinstance(one, Wall)), None)
+    if said is None or wall is None:
+        return None
+    first = said.time.first if isinstance(said.time, Range) else said.time
+    if not isinstance(first, Wall) or first.days is not None:
+        return None
+    plain = said.constraint is None and isinstance(said.time, Wall) and not first.bare
+    time = joined(first, wall) if plain else None
+    return refined(said, wall) if time is None else replace(said, time=time)
 
 
 @grammar.rule("said", "<wall> ,? but|and <preposition_after> <goal>", weight=0.6)

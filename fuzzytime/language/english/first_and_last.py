@@ -35,10 +35,22 @@ def last_thing(evening: Part) -> Wall:
     return Wall(Relative(0), _last_of(evening))
 
 
-@grammar.rule("wall", "<last thing> <days>|<date>|<weak date>", "<days>|<date> ,? <last thing>", weight=0.6)
+@grammar.rule(
+    "wall",
+    "<last thing> ,? <days>|<date>",
+    "<last thing> <weak date>",
+    "<days>|<date>|<weak date> ,? <last thing>",
+    weight=0.6,
+)
 def last_thing_on(first: Part | Calendar, second: Calendar | Part) -> Wall | None:
     """Last thing on friday."""
     return _on_a_day(first, second, _last_of)
+
+
+@grammar.rule("wall", "<weak date> ,? <first thing>", weight=0.6)
+def first_thing_of_date(date: Calendar, morning: Part) -> Wall | None:
+    """(on) the 12th first thing."""
+    return _on_a_day(date, morning, _first_of)
 
 
 @grammar.rule("wall", "<first thing> in? the? <part>", "in? the? <part> <first thing>", weight=0.3)

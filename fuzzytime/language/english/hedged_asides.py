@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.bounded_repetitions import roughly_repeated
 from fuzzytime.language.english.bounds import deadline, release
 from fuzzytime.language.english.counted import after_duration, for_duration, from_now, in_duration
 from fuzzytime.language.english.counted import ago as ago_duration
@@ -12,7 +13,7 @@ from fuzzytime.language.english.ranges import between
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import Duration, Goal, Said
+from fuzzytime.language.meaning.expressions import Duration, Goal, Repeat, Said
 
 grammar = Grammar()
 
@@ -111,3 +112,11 @@ def about_days_before(duration: Duration, hedge: str, days: Calendar) -> Goal | 
 def about_days_after(duration: Duration, hedge: str, days: Calendar) -> Goal | None:
     """Ten days, roughly, from tomorrow."""
     return hedged_days_after(duration.hedged(hedge), days)
+
+
+@grammar.rule(
+    "said", "<repeat> ,? <hedge> <preposition_at> <goal>", "<repeat> <hedge aside> <preposition_at> <goal>"
+)
+def repeated_ideally(repeat: Repeat, hedge: str, preposition: Preposition, goal: Goal) -> Said | None:
+    """Every friday, ideally at five."""
+    return roughly_repeated(preposition, replace(goal, hedges=(hedge, *goal.hedges)), repeat)

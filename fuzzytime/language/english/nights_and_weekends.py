@@ -72,9 +72,11 @@ def every_other_weekend() -> Repeat:
 
 @grammar.rule("called at", "<clock> <repeat>", weight=0.5)
 def called_every(clock: Clock, repeat: Repeat) -> Said | None:
-    """(call ann) 8 every morning; but "take 2 every morning" says how many."""
+    """(call ann) 8 every morning; but "take 2 every morning", "two sundays", "two-hourly" say how many."""
+    if repeat.every is not None or (repeat.plural and clock.bare):
+        return None
     found = narrowed_repeat(repeat, Wall(clock=replace(clock, bare=False, pair=False)))
-    return None if found is None or repeat.plural else Said(found, Constraint.EVERY)
+    return None if found is None else Said(found, Constraint.EVERY)
 
 
 @grammar.rule("repeat", "on? weekend <parts>", "every|each weekend <part>", weight=0.3)

@@ -25,6 +25,12 @@ def decimal_comma(number: Typed) -> Quantity:
     return Quantity(float(".".join(number.parts)))
 
 
+@grammar.rule("quantity", "<n,nnn>", weight=0.2)
+def thousands(number: Typed) -> Quantity:
+    """1,000."""
+    return Quantity(float("".join(number.parts)))
+
+
 @grammar.rule("decimals", "point <integer>", "point <integer> <integer>")
 def spoken_decimals(first: Integer, second: Integer | None = None) -> str | None:
     """Point five, point twenty-five, point two five."""

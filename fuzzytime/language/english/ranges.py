@@ -116,7 +116,7 @@ def _side_by_side(first: Goal, last: Goal, *, minutes: bool = False) -> Said | N
     walls = [goal.time for goal in (first, last) if isinstance(goal.time, Wall)]
     if len(walls) == 2 and all(wall.bare for wall in walls):
         return None
-    if minutes and _is_minutes(first.time, last.time):
+    if minutes and (_is_minutes(first.time, last.time) or _is_open(last.time)):
         return None
     if isinstance(first.time, Wall) and first.time.clock is not None and _is_number_of_day(last.time):
         # "6 pm to the second" is exact.
@@ -129,6 +129,11 @@ def _side_by_side(first: Goal, last: Goal, *, minutes: bool = False) -> Said | N
         # "Q1-2019" and "aug-01-2019" are one date each; "nov - feb 5th" is none.
         return None
     return range_of(first, last, "between", minutes=minutes)
+
+
+def _is_open(time: Time) -> bool:
+    """Whether it is so many minutes to an hour that is not said: "take 20 to 30 minutes to change"."""
+    return isinstance(time, HourMark) and time.open
 
 
 def _is_number_of_day(time: Time) -> bool:
@@ -198,14 +203,20 @@ def marked_between(first: Clock, last: Clock) -> Said | None:
     return sometime_from(first, last)
 
 
-@grammar.rule("said", "<wall> <integer> - <integer>", weight=0.9)
+@grammar.rule("said", "on|for? <wall> ,? <integer> - <integer>", weight=0.9)
 def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
-    """Monday 11-4."""
+    """Monday 11-4, on friday 9-5."""
     ends = [number(first), number(last)]
     if wall.clock is not None or wall.weak or None in ends:
         return None
     said = range_of(Goal(Wall(clock=ends[0])), Goal(Wall(clock=ends[1])), "between")
     return None if said is None else refined(said, wall)
+
+
+@grammar.rule("said", "on|for the? <wall> ,? <integer> - <integer>", weight=0.9)
+def hours_of_date(wall: Wall, first: Integer, last: Integer) -> Said | None:
+    """On the 12th, 2-4: behind a preposition a number of a day is sure."""
+    return hours_of_day(replace(wall, weak=False), first, last) if wall.days is not None else None
 
 
 @grammar.rule("said", "from the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)

@@ -18,10 +18,16 @@ grammar = Grammar()
 LONGEST_MONTH = 31
 
 
-@grammar.rule("repeat", "every|each single? <weekday>", "on? <weekdays>", "every <weekdays>")
+@grammar.rule("repeat", "every|each single? <weekday>", "on <weekdays>", "every <weekdays>")
 def every_weekday(number: int) -> Repeat:
     """Every monday, on sundays."""
     return Repeat(walls=(Wall(Fields(weekday=number)),))
+
+
+@grammar.rule("repeat", "<weekdays>")
+def plural_weekday(number: int) -> Repeat:
+    """(seven am) sundays."""
+    return replace(every_weekday(number), plural=True)
 
 
 @grammar.rule(
@@ -77,17 +83,29 @@ def more_weekdays(repeat: Repeat, number: int) -> Repeat | None:
     "on? weekdays|workdays",
     "every|each weekday|workday",
     "every|each working|work|business|school day",
-    "on? business|working|work|school days",
+    "on business|working|work|school days",
 )
 def weekdays() -> Repeat:
     """On weekdays."""
     return Repeat(walls=tuple(Wall(Fields(weekday=day)) for day in range(5)))
 
 
-@grammar.rule("repeat", "on? weekends", "every|each weekend", "all weekends", "at weekends")
+@grammar.rule("repeat", "business|working|work|school days")
+def plural_workdays() -> Repeat:
+    """(seven am) working days."""
+    return replace(weekdays(), plural=True)
+
+
+@grammar.rule("repeat", "on weekends", "every|each weekend", "all weekends", "at weekends")
 def weekends() -> Repeat:
     """On weekends."""
     return Repeat(walls=(Wall(Weekend()),))
+
+
+@grammar.rule("repeat", "weekends")
+def plural_weekends() -> Repeat:
+    """(seven am) weekends."""
+    return replace(weekends(), plural=True)
 
 
 @grammar.rule(

@@ -236,8 +236,10 @@ def so_often_within(number: int, within: Wall | Rest) -> Repeat | None:
 
 @grammar.rule("repeat", "<times> ,? <said>", weight=0.5)
 def so_often_by(number: int, said: Said) -> Repeat | None:
-    """Three times before lunch, twice between two and four."""
+    """Three times before lunch, twice between two and four, twice on friday."""
     time = said.time
+    if isinstance(time, Wall) and said.preposition in {"on", "in", "during", "over"} and not said.hedges:
+        return so_often_within(number, time)
     if number == 1 or said.lasting is not None:
         return None
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):

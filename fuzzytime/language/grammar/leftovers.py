@@ -40,6 +40,12 @@ BOTH = frozenset({"&", "/", "+"})
 """Marks between two halves of the day that are both meant."""
 
 
+TYPED = ("n/n", "n/y", "y/n")
+"""Shapes of two numbers that may be a date, or two hours."""
+
+DAY = "day"
+"""What words of days end in: "holidays", "match days", "birthday"."""
+
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
 
@@ -82,6 +88,8 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     yield from _halves(scanned, explained, lexicon)
     yield from _ones(scanned, explained, around)
     yield from _moments(scanned, explained, around)
+    yield from _typed(scanned, explained, around)
+    yield from _left_out(scanned, explained, around)
     for start, cell in enumerate(scanned.cells):
         for category in TELLING & cell.keys():
             for piece in cell[category].values():
@@ -206,6 +214,39 @@ def _moments(scanned: Scanned, explained: Sequence[Span], around: Surroundings) 
             if binds and described and all(text.isalpha() for text in around.texts[led:place]):
                 yield from range(led, place + 1)
                 break
+
+
+def _typed(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of two numbers that end what is asked for: "dentist 3/15", "book the court 12-2"."""
+    lexicon = around.lexicon
+    numbered = lexicon.amount_nouns | lexicon.measure_nouns | lexicon.machines
+    counted = numbered | lexicon.no_times.numbered | lexicon.no_times.set_to | lexicon.function_words
+    for piece in (piece for shape in TYPED for piece in scanned.pieces(shape)):
+        first, last = scanned.words[piece.start], scanned.words[piece.end - 1]
+        before = around.before(piece)
+        named = before.isalpha() and counted.isdisjoint({before, before.removesuffix("s")})
+        ends = around.follower(piece) in around.beside.polite_ends | {""}
+        if named and ends and not first.glued and not _meets(explained, first, last):
+            yield from range(piece.start, piece.end)
+
+
+def _left_out(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of days that are left out of others, and not known: "every weekday except holidays"."""
+    texts, beside, joints = around.texts, around.beside, around.closed.coordinators
+    timed = frozenset(place for place, word in enumerate(scanned.words) if _meets(explained, word, word))
+    for place in range(1, len(texts)):
+        denied = texts[place - 1] in beside.denying_times and texts[place] == "on"
+        if place in timed or not (denied or texts[place] in beside.leaving_out):
+            continue
+        led = place - 1 - denied
+        while led > 0 and texts[led] in beside.around_denials | {","}:
+            led -= 1
+        first = last = place + 1 + (texts[place + 1 : place + 2] == ["for"])
+        while last < len(texts) and texts[last][:1].isalpha() and texts[last] not in joints:
+            last += 1
+        known = led not in timed or not timed.isdisjoint(range(first, last))
+        if first < last and not known and texts[last - 1].removesuffix("s").endswith(DAY):
+            yield from range(first, last)
 
 
 def _binds(around: Surroundings, place: int) -> bool:

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.distances import HALFWAY
-from fuzzytime.language.meaning.expressions import Duration, Repeat, Said, Time, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Range, Repeat, Said, Time, TimeWord, Wall
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
 
@@ -159,14 +159,17 @@ class Lent:
         return told and self.around.follower(piece) in ({""} | self.beside.behind_minutes)
 
     def seats(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
-        """Whether it is for how many: "a table for four on friday"; but "for seven sharp"."""
-        clock = time.clock if isinstance(time, Wall) else None
+        """Whether it is for how many: "a table for four on friday", "for two until six"."""
+        if isinstance(time, Repeat):
+            time = next(iter(time.walls), time)
+        first = time.first if isinstance(time, Range) else time
+        clock = first.clock if isinstance(first, Wall) else None
         hour = clock is not None and clock.is_open and clock.half is None and clock.grain is Unit.HOUR
         worded = not self.beside.of_clocks & set(self.texts[piece.start : piece.end])
         begin = piece.start + (self.texts[piece.start] == "for")
         laid = self.texts[max(0, begin - 4) : begin - 2] == ["on", "the"]
-        first = self.texts[begin]
-        counted = (first.isdigit() or first in self.lexicon.numbers) and not laid and not piece.value.hedges
+        number = self.texts[begin]
+        counted = (number.isdigit() or number in self.lexicon.numbers) and not laid and not piece.value.hedges
         counted = counted and worded
         seated = self.texts[max(0, begin - 2) : begin] == ["table", "for"]
         if self.texts[begin - 1 : begin] == ["for"] and self.texts[piece.end : piece.end + 1] in (

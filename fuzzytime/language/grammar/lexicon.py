@@ -266,8 +266,8 @@ class Lexicon:
 
 
 def _ends_sentence(words: Sequence[Word], end: int) -> bool:
-    """Whether a full stop before a place is no abbreviation's: "for two min. Add the salt"."""
-    return words[end - 1].text == "." and end < len(words) and words[end].capital
+    """Whether a full stop before a place is no abbreviation's: "for two min. Add the salt", "at 7h."."""
+    return words[end - 1].text == "." and (end == len(words) or words[end].capital)
 
 
 def _matched(words: Sequence[Word], start: int, form: tuple[str, ...]) -> int:

@@ -51,6 +51,7 @@ _SHAPES = tuple(
         ("15h30", r"(\d{1,2})h(\d\d)(?!\d)"),
         ("decimal", r"(\d{1,9}\.\d{1,9})"),
         ("n,n", r"(\d{1,3}),(\d{1,2})(?!\d)"),
+        ("n,nnn", r"(\d{1,3}),(\d{3})(?!\d)"),
         ("ratio", r"(\d{1,2})/(\d{1,2})(?!\d)"),
         ("n-n-n", r"(\d{1,2})([-/.])(\d{1,2})\2(\d{4}|\d\d)(?!\d)"),
         ("n/n", r"(\d{1,2})[-/](\d{1,2})(?!\d)"),
@@ -69,6 +70,9 @@ ISO_LENGTH = re.compile(
 )
 DATE_WORDS = 4
 """Words of a typed date behind its first."""
+
+OPENING = frozenset("([{@:;,<>=~")
+"""Marks right behind which a typed date may begin: "(2026-03-28)", "due:2026-03-28"."""
 
 MARKS = frozenset({"-", "/", "."})
 DATES = frozenset({"n-n-n", "n/n", "n.n"})
@@ -105,7 +109,9 @@ def _begins_decimal(words: Sequence[Word], point: int) -> bool:
 def _sure_date(words: Sequence[Word], place: int) -> Piece | None:
     """Give the date, typed from the year to the day, that a number belongs to: it is nothing else then."""
     first = place
-    while first and words[first].glued and place - first < DATE_WORDS:
+    while (
+        first and words[first].glued and words[first - 1].text not in OPENING and place - first < DATE_WORDS
+    ):
         first -= 1
     for start in range(first, place + 1):
         run, ends = _typed_together(words, start)

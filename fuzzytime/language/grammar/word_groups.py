@@ -258,6 +258,7 @@ class BesideTimes:
     lists: Words
     open_things: Words
     sites: Words
+    things_in_days: Words
     turnings: Words
     turning: Words
     contrary: Words

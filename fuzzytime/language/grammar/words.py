@@ -21,7 +21,7 @@ _FRACTIONS = frozenset("¼½¾⅓⅔")
 class Word:
     """A word, a run of digits or a mark: levelled, with its place, and whether no space stands before it.
 
-    ``capital`` says whether it was typed with a capital.
+    ``capital`` says whether it was typed with a capital, where not all of the text is in capitals.
     """
 
     text: str
@@ -48,10 +48,12 @@ def words_of(text: str) -> tuple[Word, ...]:
     ['at', '3', 'pm', '-', "o'clock"]
     """
     found = []
-    last = -1
+    last, shouted = -1, text.isupper() and " " in text
     for match in _WORD.finditer(text):
         start, end = match.span()
-        found.append(Word(_levelled(match[0]), start, end, start == last, match[0][0].isupper()))
+        found.append(
+            Word(_levelled(match[0]), start, end, start == last, match[0][0].isupper() and not shouted)
+        )
         last = end
     return tuple(found)
 

@@ -120,12 +120,14 @@ def joined(first: Wall, second: Wall) -> Wall | None:
 def refined(said: Said, wall: Wall) -> Said | None:
     """Give a bound whose time lies on a day, or in a part of the day, that was said beside it."""
     bounds = {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
-    beside = said.constraint is None and bool(said.hedges or said.preposition == "around")
+    parted = isinstance(said.time, Wall) and said.time.part is not None and said.time.days is None
+    # "Tomorrow sometime in the afternoon"; but "today or tomorrow" has two of each part of the day.
+    sometime = said.preposition == "sometime" and parted
+    beside = said.constraint is None and bool(said.hedges or said.preposition == "around" or sometime)
     starts = said.lasting is not None and isinstance(said.time, Wall) and said.time.clock is not None
     if not (said.constraint in bounds or beside or starts) or wall.clock is not None:
         return None
-    if said.preposition == "sometime":
-        # "Today or tomorrow" has two of each part of the day
+    if said.preposition == "sometime" and not sometime:
         return None
     if isinstance(said.time, Wall) and said.time.part is not None and said.time.days is None:
         # As in "after breakfast tomorrow", "before sunset tonight".

@@ -183,7 +183,9 @@ def _is_even(repeat: Repeat) -> bool:
 def _bounds(repeat: Repeat, moment: Moment) -> tuple[float | None, float | None]:
     """Give where a repetition begins and is over: of two times of day, one may say the day of both."""
     first, last = bounds_said(repeat)
-    both = None if _is_of_one_day(repeat) else _as_range(first, last)
+    # "Twice on friday": both bounds are that friday's.
+    one = _is_of_one_day(repeat) or (repeat.times is not None and first == last)
+    both = None if one else _as_range(first, last)
     if both is not None:
         found = moment.grounding().instants(both)
         return moment.seconds(found.start), moment.seconds(found.end)

@@ -69,14 +69,14 @@ class GivenTimes:
         """Whether it is the month in which something will be instead: "postpone the trip to august"."""
         month = isinstance(wall.days, Fields) and wall.days.month is not None and wall.days.day is None
         alone = wall.clock is None and wall.part is None
-        return month and alone and self._reschedules(self.texts[max(0, piece.start - NEAR) : piece.start])
+        return month and alone and self.reschedules(self.texts[max(0, piece.start - NEAR) : piece.start])
 
     def changes_length(self, piece: Piece) -> bool:
         """Whether what goes on for so long gets another length: "change the timer from 10 to 15 minutes"."""
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
-        return before[-1:] != [] and before[-1] in self.lexicon.lasting and self._reschedules(before)
+        return before[-1:] != [] and before[-1] in self.lexicon.lasting and self.reschedules(before)
 
-    def _reschedules(self, texts: Sequence[str]) -> bool:
+    def reschedules(self, texts: Sequence[str]) -> bool:
         """Whether one of some words gives something another time."""
         moving = self.lexicon.rescheduling | self.lexicon.moving
         return any(not moving.isdisjoint(_as_order(text)) for text in texts)

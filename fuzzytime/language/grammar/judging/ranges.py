@@ -10,6 +10,9 @@ from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repe
 EARLY = 3600
 """Seconds before the hour of a meal within which it may begin: a stretch until it is longer."""
 
+HOURS_OF_DAY = frozenset({"ranges.hours_of_day", "ranges.hours_of_date"})
+"""The rules of two numbers behind a day: "on friday 9-5"."""
+
 
 class Ranges(Standing):
     """What stands around stretches from one time to another, and whether it makes one doubtful."""
@@ -19,8 +22,9 @@ class Ranges(Standing):
         if self.given.is_put_off(piece):
             # As in "Reschedule the 3 pm to 4:30".
             return False
-        if self.texts[piece.start] in self.closed.noun_openers and not self.around.may_end(piece):
-            # "The Monday to Friday timetable"
+        led = self.texts[piece.start] in self.closed.noun_openers or piece.rule in HOURS_OF_DAY
+        if led and not self.around.may_end(piece):
+            # "The Monday to Friday timetable", "order for friday 2-3 pizzas"
             return False
         if self.around.describes(piece):
             # "Watch the ten to midnight film"

@@ -17,7 +17,7 @@ from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.feasts import OfYear, Season
 from fuzzytime.language.meaning.relations import Deictic, Which
-from fuzzytime.requirement import Unit
+from fuzzytime.requirement import Constraint, Unit
 
 UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
 """Prepositions behind which a meal is a thing, or a place: "sugar in tea", "home from work"."""
@@ -55,15 +55,16 @@ class Walls(Standing):
             return False
         if self._is_thing(piece, wall) or self.naming.hold(piece, said, wall) or self._is_one(piece, wall):
             return False
-        if wall.bare:
-            return self.hours.accept_number(piece, said, wall)
+        if wall.bare or self._goes_to_number(piece, wall):
+            return self._accepts_number(piece, said, wall)
         if self._begins_other(piece, said, wall):
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self.hours.accept_pair(piece, said)
         if wall.weak:
             return self._accepts_weak(piece, said, wall)
-        if wall.days is None and wall.clock is None and self._is_of_noun(piece, said):
+        parted = wall.days is None and wall.clock is None and not self._ends_in_thing(piece)
+        if parted and self._is_of_noun(piece, said):
             return False
         weekly = isinstance(wall.days, Fields) and wall.days.weekly
         led = self.texts[piece.end - 2 : piece.end - 1] == ["the"]
@@ -76,7 +77,24 @@ class Walls(Standing):
             ends = self.around.may_end(piece) and self.around.follower(piece) != "of"
             return said.preposition not in {None, "to"} and ends
         alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
-        return not alone or (weekly and (self._is_listed(piece) or self._heads_entry(piece)))
+        entered = self._is_listed(piece) or self._heads_entry(piece) or self._ends_entry(piece)
+        return not alone or (weekly and entered)
+
+    def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether a number is an hour: "at six", "push lunch to one tomorrow"."""
+        if wall.bare:
+            return self.hours.accept_number(piece, said, wall)
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        moved = self.given.reschedules(before) and not self.measures.measured(piece)
+        return said.preposition == "to" and (moved or self.hours.accept_number(piece, said, wall))
+
+    def _goes_to_number(self, piece: Piece, wall: Wall) -> bool:
+        """Whether "to" is before a number alone, and a day behind it: "set the heating to 20 tomorrow"."""
+        hour = wall.clock is not None and wall.clock.grain is Unit.HOUR and wall.clock.half is None
+        place = piece.start + (self.texts[piece.start] == "to")
+        told = self.beside.of_hours | self.beside.of_clocks
+        alone = self.measures.is_number(place) and told.isdisjoint(self.texts[place + 1 : place + 2])
+        return hour and not wall.bare and alone and self.texts[place - 1 : place] == ["to"]
 
     def _is_one(self, piece: Piece, wall: Wall) -> bool:
         """Whether it begins with one of some things, and a day: "order a new one | fri"."""
@@ -102,6 +120,18 @@ class Walls(Standing):
         begun = (p + 1 for p, text in enumerate(self.texts[:-1]) if text in {",", *LINE_STARTS})
         others = [p for p in (0, *begun) if p != piece.start]
         return behind.isalpha() and any(self.around.is_weekday(p) for p in others)
+
+    def _ends_entry(self, piece: Piece) -> bool:
+        """Whether a short name of a day ends an order: "call mum sat", not "find where dad sat"."""
+        before, place = self.around.before(piece), piece.start
+        ends = self.around.follower(piece) in self.beside.polite_ends | {""}
+        named = before.isalpha() and before not in self.lexicon.function_words | self.lexicon.addressing
+        clause = self.closed.relatives | self.closed.free_relatives | self.closed.personal_pronouns
+        told = any(text in clause or (text,) in self.lexicon.clauses for text in self.texts[:place])
+        if told or not (ends and named and self.is_ambiguous(place)):
+            return False
+        thing = self.texts[place] in self.beside.things_in_days and not self.words[place].capital
+        return not thing or self.is_called(place)
 
     def _doubtful_feast(self, piece: Piece, said: Said, wall: Wall) -> Piece | None:
         """Give what it begins with, a feast or not: "he lent it", "call Ramadan"; None with its year."""
@@ -171,6 +201,7 @@ class Walls(Standing):
         unbinding = UNBINDING if wall.part is not None else {None, "to", "at"}
         # "Ask about lunch": what a meal is asked about.
         bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
+        bound = bound or self._begins_at_meal(piece, said, wall)
         numbered = isinstance(wall.days, Fields) and wall.days.is_day_of_month
         if said.preposition == "in" and numbered and wall.clock is None:
             # "The blue car is in first"
@@ -194,6 +225,11 @@ class Walls(Standing):
         # "In the summer of 2031 fly to Rome": nothing is counted by a year.
         ends = self.around.may_end(piece) or (piece.start == 0 and self.texts[piece.end - 1] in YEARS)
         return dated or (bound and not clocked and ends)
+
+    def _begins_at_meal(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether more than "from" makes a meal a start: "any time from lunch", not "dishes from lunch"."""
+        led = said.constraint is Constraint.AFTER and self.texts[piece.start] != said.preposition
+        return led and wall.part is not None and not wall.part.place
 
     def is_left_out(self, piece: Piece) -> bool:
         """Whether it is left out of days: "every monday except the 16th"; but "every page but the first"."""
@@ -288,18 +324,29 @@ class Walls(Standing):
 
     def _is_thing(self, piece: Piece, wall: Wall) -> bool:
         """Whether it is served, described, wished: "with tea", "the first thing you see", "good morning"."""
-        if self.texts[piece.end - 1] == THING:
-            return self.around.follower(piece) not in ({""} | self.beside.behind_things)
+        if self._ends_in_thing(piece):
+            follower = self.around.follower(piece)
+            ends = follower in {""} | self.beside.behind_things
+            # "First thing water the plants"
+            led = self.around.opens(piece.start) and "the" not in self.texts[piece.end - 3 : piece.end]
+            return not ends and not (
+                led and follower.isalpha() and follower not in self.lexicon.function_words
+            )
         served = self.is_ambiguous(piece.end - 1) or not self.around.may_end(piece)
         greeting = self.around.before(piece) in self.beside.greeting and (
             wall.clock is None or wall.days is not None
         )
         return greeting or (self.texts[piece.start] == "with" and served)
 
+    def _ends_in_thing(self, piece: Piece) -> bool:
+        """Whether its last word may be any thing: "first thing"."""
+        return self.texts[piece.end - 1] == THING
+
     def _is_counted_part(self, piece: Piece, wall: Wall) -> bool:
         """Whether an ordinal counts parts of the day, and is no date: "cancel the second night"."""
         dated = isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day)
-        return dated and wall.part is not None and self.texts[piece.end - 2] in self.lexicon.ordinals
+        counted = self.texts[piece.end - 2] in self.lexicon.ordinals and not self._ends_in_thing(piece)
+        return dated and wall.part is not None and counted
 
     def _is_ordinal(self, place: int) -> bool:
         """Whether an ordinal is at a place: a word, or a number and its ending."""
