@@ -94,7 +94,7 @@ def _does_led(tree: Tree, lexicon: Lexicon) -> Tree | None:
 def _calls_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "facetime granny", "zoom aunt jo" its verb, where who is called was taken for it."""
     root = tree.root
-    beside = tree.nodes[0].head == root and tree.nodes[0].relation in {"compound", "nsubj"}
+    beside = tree.nodes[0].head == root and tree.nodes[0].relation in {"compound", "nsubj", "npadvmod"}
     if not 0 < root < LEAST_DONE or not beside or tree.nodes[root].is_verb:
         return None
     who = tree.nodes[1 : root + 1]
