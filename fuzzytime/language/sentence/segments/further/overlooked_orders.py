@@ -31,14 +31,20 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
 
 
 def governs_bare(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
-    """Whether what was taken for a thing is done to somebody, or with things that have no article."""
+    """Whether what was taken for a thing is an order behind a joint: "feed the cat at six and text ann"."""
     root = tree.root
     joined = tree.nodes[place - 1].lower in lexicon.closed.joints_of_orders
-    if tree.nodes[root].lemma in lexicon.addressing and tree.children(root, "xcomp", "ccomp"):
-        # "Remind me to call Bob and email Ann"
+    # "Remind me to call Bob and email Ann"
+    within = tree.nodes[root].lemma in lexicon.addressing and tree.children(root, "xcomp", "ccomp")
+    if not joined or within:
         return False
-    several = place - 2 in timed and _is_chore(tree, place, lexicon)
-    return joined and (several or _is_done_to_somebody(tree, place, lexicon))
+    chore = place - 2 in timed and _is_chore(tree, place, lexicon)
+    return chore or _is_done_to_somebody(tree, place, lexicon)
+
+
+def is_bare_order(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what was taken for a thing is done to somebody, or with things that have no article."""
+    return _is_done_to_somebody(tree, place, lexicon) or _is_chore(tree, place, lexicon)
 
 
 def _is_done_to_somebody(tree: Tree, place: int, lexicon: Lexicon) -> bool:
