@@ -12,7 +12,7 @@ STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
 IT = "it"
 BE = "be"
 ON = "on"
-MUST, MUST_BE, NEEDS = "must", "must be", "needs"
+MUST, MUST_BE, NEEDS, NEED = "must", "must be", "needs", "need"
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,8 +55,11 @@ class Stated(Places):
         """Give the words between what must do something, or be done with, and its verb."""
         tag = self.tree.nodes[verb].tag
         if tag == "VBG":
-            # "The lawn needs mowing"
-            return NEEDS
+            # "The lawn needs mowing", "the beds need making"
+            return NEED if self.tree.nodes[self.tree.nodes[verb].head].tag == "VBP" else NEEDS
+        if self.tree.nodes[verb].lemma in self.lexicon.doing.needing:
+            # "The car needs fuel"
+            return ""
         passive = tag == "VBN" or self.tree.children(verb, "auxpass")
         return MUST_BE if passive else MUST
 
