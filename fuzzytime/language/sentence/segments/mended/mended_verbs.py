@@ -156,9 +156,15 @@ def _goes_to_do(tree: Tree, lexicon: Lexicon) -> Tree | None:
 
 
 def with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:
-    """Make the first word the verb, a thing its object, and what hung on that behind a word the verb's."""
+    """Make the first word the verb, a thing its object, and what hung on that behind a word the verb's.
+
+    What else is named stays with the thing: "email tom and ben".
+    """
+    joined = tree.children(thing, "cc", "conj")
+    named = all(tree.nodes[p].tag in NOUNS for p in joined if tree.nodes[p].relation == "conj")
+    kept = joined if named else ()
     moved = [
-        replace(node, head=0) if node.head == thing and place > last else node
+        replace(node, head=0) if node.head == thing and place > last and place not in kept else node
         for place, node in enumerate(tree.nodes)
     ]
     moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)

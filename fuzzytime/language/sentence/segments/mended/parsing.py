@@ -6,6 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import blanked
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
+from fuzzytime.language.sentence.segments.mended.aims import with_aim
 from fuzzytime.language.sentence.segments.mended.mended_things import (
     with_event_names,
     with_her,
@@ -69,7 +70,7 @@ def _mended(one: Waiting, tree: Tree, lexicon: Lexicon) -> Tree:
     if not tree.nodes:
         return tree
     timed = one.timed(tree)
-    tree = with_her(with_whole_things(tree), timed)
+    tree = with_aim(with_her(with_whole_things(tree), timed), timed, lexicon)
     tree = with_event_names(with_object_of_aim(tree, timed), timed)
     tree = with_event(with_clause(with_reminded(tree, lexicon), lexicon), lexicon)
     tree = with_called(with_worker(with_needed_deed(tree, timed, lexicon), lexicon), timed, lexicon)
