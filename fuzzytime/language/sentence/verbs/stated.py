@@ -31,6 +31,10 @@ class Stated(Places):
         described = self.tree.children(subjects[0], "det", "amod")
         if self.tree.nodes[subjects[0]].lower in closed.subject_pronouns and not described:
             alone = self.tree.nodes[subjects[0]].lower
+            wished = node.tag == "VBN" and self.tree.nodes[node.head].lemma in self.lexicon.doing.wishing
+            if wished and alone not in closed.first_and_second_person:
+                # "I want it cleaned by six"
+                return alone
             helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux")}
             return (
                 alone

@@ -22,9 +22,13 @@ def with_aim(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
             continue
         if tree.nodes[aim].head != root or tree.nodes[aim].relation not in {"advcl", "xcomp"}:
             continue
+        nodes = list(tree.nodes)
         if tree.nodes[thing].lower in lexicon.doing.labels | lexicon.appointing:
-            nodes = list(tree.nodes)
             nodes[aim] = replace(nodes[aim], relation="acl", head=thing)
+            return tree.with_nodes(nodes)
+        if tree.nodes[root].lemma in lexicon.letting:
+            # "Leave it to soak"
+            nodes[aim] = replace(nodes[aim], relation="xcomp")
             return tree.with_nodes(nodes)
         setting = lexicon.doing.setting | lexicon.measure_verbs | lexicon.beside.switched
         said = [p for p in tree.below(aim) if p not in {to, aim} and tree.nodes[p].text[0].isalnum()]
