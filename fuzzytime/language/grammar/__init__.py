@@ -12,5 +12,6 @@ From a text to readings
     What looks like a time and is none: ``leftovers``, ``countdowns``, but ``called_things``.
 
 Whether a reading is a time where it stands
-    ``judging``, by its ``surroundings``, what is ``looked_up`` there, and by ``measuring``.
+    ``judging``, by its ``surroundings``, what stands ``behind_times``, what is ``looked_up`` there, and by
+    ``measuring``.
 """

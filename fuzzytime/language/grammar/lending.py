@@ -148,7 +148,8 @@ def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
         return replace(phrase, said=_lengthened(said, said.time))
     arrow = any(word.text in ARROWS for word in words[phrase.first : phrase.end])
     led = words[phrase.first].text == "from" or arrow
-    if not isinstance(said.time, Range) or not led or not before:
+    time = _first_and_last(said.time) if isinstance(said.time, Repeat) else said.time
+    if not isinstance(time, Range) or not led or not before:
         return phrase
     event = before[-1] in lexicon.events | lexicon.taken
     named = event or (len(before) > 1 and before[-2] in lexicon.closed.possessives)
@@ -159,11 +160,17 @@ def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     # "I have the late shift from two to ten": what has the time is no order
     if not named or not verbs & set(before[:-1]):
         return phrase
-    first, last = said.time.first, said.time.last
+    first, last = time.first, time.last
     if isinstance(first, Wall) and isinstance(last, Wall) and last.days is None and first.clock is not None:
         # "From nine to ten on friday": the day is said of both
         last = replace(last, days=first.days)
     return replace(phrase, said=Said(last, None, "to"))
+
+
+def _first_and_last(repeat: Repeat) -> Range | None:
+    """Give days in a row at some hour as from one to another: "move the vet from friday to monday at ten"."""
+    several = repeat.every is None and repeat.starting is None and len(repeat.walls) > 1
+    return Range(repeat.walls[0], repeat.walls[-1]) if several else None
 
 
 def _is_length_changed(before: Sequence[str], lexicon: Lexicon) -> bool:

@@ -53,10 +53,8 @@ class Lexicon:
         Verbs that bring something about: "have … ready", "let … rest".
     intransitive
         Verbs that take no object, so that they share none either: "stop and open the door".
-    alone
-        Verbs that are orders alone, where trees take them for nouns: "reduce the heat and simmer".
-    chores
-        Verbs that name things too, and are orders between two times: "… on monday and paint on tuesday".
+    alone, chores
+        Orders alone: "reduce the heat and simmer"; and between two times: "… on monday and paint on tuesday".
     particles
         Words that belong to a verb ("put on"), with the verbs behind which they do before a noun.
     places
@@ -109,10 +107,8 @@ class Lexicon:
         Words of what is done at a meal that it is "for": "meet for lunch".
     playing
         Verbs whose object may be called like a time: "play yesterday".
-    timing, timing_alone
-        Words behind which, and right behind which, "for" and a number alone say how many minutes.
-    citing
-        What two numbers with a colon belong to: "John 3:16".
+    timing, timing_alone, citing
+        Words behind which "for" and a number say how many minutes; what "3:16" belongs to.
     lasting
         Nouns that a length of time before them is about: "a ten minute walk".
     taken
@@ -170,6 +166,7 @@ class Lexicon:
     corrections: frozenset[tuple[str, ...]]
     addresses: frozenset[str]
     courtesies: frozenset[tuple[str, ...]]
+    called_behind: frozenset[tuple[str, ...]]
     amounts: Mapping[tuple[str, ...], tuple[str, tuple[float, float, float, float] | None]]
     results: frozenset[str]
     wanting: frozenset[str]
@@ -258,6 +255,12 @@ class Lexicon:
                 yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
         for end, entry in self.transliterated.at(words, start):
             yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
+
+    @property
+    def orders(self) -> frozenset[str]:
+        """Verbs of what is done at home, which trees may have for nouns: "order pizza", "bath ella"."""
+        alone = self.chores | self.ordering | self.alone | self.causing - self.wanting
+        return alone.union(self.doing.by_the_day, self.doing.by_then, self.doing.of_events)
 
     def means(self, text: str, *categories: str) -> bool:
         """Whether a word alone has a meaning of one of some categories: "friday" is a "weekday"."""

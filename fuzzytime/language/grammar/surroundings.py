@@ -3,11 +3,10 @@
 from dataclasses import replace
 
 from fuzzytime.english import looks_plural
+from fuzzytime.language.grammar.behind_times import BehindTimes
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import longest_match
-from fuzzytime.language.grammar.looked_up import LookedUp
 from fuzzytime.language.meaning.calendar import Fields, Weekend
-from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.relations import Deictic
 
@@ -15,106 +14,14 @@ HER = "her"
 """Who is asked, or whose something is."""
 
 
-class Surroundings(LookedUp):
+class Surroundings(BehindTimes):
     """The words of a text, and what stands around a piece of it."""
-
-    def may_end(self, piece: Piece) -> bool:
-        """Whether what follows does not make its last word count or describe something."""
-        follower = self.follower(piece)
-        if follower in {"to", "past"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"], ["?"]):
-            # "At ten to": of which hour is not said.
-            return False
-        if follower in {"first", "last"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"]):
-            # "Feed the cat in the morning first"
-            return True
-        if not follower or not follower[0].isalnum():
-            return follower not in {"%", "°", "€", "$"}
-        known = follower in self.lexicon.function_words or self.timely(piece.end)
-        known = known or self._is_taken_back(piece.end) or follower in self.beside.saying_more
-        # "At six don't forget"
-        known = known or tuple(self.texts[piece.end :]) in self.lexicon.courtesies
-        return known or self._is_in_front(piece) or self._is_before_order(piece)
-
-    def _is_taken_back(self, place: int) -> bool:
-        """Whether words at a place take back the time before them for another: "at 5 sorry I meant 6"."""
-        behind = place
-        while behind < len(self.words):
-            form = longest_match(self.words, behind, self.lexicon.corrections)
-            if form is None:
-                break
-            behind += len(form)
-        if not place < behind < len(self.words):
-            return False
-        number = self.words[behind].is_digits or self.texts[behind] in self.lexicon.numbers
-        return number or self.timely(behind)
-
-    def _is_before_order(self, piece: Piece) -> bool:
-        """Whether one thing to be done follows behind several: "feed the baby at six bath her after"."""
-        last, follower = self.texts[piece.end - 1], self.follower(piece)
-        several = last in self.lexicon.numbers and last not in self.closed.singular_determiners
-        several = several or self.words[piece.end - 1].is_digits
-        # "It needs forty minutes take it out"
-        lasts = self.is_unit(piece.end - 1)
-        # "On the fourteenth at seven put it in"
-        led = not self.closed.prepositions_of_points.isdisjoint(
-            (self.texts[piece.start], self.texts[piece.end - 2])
-        )
-        one = not follower.endswith("s") and follower not in self.beside.plurals
-        behind = self.texts[piece.end + 1 : piece.end + 2]
-        opened = bool(behind) and behind[0] in self.closed.noun_openers | self.closed.object_pronouns
-        return (lasts or (several and led)) and follower.isalpha() and one and opened
-
-    def _is_in_front(self, piece: Piece) -> bool:
-        """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
-        behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
-        follower = self.follower(piece)
-        plural = looks_plural(follower) or follower in self.beside.plurals
-        # "By five call mum": what more than one counts is a plural.
-        counted = (
-            self.texts[piece.end - 1] not in self.closed.singular_determiners and piece.end - piece.start > 1
-        )
-        # "At six or so call mum": a hedge behind the number ends it.
-        hedged = isinstance(piece.value, Said) and bool(piece.value.hedges)
-        ends = range(piece.start if hedged else piece.end - 1, piece.end)
-        number = any(
-            self.words[place].is_digits or self.texts[place] in self.lexicon.numbers for place in ends
-        )
-        # "On friday the thirteenth add a film night"
-        number = number or (self.texts[piece.end - 2] == "the" and self.is_weekday(piece.end - 3))
-        # "On the 12th meet Ann", where a number alone may count: "at 5 text messages"
-        dated = self.words[piece.end - 1].glued and self.words[piece.end - 2].is_digits
-        named = dated and behind[:1].isalpha() and behind not in self.lexicon.function_words
-        # "After lunch call Bob"
-        person = behind in self.lexicon.persons or (bool(behind) and self.words[piece.end + 1].capital)
-        called = follower in self.lexicon.addressing and (person or named)
-        alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
-        led = behind[:1].isalpha() and (alone or behind not in self.lexicon.function_words)
-        # "At ten log in"
-        particle = number and counted and follower in self.lexicon.particles.get(behind, ())
-        orders = called or particle or behind in self.closed.behind_verbs or (number and counted and led)
-        return self.opens(piece.start) and orders and not plural
-
-    def opens(self, place: int) -> bool:
-        """Whether nothing but who is called, or asked, stands before a place: "hey olly", "could you"."""
-        *_, first, before = (".", ".", *self.texts[:place])
-        asked = before == "you" and first in self.closed.requesting_modals
-        starts = asked or before in self.beside.sentence_starts or before in self.lexicon.addresses
-        return starts or self._follows_time(place)
 
     def plays(self, place: int) -> bool:
         """Whether a verb at a place has a title behind it, as "play", or "listen to" with both its words."""
         if self.texts[place] == "to" and place:
             return self.texts[place - 1] in self.lexicon.no_times.listening and self.opens(place - 1)
         return self.texts[place] in self.lexicon.playing and self.opens(place)
-
-    def _follows_time(self, place: int) -> bool:
-        """Whether only another time, and a joint, stands before a place: "at six or | at eight call dad"."""
-        before = self.texts[: max(place - 1, 0)]
-        joined = bool(before) and self.texts[place - 1] in self.closed.coordinators_of_days
-        return joined and all(
-            text.isdigit() or text in self.lexicon.numbers or text in self.closed.prepositions_of_points
-            for text in before
-        )
 
     def describes(self, piece: Piece) -> bool:
         """Whether it stands between an article and a noun: "the 3 pm meeting"."""

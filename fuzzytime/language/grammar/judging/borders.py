@@ -136,7 +136,14 @@ class Borders:
         return clock is not None and clock.hour == 1 and near and not particle
 
     def _says_how_much(self, piece: Piece) -> bool:
-        """Whether the number that it ends in counts units: "shift it this afternoon by one | hour"."""
+        """Whether the number that it ends in counts units: "shift it this afternoon by one | hour".
+
+        Or whether it begins with what something is set to: "set the fan to max at six".
+        """
+        first, *behind = self.texts[piece.start : piece.start + 2]
+        level = first in self.lexicon.levels and self.around.before(piece) in {"to", "on"}
+        if level and behind and behind[0] in self.closed.prepositions_of_points:
+            return True
         led = self.texts[piece.end - 2 : piece.end - 1] == ["by"]
         return led and self.measures.is_number(piece.end - 1) and self.around.is_unit(piece.end)
 

@@ -10,6 +10,7 @@ from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_beside
 from fuzzytime.language.sentence.segments.further.further_orders import further_verbs
 from fuzzytime.language.sentence.segments.further.orders_behind_names import behind_told
+from fuzzytime.language.sentence.segments.further.overlooked_orders import governs_bare
 from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_left_out
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
@@ -112,7 +113,7 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
     orders = {
         node.start + part.offset
         for place, node in enumerate(part.tree.nodes)
-        if place > 1 and is_order_between_times(part.tree, place, timed, lexicon)
+        if place > 1 and _is_overlooked_order(part, place, timed, lexicon)
     }
     behind = behind_told(part.tree, root, timed, lexicon)
     orders |= set() if behind is None else {part.tree.nodes[behind].start + part.offset}
@@ -128,6 +129,13 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
             addressee = one.segment.addressee
             yield Segment((start, last), addressee=addressee, verbless=verbless, borrowed=borrowed)
             return
+
+
+def _is_overlooked_order(part: Part, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether what was taken for another thing is to be done: "and paint on tuesday", "and text ann"."""
+    return is_order_between_times(part.tree, place, timed, lexicon) or governs_bare(
+        part.tree, place, timed, lexicon
+    )
 
 
 def _happens(part: Part, lexicon: Lexicon) -> bool:

@@ -1,6 +1,6 @@
 """A text cut into instructions: at the ends of sentences, at "then" and its kind, before a further verb."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
@@ -104,7 +104,7 @@ def segments_of(
         if words[place].text in ENDS and _is_end(text, words, place, lexicon):
             cuts.append((place, place + 1, ""))
         place += 1
-    return list(_between(text, words, cuts, {phrase.first for phrase in phrases}, lexicon))
+    return list(_between(text, words, cuts, {phrase.first: phrase.end for phrase in phrases}, lexicon))
 
 
 def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:
@@ -186,13 +186,13 @@ def _between(
     text: str,
     words: Sequence[Word],
     cuts: Sequence[tuple[int, int, str]],
-    times: AbstractSet[int],
+    times: Mapping[int, int],
     lexicon: Lexicon,
 ) -> Iterator[Segment]:
     start, connective, said = 0, "", (0, 0)
     for first, end, name in (*cuts, (len(words), len(words), "")):
-        begin = _behind_opening(words, start, first, times, lexicon)
-        last = _before_courtesies(words, begin, first, lexicon)
+        begin = _behind_opening(words, start, first, times.keys(), lexicon)
+        last = _before_courtesies(words, begin, first, times, lexicon)
         segment = _segment(text, words, begin, last, connective, said)
         if segment is not None:
             yield segment
@@ -257,13 +257,19 @@ def _counts(word: Word, lexicon: Lexicon) -> bool:
     return word.is_digits or word.text in lexicon.numbers
 
 
-def _before_courtesies(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> int:
-    """Give where an order ends: "thanks" and "pls" behind it are no part of it."""
+def _before_courtesies(
+    words: Sequence[Word], start: int, end: int, times: Mapping[int, int], lexicon: Lexicon
+) -> int:
+    """Give where an order ends: "thanks" behind it is no part of it, nor "love" right behind its time."""
+    behind = {stop for first, stop in times.items() if first > start}
     while end > start + 1:
-        said = next((f for f in lexicon.courtesies if _ends_with(words, start, end, f)), None)
-        if said is None and words[end - 1].text != ",":
+        said = [f for f in lexicon.courtesies if _ends_with(words, start, end, f)]
+        said += [
+            f for f in lexicon.called_behind if end - len(f) in behind and _ends_with(words, start, end, f)
+        ]
+        if not said and words[end - 1].text != ",":
             break
-        end -= 1 if said is None else len(said)
+        end -= max(map(len, said), default=1)
     return end
 
 

@@ -17,6 +17,9 @@ from fuzzytime.language.sentence.verbs.actions import FINITE, Action
 from fuzzytime.requirement import Constraint
 
 FOR = "for"
+
+NAMING = ("NN", "PRP", "DT", "CD")
+"""How tags begin of what a relative clause says more of: "the film that starts at eight"."""
 WITH = "with"
 ARTICLES = frozenset({"a", "an", "one"})
 
@@ -199,6 +202,7 @@ def _is_described(part: Part, place: int, action: Action) -> bool:
     tree, verb = part.tree, place - 1
     if verb <= action.place or not tree.nodes[verb].is_verb:
         return False
-    # "The meeting I have tomorrow" is what is counted from.
+    # "The meeting I have tomorrow" is what is counted from; "let that cool for an hour" has no thing.
     before = (p for p in tree.children(verb) if p < verb and tree.nodes[p].relation != "mark")
-    return any(tree.nodes[p].lower in part.tree.lexicon.closed.relatives for p in before)
+    things = (p for p in before if tree.nodes[p - 1].tag.startswith(NAMING))
+    return any(tree.nodes[p].lower in part.tree.lexicon.closed.relatives for p in things)

@@ -102,9 +102,16 @@ def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
 
 
 def _names_kind(tree: Tree, root: int, below: int) -> bool:
-    """Whether a gerund says of which kind a thing is that is got: "get wrapping paper"; not "get going"."""
+    """Whether a gerund says of which kind a thing is that is got: "get wrapping paper"; not "get going".
+
+    So it is of what is needed: "we need cleaning products".
+    """
     thing = below + 1
-    if tree.nodes[root].lemma != "get" or tree.nodes[below].tag != "VBG" or below != root + 1:
+    if (
+        tree.nodes[root].lemma not in tree.lexicon.doing.needing | {"get"}
+        or tree.nodes[below].tag != "VBG"
+        or below != root + 1
+    ):
         return False
     objects = tree.children(below, "dobj")
     bare = [p for p in objects if tree.nodes[p].tag in {"NN", "NNS"} and not tree.children(p, "det", "poss")]

@@ -4,6 +4,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.statement_trees import singular_verb
 
@@ -71,14 +72,19 @@ def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
 
 def person_due(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
     """Give who must do something with a thing: "Tim must hand in his homework"; None for nobody."""
-    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")}
-    subjects = tree.children(verb, "nsubj")
-    due = bool(helping) and helping <= lexicon.closed.obligation and tree.nodes[verb].tag == "VB"
+    over = tree.nodes[verb].head if tree.nodes[verb].relation == "xcomp" else verb
+    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")} - {"to"}
+    helping |= set() if over == verb else {tree.nodes[over].lower}
+    subjects = tree.children(over, "nsubj")
+    due = bool(helping) and helping <= lexicon.closed.verbs_of_obligation and tree.nodes[verb].tag == "VB"
     if not due or len(subjects) != 1 or not tree.children(verb, "dobj"):
         return None
     name = tree.nodes[subjects[0]]
-    alone = name.tag == "NNP" and name.text[0].isupper() and not tree.children(subjects[0])
-    return name.text if alone else None
+    known = name.lower in lexicon.persons - lexicon.closed.persons_addressed and name.tag != "PRP"
+    named = known or (name.tag == "NNP" and name.text[0].isupper())
+    led = all(tree.nodes[p].tag in DETERMINERS for p in tree.children(subjects[0]))
+    # "The kids must do their homework"
+    return tree.text[tree.nodes[tree.reach(subjects[0])[0]].start : name.end] if named and led else None
 
 
 def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:

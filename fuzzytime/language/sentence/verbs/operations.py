@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.language.sentence.verbs.actions import Action
+from fuzzytime.language.sentence.verbs.actions import FINITE, Action
 from fuzzytime.language.sentence.verbs.called import person_due, worker_doing
 from fuzzytime.language.sentence.verbs.particles import Particles
 from fuzzytime.language.sentence.verbs.small_clauses import SmallClause, small_clause
@@ -73,13 +73,18 @@ class Reader(Particles):
         elif stated and subject is None and self._takes(verb):
             # "It needs an hour in the oven"
             direct = None
-        if subject is not None and (stated or direct is None):
-            acted = others_do(self.tree, verb, self._helping(verb), self.lexicon)
+        if subject is not None and (stated or direct is None or self._is_needed_by(verb)):
+            acted = self._is_needed_by(verb) or others_do(self.tree, verb, self._helping(verb), self.lexicon)
             return subject, complement or (direct if acted else None)
         if subject is not None and self.tree.nodes[verb].lemma == "be":
             # "The coffee should be ready by then"
             return subject, direct
         return direct, complement
+
+    def _is_needed_by(self, verb: int) -> bool:
+        """Whether somebody or something needs a thing, and none is asked to need it: "the car needs fuel"."""
+        node = self.tree.nodes[verb]
+        return node.tag in FINITE and node.lemma in self.lexicon.doing.needing
 
     def _how(self, verb: int, taken: list[int]) -> str | None:
         """Give how it is done: "quickly wash the car"."""

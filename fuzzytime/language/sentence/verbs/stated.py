@@ -12,7 +12,7 @@ STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
 IT = "it"
 BE = "be"
 ON = "on"
-MUST, MUST_BE, NEEDS = "must", "must be", "needs"
+MUST, MUST_BE, NEEDS, NEED = "must", "must be", "needs", "need"
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +31,10 @@ class Stated(Places):
         described = self.tree.children(subjects[0], "det", "amod")
         if self.tree.nodes[subjects[0]].lower in closed.subject_pronouns and not described:
             alone = self.tree.nodes[subjects[0]].lower
+            wished = node.tag == "VBN" and self.tree.nodes[node.head].lemma in self.lexicon.doing.wishing
+            if wished and alone not in closed.first_and_second_person:
+                # "I want it cleaned by six"
+                return alone
             helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux")}
             return (
                 alone
@@ -55,8 +59,11 @@ class Stated(Places):
         """Give the words between what must do something, or be done with, and its verb."""
         tag = self.tree.nodes[verb].tag
         if tag == "VBG":
-            # "The lawn needs mowing"
-            return NEEDS
+            # "The lawn needs mowing", "the beds need making"
+            return NEED if self.tree.nodes[self.tree.nodes[verb].head].tag == "VBP" else NEEDS
+        if self.tree.nodes[verb].lemma in self.lexicon.doing.needing:
+            # "The car needs fuel"
+            return ""
         passive = tag == "VBN" or self.tree.children(verb, "auxpass")
         return MUST_BE if passive else MUST
 

@@ -203,6 +203,20 @@ def result_behind_statement(tree: Tree, place: int, root: int, timed: AbstractSe
     )
 
 
+def due_too(tree: Tree, place: int, root: int) -> int | None:
+    """Give where begins what else must be so: "the floor must be mopped and the bins need emptying"."""
+    node, closed = tree.nodes[place], tree.lexicon.closed
+    subjects = [p for p in tree.children(place, *GRAMMATICAL_SUBJECTS) if root < p < place]
+    if node.relation != "conj" or node.head != root or not subjects or not tree.nodes[root].is_verb:
+        return None
+    helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
+    # "Ann has to go", but "Ann has a cold"
+    must = bool(tree.children(place, "xcomp")) and node.lower in closed.verbs_of_obligation
+    first = min(tree.below(subjects[0]))
+    joined = tree.nodes[first - 1].lower in {"and", ",", "&", "but"}
+    return first if joined and (must or helping & closed.obligation) else None
+
+
 def _is_brought_about(tree: Tree, place: int) -> bool:
     """Whether it is what is done so that all is prepared: "they come at six so the table is set by five"."""
     helping = {tree.nodes[p].lower for p in tree.children(place, "aux", "auxpass")}

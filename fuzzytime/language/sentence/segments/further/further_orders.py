@@ -28,6 +28,7 @@ from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.actions import action_of, gone_to_do
 from fuzzytime.language.sentence.verbs.statements import (
     being_behind_order,
+    due_too,
     goes_on,
     order_behind_statement,
     result_behind_statement,
@@ -78,6 +79,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     told = second_statement(tree, place, timed) if told is None else told
     told = being_behind_order(tree, place, timed) if told is None else told
     told = having_done(tree, place) if told is None else told
+    told = due_too(tree, place, root) if told is None else told
     if told is not None:
         return told
     if _goes_on(tree, place, timed, lexicon) or goes_on(tree, place, root, timed):

@@ -11,6 +11,7 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.places import says_where
 
 
 def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
@@ -18,6 +19,7 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
     alone = tree.nodes[place].lower in lexicon.alone
     return (
         (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
+        or governs_bare(tree, place, timed, lexicon)
         or _follows_turning(tree, place, lexicon)
         or is_further_step(tree, place, timed, lexicon)
         or is_order_before_time(tree, place, timed)
@@ -26,6 +28,52 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
             place - 2 in timed and (stands_alone(tree, place, lexicon) or _has_numbered(tree, place, lexicon))
         )
     )
+
+
+def governs_bare(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether what was taken for a thing is an order behind a joint: "feed the cat at six and text ann"."""
+    root = tree.root
+    joined = tree.nodes[place - 1].lower in lexicon.closed.joints_of_orders
+    # "Remind me to call Bob and email Ann"
+    within = tree.nodes[root].lemma in lexicon.addressing and tree.children(root, "xcomp", "ccomp")
+    if not joined or within:
+        return False
+    chore = place - 2 in timed and _is_chore(tree, place, lexicon)
+    return chore or _is_done_to_somebody(tree, place, lexicon)
+
+
+def is_bare_order(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what was taken for a thing is done to somebody, or with things that have no article."""
+    return _is_done_to_somebody(tree, place, lexicon) or _is_chore(tree, place, lexicon)
+
+
+def _is_done_to_somebody(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what may be a verb has somebody behind it: "feed the cat and text ann"; not "and aunt ann"."""
+    node, who = tree.nodes[place], tree.nodes[place + 1 : place + 2]
+    called = lexicon.addressing - lexicon.persons
+    # "Ring jane": a tree may have it for what goes on.
+    taken = not node.is_verb or (node.tag == "VBG" and node.lower in called)
+    bare = taken and (node.lower in called or (node.may_act and node.lower == node.lemma.lower()))
+    names = lexicon.names | (
+        lexicon.persons | lexicon.names_like_words if node.lower in called else frozenset()
+    )
+    return bare and node.lower not in lexicon.persons and any(one.lower in names for one in who)
+
+
+def _is_chore(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a chore taken for a thing has several behind it, or where: "… at noon and water plants at two".
+
+    What is bought may be called so: "order bread today and paint brushes tomorrow".
+    """
+    node, things = tree.nodes[place], tree.nodes[place + 1 : place + 2]
+    bought = tree.nodes[tree.root].lemma in lexicon.ordering | lexicon.doing.errands
+    if bought or not node.tag.startswith(("NN", "JJ")):
+        return False
+    if node.lower in lexicon.ordering:
+        # "… and order pizza at seven"
+        return any(one.tag.startswith("NN") and not one.may_act for one in things)
+    several = any(one.tag == "NNS" or says_where(one.lower, lexicon) for one in things)
+    return node.lower in lexicon.chores and several
 
 
 def _follows_turning(tree: Tree, place: int, lexicon: Lexicon) -> bool:

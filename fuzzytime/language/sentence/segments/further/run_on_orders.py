@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER, COMPLEMENTS, binds, is_bare, is_order
 from fuzzytime.language.sentence.segments.further.orders_in_front import denied_from
+from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
@@ -36,7 +37,7 @@ class _Try:
     """A place at which a further order may begin, with both parts.
 
     ``timed`` where a time ends the first, ``tells`` where that may be no order, ``told`` where the
-    second may be none.
+    second may be none, ``sure`` where its words alone say that it is one.
     """
 
     one: int
@@ -44,6 +45,7 @@ class _Try:
     timed: bool
     tells: bool
     told: bool
+    sure: bool
     before: str
     behind: str
 
@@ -76,7 +78,7 @@ def run_on_orders(
             whole = _tells(one) if attempt.tells else is_whole(one, lexicon, timed=attempt.timed)
             surely = attempt.timed or not attempt.tells or _is_state(one, lexicon)
             whole = whole and (surely or _is_done_with_it(other, 0))
-            whole = whole and (governs(other) or governs(own))
+            whole = whole and (attempt.sure or governs(other) or governs(own))
         if attempt.one not in cut and whole:
             cut[attempt.one] = attempt.start
     return cut
@@ -108,13 +110,15 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             # "Stir it when the chef asks the waiter": what is in a clause.
             return
         before, behind = source.sound[one.main : start].strip(), source.sound[verb:end]
-        yield _Try(place, start, here - 1 in timed, tells, told, before, behind)
+        sure = here - 1 in timed and (is_bare_order(tree, here, lexicon) or _is_carried(tree, here, timed))
+        yield _Try(place, start, here - 1 in timed, tells, told, sure, before, behind)
 
 
 def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
     """Whether a bare verb with an object stands behind a word that does not lead to it."""
     node, before, behind = tree.nodes[place - 1 : place + 2][1], tree.nodes[place - 1], tree.nodes[place + 1]
-    if not node.may_act or not is_bare(node, lexicon) or binds(tree, place - 1, lexicon):
+    acts = node.may_act or node.lower in lexicon.addressing
+    if not acts or not is_bare(node, lexicon) or binds(tree, place - 1, lexicon):
         return False
     where = lexicon.places | lexicon.particles.keys() | lexicon.closed.prepositions_of_way
     if node.tag in {"IN", "RP", "TO"} or node.lower in where:
@@ -137,11 +141,21 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
         # "Open the hatch wait ten seconds and close it"
         return node.lower in lexicon.doing.waiting
     led = behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns
-    # "The fair is on friday book two tickets"
-    led = led or (behind.tag == "CD" and place - 1 in timed)
+    if place - 1 in timed:
+        # "The fair is on friday book two tickets", "… at six order pizza", "… at six lock up"
+        named = node.lower in lexicon.orders - lexicon.persons and behind.tag.startswith(NOUNS)
+        bare = is_bare_order(tree, place, lexicon) or _is_carried(tree, place, timed)
+        led = led or behind.tag == "CD" or named or bare
     further = tree.nodes[place + 2 : place + 3]
     carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
-    return led or (carried and further[0].tag in DETERMINERS)
+    return led or (carried and (further[0].tag in DETERMINERS or place - 1 in timed))
+
+
+def _is_carried(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
+    """Whether a verb has its particle behind it, and no thing before its time: "… at six lock up at nine"."""
+    node, behind = tree.nodes[place], tree.nodes[place + 1]
+    particle = node.lower in tree.lexicon.particles.get(behind.lower, ())
+    return particle and (place + 2 == len(tree.nodes) or place + 2 in timed)
 
 
 def _may_be_state(tree: Tree, place: int, lexicon: Lexicon) -> bool:
@@ -204,6 +218,8 @@ def is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
     doing, lemma = lexicon.doing, tree.nodes[verb].lemma
     leads = lemma in lexicon.letting | lexicon.causing | lexicon.wanting | lexicon.addressing | doing.watching
     named = any(tree.nodes[place].tag != "CD" for place in tree.children(verb, *OBJECTS))
+    # "Do the ironing"
+    named = named or any(tree.children(place, "det") for place in tree.children(verb, "xcomp", "ccomp"))
     return (timed or not leads) and named
 
 

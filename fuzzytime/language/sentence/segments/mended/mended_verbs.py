@@ -12,13 +12,18 @@ LEAST_DONE = 3
 LET = 2
 """Words of "press start"."""
 
+THAT = "that"
+
 NOUNS = frozenset({"NN", "NNS", "NNP"})
 """Tags of things, and of orders taken for one."""
 
 
 def with_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give an order whose tree has another word for its verb that verb; None where it has none."""
-    orders = (_orders_verb, _does_event, _does_led, _calls_person, _lists_order, _does_compound, _goes_to_do)
+    orders = (
+        *(_orders_verb, _does_event, _does_led, _does_owned, _calls_person, _lists_order, _does_compound),
+        *(_goes_to_do, _has_done, _does_that),
+    )
     return next((mended for does in orders if (mended := does(tree, lexicon)) is not None), None)
 
 
@@ -91,10 +96,59 @@ def _does_led(tree: Tree, lexicon: Lexicon) -> Tree | None:
     return tree.with_nodes(with_thing_done(tree, root, root))
 
 
+def _does_owned(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "iron Ann's shirt" its verb, which a tree takes for a part of a name: "Uncle Tom's cabin"."""
+    root = tree.root
+    if root < LEAST_DONE or tree.children(1, "case") != (LET,) or tree.nodes[0].head != 1:
+        return None
+    first, owner = tree.nodes[:LET]
+    orders = first.lower in lexicon.orders - lexicon.persons and first.lower == first.text
+    owned = owner.relation == "poss" and owner.head == root and tree.nodes[root].tag in NOUNS
+    return tree.with_nodes(with_thing_done(tree, root, root)) if orders and owned else None
+
+
+def _has_done(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "have ben slice the tomato" who does it, whom a tree takes for a part of what is done."""
+    root, nodes = tree.root, list(tree.nodes)
+    helps = nodes[0].lower in lexicon.causing and nodes[0].relation == "aux" and nodes[0].head == root
+    if not helps or root != LET or nodes[1].relation not in {"compound", "npadvmod", "nmod"}:
+        return None
+    person = nodes[1].lower in lexicon.persons or nodes[1].tag == "NNP"
+    nodes[1] = replace(nodes[1], relation="nsubj")
+    return tree.with_nodes(nodes) if person and nodes[root].is_bare else None
+
+
+def _does_that(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "check that oven at six" its thing, which a tree takes for where, or for what that does."""
+    if tree.root != 0 or len(tree.nodes) <= LET or tree.nodes[1].lower != THAT:
+        return None
+    verb, that, thing = tree.nodes[: LET + 1]
+    taken = that.relation in {"dobj", "nsubj", "mark", "det"} and thing.relation != "dobj" and thing.head == 0
+    # "Boil that spaghetti", "press that button"; but "check that works"
+    taken = taken and (thing.tag in {"IN", "VBG", "NN", "NNS"} or not thing.may_act)
+    # "Make that dressing"; but "keep that going"
+    led = thing.lower not in lexicon.places | lexicon.particles.keys() and (
+        thing.tag == "VBG" or thing.lower not in lexicon.function_words
+    )
+    becomes = verb.lemma in (lexicon.causing | lexicon.letting) - {"make"}
+    behind = tree.nodes[LET + 1 : LET + 2]
+    if (
+        not taken
+        or not led
+        or becomes
+        or any(node.tag in DETERMINERS | NOUNS or node.tag.startswith(("VB", "MD")) for node in behind)
+    ):
+        return None
+    nodes = [replace(node, head=0) if node.head == LET else node for node in tree.nodes]
+    nodes[1] = replace(that, tag="DT", relation="det", head=LET)
+    nodes[LET] = replace(thing, tag="NN", lemma=thing.lower, relation="dobj", head=0)
+    return tree.with_nodes(nodes)
+
+
 def _calls_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "facetime granny", "zoom aunt jo" its verb, where who is called was taken for it."""
     root = tree.root
-    beside = tree.nodes[0].head == root and tree.nodes[0].relation in {"compound", "nsubj"}
+    beside = tree.nodes[0].head == root and tree.nodes[0].relation in {"compound", "nsubj", "npadvmod"}
     if not 0 < root < LEAST_DONE or not beside or tree.nodes[root].is_verb:
         return None
     who = tree.nodes[1 : root + 1]
@@ -156,9 +210,15 @@ def _goes_to_do(tree: Tree, lexicon: Lexicon) -> Tree | None:
 
 
 def with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:
-    """Make the first word the verb, a thing its object, and what hung on that behind a word the verb's."""
+    """Make the first word the verb, a thing its object, and what hung on that behind a word the verb's.
+
+    What else is named stays with the thing: "email tom and ben".
+    """
+    joined = tree.children(thing, "cc", "conj")
+    named = all(tree.nodes[p].tag in NOUNS for p in joined if tree.nodes[p].relation == "conj")
+    kept = joined if named else ()
     moved = [
-        replace(node, head=0) if node.head == thing and place > last else node
+        replace(node, head=0) if node.head == thing and place > last and place not in kept else node
         for place, node in enumerate(tree.nodes)
     ]
     moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)

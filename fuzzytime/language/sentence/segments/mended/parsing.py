@@ -6,6 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import blanked
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
+from fuzzytime.language.sentence.segments.mended.aims import with_aim
 from fuzzytime.language.sentence.segments.mended.mended_things import (
     with_event_names,
     with_her,
@@ -13,6 +14,7 @@ from fuzzytime.language.sentence.segments.mended.mended_things import (
     with_whole_things,
 )
 from fuzzytime.language.sentence.segments.mended.mended_trees import as_acting, as_done, as_order
+from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed
 from fuzzytime.language.sentence.segments.mended.places_in_front import with_places_in_front
 from fuzzytime.language.sentence.segments.mended.reminded_of import with_reminded
 from fuzzytime.language.sentence.segments.waiting import Waiting
@@ -68,10 +70,10 @@ def _mended(one: Waiting, tree: Tree, lexicon: Lexicon) -> Tree:
     if not tree.nodes:
         return tree
     timed = one.timed(tree)
-    tree = with_her(with_whole_things(tree), timed)
+    tree = with_aim(with_her(with_whole_things(tree), timed), timed, lexicon)
     tree = with_event_names(with_object_of_aim(tree, timed), timed)
     tree = with_event(with_clause(with_reminded(tree, lexicon), lexicon), lexicon)
-    tree = with_called(with_worker(tree, lexicon), timed, lexicon)
+    tree = with_called(with_worker(with_needed_deed(tree, timed, lexicon), lexicon), timed, lexicon)
     return as_statement(with_named_deed(tree, timed, lexicon), timed, lexicon.travelling)
 
 

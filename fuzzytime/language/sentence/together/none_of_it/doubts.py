@@ -135,7 +135,8 @@ def unused_words(
     beside, why = lexicon.beside, _reasons(part.tree, lexicon)
     held = {word.text for word in words_of(f"{operation.name} {operation.addressee or ''}")}
     known = held | {word.removesuffix("'s") for word in held}
-    known |= (lexicon.persons - lexicon.names) | lexicon.machines | lexicon.addresses | beside.nothing
+    persons = lexicon.persons - lexicon.names
+    known = known.union(persons, lexicon.machines, beside.nothing, *lexicon.called_behind)
     left = [
         place
         for place, node in enumerate(part.tree.nodes)

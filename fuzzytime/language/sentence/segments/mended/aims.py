@@ -1,0 +1,46 @@
+"""What something is set to, and what it is for, where trees take that for an aim of the setting.
+
+"Set the fan to high at nine" says how it is set, and "set an alarm to wake me at seven" which alarm.
+"""
+
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+
+TO = "to"
+
+
+def with_aim(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
+    """Give a tree in which the aim right behind a thing is said of it, or is what that is set to."""
+    root = tree.root
+    for thing in tree.children(root, "dobj"):
+        to = max((p for p in tree.below(thing)), default=thing) + 1
+        aim = to + 1
+        if aim >= len(tree.nodes) or tree.nodes[to].lower != TO or tree.nodes[to].head != aim:
+            continue
+        if tree.nodes[aim].head != root or tree.nodes[aim].relation not in {"advcl", "xcomp"}:
+            continue
+        nodes = list(tree.nodes)
+        if tree.nodes[thing].lower in lexicon.doing.labels | lexicon.appointing:
+            nodes[aim] = replace(nodes[aim], relation="acl", head=thing)
+            return tree.with_nodes(nodes)
+        if tree.nodes[root].lemma in lexicon.letting:
+            # "Leave it to soak"
+            nodes[aim] = replace(nodes[aim], relation="xcomp")
+            return tree.with_nodes(nodes)
+        setting = lexicon.doing.setting | lexicon.measure_verbs | lexicon.beside.switched
+        said = [p for p in tree.below(aim) if p not in {to, aim} and tree.nodes[p].text[0].isalnum()]
+        if tree.nodes[root].lemma in setting and set(said) <= timed:
+            return tree.with_nodes(_set_to(tree, root, to))
+    return tree
+
+
+def _set_to(tree: Tree, root: int, to: int) -> list[Node]:
+    """Make a word behind "to" what something is set to, and give the verb its times."""
+    aim = to + 1
+    nodes = [replace(node, head=root) if node.head == aim else node for node in tree.nodes]
+    nodes[to] = replace(nodes[to], tag="IN", relation="prep", head=root)
+    nodes[aim] = replace(nodes[aim], tag="NN", relation="pobj", head=to)
+    return nodes
