@@ -21,6 +21,7 @@ from fuzzytime_cli.repl.scene import (
     ended_line,
     got,
     identifier_of,
+    not_understood,
     number_and_rest,
     number_of,
     position_of,
@@ -78,6 +79,8 @@ def edit(scene: Scene, text: str) -> Reply:
         changed = said_anew(state, number, **anew)
         return changed.with_last(called) if behind else changed
 
+    if refused := not_understood(scene, change(state), called):
+        return Reply(refused)
     reply = step(scene, f":edit {number}", change)
     return reply if begun is None else replace(reply, lines=(*ended_line(scene, begun), *reply.lines))
 

@@ -8,7 +8,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import About, AboutKind, content_words, find_times, nouns_of, verb_forms
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.times import instant_after
-from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, waiting, whole_number
+from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, own_words, waiting, whole_number
 from fuzzytime_cli.session import Entry, Started
 
 BOTH = 2
@@ -47,9 +47,9 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     comes = (e for e in entries if names <= happening.get(e.identifier, frozenset()))
     # What is done with it is meant before what only comes after it: "the nap", and "park after the nap".
     things = (e for e in entries if names <= _things_of(scene, e))
-    own = (entry for entry in entries if names <= content_words(entry.text))
+    own = (entry for entry in entries if names <= own_words(scene, entry))
     # "It" in its words is what it is called by, and "the inspection" what is inspected.
-    by_name = (e for e in entries if names <= words_of_entry(scene, e) | content_words(e.text))
+    by_name = (e for e in entries if names <= words_of_entry(scene, e) | own_words(scene, e))
     return next((entry for found in (comes, things, own, by_name) for entry in found), None)
 
 
@@ -273,11 +273,11 @@ def all_called(scene: Scene, names: frozenset[str]) -> list[Started]:
 
 def _words(scene: Scene, one: Started) -> frozenset[str]:
     number = number_of(one.identifier)
-    texts = (entry.text for entry in scene.conversation.state.entries if entry.number == number)
+    said = (own_words(scene, one) for one in scene.conversation.state.entries if one.number == number)
     lexicon = scene.conversation.interpreter.language.lexicon
     # "Have I fed the cat?"
     verb = verb_forms(one.name.partition(" ")[0].lower(), lexicon)
-    return content_words(one.name) | content_words(next(texts, "")) | verb | {f"s{number}"}
+    return content_words(one.name) | next(said, frozenset()) | verb | {f"s{number}"}
 
 
 def unknown(names: frozenset[str]) -> NoReturn:

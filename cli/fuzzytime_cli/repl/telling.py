@@ -34,6 +34,9 @@ def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
     if not is_waited_for(said, (one for _, one in waiting(scene))):
         return None
     anew = as_news(said)
+    read = conversation.interpreter.language.read(anew, now=scene.now).instructions
+    if not any(one.operation is not None and one.operation.stated for one in read):
+        return None
     return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
 
 
@@ -62,10 +65,14 @@ def _tells(scene: Scene, said: str, reading: Reading) -> bool:
     lexicon = scene.conversation.interpreter.language.lexicon
     if not reading.instructions or not tells_a_state(said, reading, lexicon):
         return False
+    return not is_news(scene, said)
+
+
+def is_news(scene: Scene, said: str) -> bool:
+    """Whether words tell anew of what was said to happen."""
+    lexicon = scene.conversation.interpreter.language.lexicon
     happening = [one.operation for one in scene.plan.everything if one.stated and one.operation is not None]
-    return not any(
-        news.is_of(one, lexicon) for news in news_in(said, scene.now, lexicon) for one in happening
-    )
+    return any(news.is_of(one, lexicon) for news in news_in(said, scene.now, lexicon) for one in happening)
 
 
 def _condition(scene: Scene, said: str) -> Condition | None:
