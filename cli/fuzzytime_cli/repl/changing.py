@@ -184,7 +184,7 @@ def done(scene: Scene, text: str) -> Reply:
         agent = scene.plan.schedule.skills[position].agent
         now, satisfaction = scene.now, scene.plan.schedule.satisfactions[position]
         begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction, happens)
-        scene.conversation.store.note_started(scene.conversation.name, begun)
+        scene.conversation.store.note_over(scene.conversation.name, begun)
         return Reply((name,), changed=True)
     return replace(step(scene, f":done {number}", lambda state: state.without(number)), lines=(name,))
 

@@ -133,6 +133,10 @@ def _with_reason(scene: Scene, words: str) -> Reply | None:
     anaphors = language.lexicon.closed.anaphors
     if about is None or about.kind not in CHANGING or not (about.certain or entries_meant(scene, about)):
         return None
+    whole = about_wishes(words, scene.now, language.lexicon)
+    if whole is not None and whole.each and all(entry_of(scene, names) for names in whole.each):
+        # "Cancel Ann, Bob and Carl"
+        return None
     if not about.names and anaphors.isdisjoint(front.lower().split()):
         # "Never mind, it works"
         return None

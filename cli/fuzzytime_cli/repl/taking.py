@@ -10,13 +10,9 @@ from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands import command_of
 from fuzzytime_cli.repl.scene import Reply, Scene, whole_number
 
-HISTORY = frozenset({AboutKind.DONE, AboutKind.MORE, AboutKind.LATE})
-"""What tells how it went, which :undo does not take back."""
-
 
 def run(scene: Scene, about: About, line: str) -> Reply:
     """Run a command, and say which."""
-    kind = about.kind if not line.startswith(":drop") else AboutKind.DROP
     command, rest = command_of(line)
     named = rest.partition(" ")[0]
     dropped, focus = "", None
@@ -29,9 +25,7 @@ def run(scene: Scene, about: About, line: str) -> Reply:
         return replace(reply, focus=focus)
     if line in {":undo", ":redo"}:
         return reply
-    told = line.startswith(":done") or (kind in HISTORY and not line.startswith(":busy"))
-    back = "" if told else "; :undo takes it back"
-    head = Text(plain(f"taken as {line}{f' ({dropped})' if dropped else ''}{back}"))
+    head = Text(plain(f"taken as {line}{f' ({dropped})' if dropped else ''}; :undo takes it back"))
     return replace(reply, lines=(head, *reply.lines), focus=focus, taken=about)
 
 

@@ -54,7 +54,8 @@ def _free(said: Said) -> About | None:
     if rest is not None:
         time = rest.as_time() if rest.words else ""
         known = not rest.words or bool(time)
-        return About(kind=AboutKind.FREE, time=time, certain=True) if known else None
+        busy = "busy" if (when or said).opens_with("busy") else ""
+        return About(kind=AboutKind.FREE, time=time, text=busy, certain=True) if known else None
     rest = said.after("may do")
     if rest is None or not rest.words:
         return None

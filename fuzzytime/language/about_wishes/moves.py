@@ -3,12 +3,13 @@
 from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, minutes_alone
+from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, by_length, minutes_alone
 from fuzzytime.language.about_wishes.meant import about_thing, is_last
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.finding import find_times
 
 FOR = "for"
+PUT = "put"
 
 
 def delayed(said: Said) -> About | None:
@@ -19,6 +20,8 @@ def delayed(said: Said) -> About | None:
         return None
     if delaying is not None and not rest.words:
         return About(kind=AboutKind.DELAY, certain=True)
+    if (within := _all_within(rest)) is not None:
+        return within
     if (
         not rest.words
         or not rest.is_one
@@ -49,6 +52,16 @@ def delayed(said: Said) -> About | None:
     return replace(about_thing(AboutKind.DELAY, named, certain=certain), by=by)
 
 
+def _all_within(said: Said) -> About | None:
+    """Read what is moved of a stretch by a length: "everything after lunch an hour later"."""
+    taken = said.opens_with("everything")
+    for place in range(len(said.words) - 1, taken, -1) if taken else ():
+        stretch, shift = said.until(place).behind(taken), by_length(said.behind(place))
+        if shift is not None and not shift[1].words and stretch.one_time() is not None:
+            return About(kind=AboutKind.DELAY, everything=True, time=stretch.text, by=shift[0], certain=True)
+    return None
+
+
 def moved(said: Said) -> About | None:
     """Read a new time for what has one: "move the call to six", "I need it by three"."""
     wanted = said.after("wanted by")
@@ -61,7 +74,7 @@ def moved(said: Said) -> About | None:
     behind = (delaying or said.behind(1)).text
     joint = next((to for to in said.towards if f" {to}" in f" {behind.lower()}"), "")
     if not joint:
-        return _moved_at(said, behind) if delaying is not None else _moved_beside(said)
+        return _moved_at(said, behind) if delaying is not None else _moved_beside(said) or _put_at(said)
     place = f" {behind.lower()}".rfind(f" {joint}")
     thing = Said(behind[:place].rstrip(), said.now, said.lexicon)
     new = Said(behind[place:].strip(), said.now, said.lexicon)
@@ -87,6 +100,18 @@ def _moved_beside(said: Said) -> About | None:
         if beside is not None and thing.names and beside[1].names:
             return About(kind=AboutKind.MOVE, names=thing.names, time=beside[0], others=beside[1].names)
     return None
+
+
+def _put_at(said: Said) -> About | None:
+    """Read a new time behind what is put there: "put the review at eleven"."""
+    if said.forms[0] != PUT:
+        return None
+    what, time = said.behind(1).parted()
+    thing = Said(what, said.now, said.lexicon)
+    new = Said(time, said.now, said.lexicon).as_time()
+    if not new or not said.text.lower().endswith(time.lower()) or not (thing.names or is_last(thing)):
+        return None
+    return replace(about_thing(AboutKind.MOVE, thing), time=new) if thing.words else None
 
 
 def _moved_at(said: Said, behind: str) -> About | None:

@@ -3,6 +3,7 @@
 from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
+from fuzzytime.language.about_wishes.lengths import lengthened
 from fuzzytime.language.about_wishes.said import FOR, Said
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
@@ -24,6 +25,7 @@ def report(said: Said) -> About | None:
         or _more(said)
         or _added(said)
         or _so_long(said)
+        or lengthened(said)
         or _unstarted(said)
         or _started(said)
         or _finished(said)

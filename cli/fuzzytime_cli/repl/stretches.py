@@ -1,0 +1,41 @@
+"""Stretches of time that words name, and what is planned within them."""
+
+from datetime import datetime
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language import find_times
+from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.times import instant_after
+from fuzzytime_cli.repl.naming import starts_of_entry
+from fuzzytime_cli.repl.scene import Scene
+from fuzzytime_cli.session import Entry
+
+
+def time_of(scene: Scene, words: str) -> TimeRequirement:
+    """Read a time.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is none.
+    """
+    found = find_times(words, scene.now, scene.conversation.interpreter.language.lexicon).requirements
+    if not found:
+        raise FuzzytimeError(f"{words!r} is no time")
+    return found[0]
+
+
+def bounds_of(scene: Scene, time: TimeRequirement) -> tuple[datetime | None, datetime | None]:
+    """Give from when to when a time is, as instants; None where a side is open."""
+    begin = None if time.constraint is Constraint.BEFORE else time.t_spec
+    sides = (begin if time.earliest is None else time.earliest, time.latest)
+    first, end = (None if side is None else instant_after(scene.now, side) for side in sides)
+    return first, end
+
+
+def is_within(scene: Scene, entry: Entry, time: str) -> bool:
+    """Whether all that is left to do of an entry is planned within a stretch of time."""
+    first, end = bounds_of(scene, time_of(scene, time))
+    starts = starts_of_entry(scene, entry)
+    within = all((first is None or first <= at) and (end is None or at < end) for at in starts)
+    return bool(starts) and within
