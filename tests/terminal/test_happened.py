@@ -10,15 +10,21 @@ pytestmark = pytest.mark.model
 @pytest.mark.parametrize(
     ("wish", "told", "entry"),
     [
-        ("tidy up when the guests have left", "the guests have left", "tidy up right now"),
-        ("tidy up when the guests leave", "the guests left", "tidy up right now"),
-        ("plant the tomatoes once dad has dug the bed", "dad dug the bed", "plant the tomatoes right now"),
+        ("tidy up when the guests have left", "the guests have left", "tidy up as soon as possible"),
+        ("tidy up when the guests leave", "the guests left", "tidy up as soon as possible"),
+        (
+            "plant the tomatoes once dad has dug the bed",
+            "dad dug the bed",
+            "plant the tomatoes as soon as possible",
+        ),
         ("post the letter after bob calls", "bob just called", "post the letter after now"),
-        ("leave when the kids are ready", "the kids are ready", "leave right now"),
-        ("call mum when I get home", "I got home", "call mum right now"),
+        ("leave when the kids are ready", "the kids are ready", "leave as soon as possible"),
+        ("call mum when I get home", "I got home", "call mum as soon as possible"),
         ("call mum after I have fed the cat", "I fed the cat", "call mum after now"),
-        ("mow the lawn if it doesn't rain", "it didn't rain", "mow the lawn right now"),
-        ("tell Ann when Bob has left", "he left", "tell Ann right now"),
+        ("mow the lawn if it doesn't rain", "it didn't rain", "mow the lawn as soon as possible"),
+        ("sand the door when the glue is dry", "glue's dry", "sand the door as soon as possible"),
+        ("slice the ham once it has cooled", "the ham has cooled", "slice the ham as soon as possible"),
+        ("tell Ann when Bob has left", "he left", "tell Ann as soon as possible"),
     ],
 )
 def test_what_waits_for_it_is_done_now(wish: str, told: str, entry: str) -> None:
@@ -45,6 +51,15 @@ def test_what_tells_another_thing_leaves_it_waiting(wish: str, told: str) -> Non
     talk.say(wish)
     talk.say(told)
     assert talk.entries[0] == wish
+
+
+@pytest.mark.parametrize(
+    "told", ["glue's dry", "cake's out of the oven", "mum's in charge of dinner", "vitamins w lunch"]
+)
+def test_what_tells_how_something_is_changes_nothing(told: str) -> None:
+    talk = Talk()
+    assert "taken as" not in talk.say(told)
+    assert talk.entries == []
 
 
 @pytest.mark.parametrize("told", ["bob has called", "the paint has dried", "dad has dug the bed"])

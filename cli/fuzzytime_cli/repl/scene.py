@@ -240,10 +240,16 @@ def problem_lines(problem: Problem, width: int) -> list[Text | str]:
 
 
 def not_understood(scene: Scene, state: State, number: int) -> tuple[Text | str, ...]:
-    """Point at what is not understood of an instruction whose new words ask for nothing."""
+    """Say why an instruction's new words ask for nothing that can be: that changes nothing."""
     entry = state.entry(number)
     made = scene.conversation.understood(scene.now, state)
-    own = any(one.wish.identifier == entry.identifier for one in made.everything)
+    own = [one for one in made.everything if one.wish.identifier == entry.identifier]
     faults = [one for one in made.problems if one.text == entry.text and one.kind in UNREAD]
-    lines = () if own else tuple(line for one in faults for line in problem_lines(one, scene.width))
+    lines = [line for one in faults for line in problem_lines(one, scene.width)] if not own else []
+    known = {(one.skill.name, one.reason) for one in scene.plan.everything}
+    lines += [
+        Text(plain(f"{one.skill.name}: {one.reason}"), style="red")
+        for one in own
+        if one.reason and not one.waits and (one.skill.name, one.reason) not in known
+    ]
     return (*lines, Text("nothing is changed")) if lines else ()

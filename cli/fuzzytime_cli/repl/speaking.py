@@ -35,7 +35,7 @@ from fuzzytime_cli.repl.naming import LABEL, entries_meant, entry_of, label_mean
 from fuzzytime_cli.repl.retiming import said_anew, same_anew, timed_now, wished_instead
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.repl.taking import run, run_each
-from fuzzytime_cli.repl.telling import is_news, tells_what_is, told_state
+from fuzzytime_cli.repl.telling import behind_how_a_day_is, is_news, tells_what_is, told_state
 
 CHANGING = frozenset(
     {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE, AboutKind.EXCEPT}
@@ -96,8 +96,8 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
     if (reply := _with_reason(scene, words)) is not None:
         return reply
     about = about_wishes(words, scene.now, lexicon) or _behind_what_is_told(scene, words)
-    if about is None:
-        return _told(scene, words)
+    if about is None or (about.kind is AboutKind.UNABLE and is_news(scene, words)):
+        return behind_how_a_day_is(scene, words, _taken) or _told(scene, words)
     if about.kind in ANSWERS:
         return ANSWERS[about.kind](scene, about)
     return _taken(scene, about) or _told(scene, words)
@@ -110,12 +110,22 @@ def _behind_what_is_told(scene: Scene, words: str) -> About | None:
     if found is None:
         return None
     told, about = found
+    about = _of_what_is_told(scene, told, about)
     if not about.certain and (about.kind not in CHANGING or not entries_meant(scene, about)):
         return None
     if not told:
         return about
     reading = language.read(told, now=scene.now)
     return None if _asks(scene, reading) else about
+
+
+def _of_what_is_told(scene: Scene, told: str, about: About) -> About:
+    """Let what names nothing be of what is told in front of it: "the dentist rang, move it to four"."""
+    if about.names or about.places or about.everything:
+        return about
+    named = {word: entry_of(scene, frozenset({word})) for word in content_words(told)}
+    meant = {entry.number: frozenset({word}) for word, entry in named.items() if entry is not None}
+    return replace(about, names=next(iter(meant.values()))) if len(meant) == 1 else about
 
 
 def _asks(scene: Scene, reading: Reading) -> bool:
@@ -227,6 +237,8 @@ def _check_labels(scene: Scene, reading: Reading) -> None:
 
 def _taken(scene: Scene, about: About) -> Reply | None:
     """Run the command that is meant; None where the words may be a wish of their own."""
+    if about.kind is AboutKind.UNABLE and about.names:
+        return _when_then(scene, about)
     if about.kind in ASKED_BACK:
         raise FuzzytimeError(ASKED_BACK[about.kind])
     if about.kind is AboutKind.OTHER:
@@ -243,6 +255,12 @@ def _taken(scene: Scene, about: About) -> Reply | None:
     if line is None:
         return None
     return run(scene, about, line)
+
+
+def _when_then(scene: Scene, about: About) -> Reply | None:
+    """Ask when something is to be that cannot be: "Jo can't make it"; None where nothing is about that."""
+    entry = entry_of(scene, about.names)
+    return None if entry is None else Reply((ASKED_BACK[about.kind],), focus=entry.number)
 
 
 def _supposed(scene: Scene, text: str) -> Reply:

@@ -7,7 +7,7 @@ from fuzzytime.language import find_times
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import instant_after
 from fuzzytime_cli.repl.naming import starts_of_entry
-from fuzzytime_cli.repl.scene import Scene
+from fuzzytime_cli.repl.scene import Scene, waiting
 from fuzzytime_cli.session import Entry
 
 
@@ -37,5 +37,8 @@ def is_within(scene: Scene, entry: Entry, time: str) -> bool:
     """Whether all that is left to do of an entry is planned within a stretch of time."""
     first, end = bounds_of(scene, time_of(scene, time))
     starts = starts_of_entry(scene, entry)
-    within = all((first is None or first <= at) and (end is None or at < end) for at in starts)
-    return bool(starts) and within
+    within = [(first is None or first <= at) and (end is None or at < end) for at in starts]
+    repeated = any(one.repeats for _, one in waiting(scene, entry.number))
+    if any(within) and not all(within) and not repeated:
+        raise FuzzytimeError(f"only some of {entry.text!r} is {time}: say which, such as: the call")
+    return all(within) and bool(starts)

@@ -52,7 +52,9 @@ def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     said = said.until(len(said.words) - max(map(len, closing), default=0))
     if (counted := _counted_at(said)) is not None:
         return counted
-    time = said.as_time() if said.has_time else ""
+    # "Post 11" is an errand, rather than after eleven.
+    errand = said.forms[:1] and said.forms[0] in lexicon.doing.errands
+    time = said.as_time() if said.has_time and not errand else ""
     number = said.as_number() if len(said.words) == 1 else ""
     if not time:
         return None
@@ -77,3 +79,12 @@ def _listed(said: Said) -> frozenset[str]:
 def _closing(said: Said) -> frozenset[tuple[str, ...]]:
     """Give what says "instead" behind a new time, but not what joins a step to another: "then"."""
     return said.table("instead") - said.lexicon.connectives.keys()
+
+
+def without_closing(text: str, now: datetime, lexicon: Lexicon) -> str:
+    """Give a line without what only closes it behind a time: "breakfast at ten then"."""
+    said = Said.of(text, now, lexicon)
+    closing = said.table("preferring") & lexicon.connectives.keys()
+    form = next((form for form in closing if said.forms[-len(form) :] == form != said.forms), None)
+    rest = said if form is None else said.until(len(said.words) - len(form))
+    return rest.text if form is not None and rest.has_time else text

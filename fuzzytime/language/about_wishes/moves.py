@@ -7,6 +7,7 @@ from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, by_len
 from fuzzytime.language.about_wishes.meant import about_thing, is_last
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.finding import find_times
+from fuzzytime.language.sentence.trees.content_words import content_words
 
 FOR = "for"
 PUT = "put"
@@ -68,6 +69,8 @@ def moved(said: Said) -> About | None:
     if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
         # "I need it by three"
         return About(kind=AboutKind.MOVE, time=time, certain=True)
+    if (able := _able(said)) is not None:
+        return able
     delaying = said.after("delaying")
     if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
         return None
@@ -102,16 +105,29 @@ def _moved_beside(said: Said) -> About | None:
     return None
 
 
+def _able(said: Said) -> About | None:
+    """Read when somebody can do what was asked for: "they can only do four", "Ann can make it at one"."""
+    for place in range(1, len(said.words) if said.is_one else 0):
+        who, rest = said.until(place), said.behind(place).after("able at")
+        time = rest.as_time() if rest is not None and rest.words else ""
+        # "Well she can make it at one"
+        last = who.behind(len(who.words) - 1).is_in("they") or who.is_in("speaker")
+        if rest is not None and time and (last or who.names):
+            names = frozenset() if last else who.names
+            return About(kind=AboutKind.MOVE, names=names, time=time, bare=rest.is_bare(time), certain=True)
+    return None
+
+
 def _put_at(said: Said) -> About | None:
     """Read a new time behind what is put there: "put the review at eleven"."""
-    if said.forms[0] != PUT:
-        return None
-    what, time = said.behind(1).parted()
+    what, time = said.behind(1).parted() if said.forms[0] == PUT else ("", "")
     thing = Said(what, said.now, said.lexicon)
-    new = Said(time, said.now, said.lexicon).as_time()
-    if not new or not said.text.lower().endswith(time.lower()) or not (thing.names or is_last(thing)):
+    # "Put the soup on at four" is done with soup.
+    named = bool(what) and (is_last(thing) or bool(content_words(what.split()[-1])))
+    new = Said(time, said.now, said.lexicon).as_time() if named else ""
+    if not new or new.lower().startswith(f"{FOR} ") or not said.text.lower().endswith(time.lower()):
         return None
-    return replace(about_thing(AboutKind.MOVE, thing), time=new) if thing.words else None
+    return replace(about_thing(AboutKind.MOVE, thing), time=new)
 
 
 def _moved_at(said: Said, behind: str) -> About | None:

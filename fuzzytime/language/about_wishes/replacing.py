@@ -60,8 +60,17 @@ def said_apart(text: str, now: datetime, lexicon: Lexicon) -> list[str]:
         sure = any(one is not None and one.certain and one.kind in TAKEN for one in said)
         if all(kind in TAKEN for kind in kinds) if every else sure:
             # "Thanks. What's next?"
-            return [part for part, kind in zip(parts, kinds, strict=True) if kind is not AboutKind.ANSWER]
+            left = [n for n, kind in enumerate(kinds) if kind is not AboutKind.ANSWER]
+            # "Never mind, cancel that" lets one thing be, and says so twice.
+            return [parts[n] for n in left if not (n + 1 in left and all(map(_lets_be, said[n : n + 2])))]
     return [text]
+
+
+def _lets_be(about: About | None) -> bool:
+    """Whether what was spoken of last is let be, and nothing else."""
+    if about is None or about.kind is not AboutKind.DROP:
+        return False
+    return not (about.names or about.places or about.everything or about.both or about.other)
 
 
 def behind_an_answer(text: str, now: datetime, lexicon: Lexicon) -> str:

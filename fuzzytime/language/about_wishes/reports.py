@@ -10,6 +10,7 @@ from fuzzytime.language.instruction import Operation, Reading
 
 PAST = frozenset({"VBN", "VBD"})
 SUBJECTS = frozenset({"nsubj", "nsubjpass", "nsubj:pass", "csubj", "expl"})
+ING = "ing"
 WITH = "with"
 ON = "on"
 TO = "to"
@@ -29,6 +30,7 @@ def report(said: Said) -> About | None:
         or _unstarted(said)
         or _started(said)
         or _finished(said)
+        or _going_on(said)
         or _protest(said)
     )
 
@@ -149,12 +151,24 @@ def _started(said: Said) -> About | None:
     return About(kind=AboutKind.STARTED, names=names, upcoming=not thing.words, certain=True)
 
 
+def _going_on(said: Said) -> About | None:
+    """Read what is not over yet, of which nothing changes: "still cutting the boards"."""
+    rest = said.after("still at")
+    going_on = rest is not None and rest.words and rest.forms[0].endswith(ING) and not rest.has_time
+    return About(kind=AboutKind.WHEN, names=rest.names, certain=True) if rest and going_on else None
+
+
 def _protest(said: Said) -> About | None:
     """Read that something is wrong, or cannot be done: "that's not right", "I can't do that now"."""
     for kind in (AboutKind.WRONG, AboutKind.UNABLE):
         rest = said.after(kind.value)
         if rest is not None and not rest.without("yet", "first", "last")[0].words:
             return About(kind=kind, certain=True)
+    closing = (form for form in said.table("unable then") if said.forms[-len(form) :] == form != said.forms)
+    who = said.until(len(said.words) - max(map(len, closing), default=0))
+    if len(who.words) < len(said.words) and who.names and said.is_one and not said.has_time:
+        # "Jo can't make it"
+        return About(kind=AboutKind.UNABLE, names=who.names)
     return None
 
 

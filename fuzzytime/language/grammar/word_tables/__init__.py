@@ -228,7 +228,7 @@ _ROWS = {
         "rescheduled", "cancelled",
         "except", "numbering", "listed", "adding",
         "present", "perfect", "happened", "absent", "finished", "having", "unstarted", "yet", "wrong",
-        "unable", "more", "lengthening", "shortening", "busy",
+        "unable", "more", "lengthening", "shortening", "busy", "unable then", "able at", "still at",
         "needing", "open", "doing", "moment", "plan", "what", "showing", "when", "lasting", "why",
         "supposing", "filling", "first", "instead", "letting", "answering", "going ahead", "beginning now",
         "on time", "having left", "lasting so long", "greeting",
