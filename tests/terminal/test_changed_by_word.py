@@ -115,6 +115,14 @@ def test_then_behind_a_time_is_no_order() -> None:
     assert talk.start("s2").hour == 10
 
 
+@pytest.mark.parametrize(
+    "line",
+    ["sweep the floor before then", "sweep the floor by then", "wait until then", "mop an hour before then"],
+)
+def test_then_as_a_time_stays(line: str) -> None:
+    assert talk_of("call Ann at noon", line).entries[-1] == line
+
+
 def test_one_of_several_that_is_moved_to_another_day_keeps_its_hour() -> None:
     talk = talk_of("call Ann at ten am, dinner with Jo on saturday at seven pm")
     talk.say("Jo can't make it, reschedule for friday")

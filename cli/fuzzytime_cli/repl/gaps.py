@@ -46,7 +46,8 @@ def free(scene: Scene, about: About) -> Reply:
     time = time_of(scene, about.time)
     first, end = bounds_of(scene, time)
     if first is None:
-        return _gaps_told(scene)
+        # "Can I fit in a run before lunch?"
+        return room(scene, about) if about.thing else _gaps_told(scene)
     scene = _as_far_as(scene, end or first)
     length = _length_of(scene, about.thing)[0] if about.thing else timedelta(0)
     window = end if end is not None and end > first else first + max(length, SHORTEST)
@@ -181,9 +182,9 @@ def _all(scene: Scene) -> Iterator[Taken]:
     """Give all that is running or planned, as it comes."""
     schedule = scene.plan.schedule
     found = [
-        Taken(one.start, one.end, one.identifier, one.name)
+        Taken(one.start, until, one.identifier, one.name)
         for one in scene.conversation.running(scene.now)
-        if one.end > scene.now
+        if (until := one.done if one.happens else one.end) > scene.now
     ]
     for place, one in waiting(scene):
         if scene.plan.has_time(place):

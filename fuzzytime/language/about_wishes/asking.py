@@ -14,8 +14,8 @@ def asked(said: Said) -> About | None:
     return (
         _about_last(said)
         or _is_then(said)
-        or _free(said)
         or _room(said)
+        or _free(said)
         or _done(said)
         or _during(said)
         or _beside(said)

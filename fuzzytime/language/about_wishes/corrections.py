@@ -4,7 +4,9 @@ from datetime import datetime
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.requirement import TimeRequirement
 
 MARKS = frozenset({",", ".", ";", "!", "-"})
 """What may stand behind the words that correct."""
@@ -82,9 +84,22 @@ def _closing(said: Said) -> frozenset[tuple[str, ...]]:
 
 
 def without_closing(text: str, now: datetime, lexicon: Lexicon) -> str:
-    """Give a line without what only closes it behind a time: "breakfast at ten then"."""
+    """Give a line without what only closes it behind a time: "breakfast at ten then"; not "before then"."""
     said = Said.of(text, now, lexicon)
     closing = said.table("preferring") & lexicon.connectives.keys()
     form = next((form for form in closing if said.forms[-len(form) :] == form != said.forms), None)
-    rest = said if form is None else said.until(len(said.words) - len(form))
-    return rest.text if form is not None and rest.has_time else text
+    rest = said.until(len(said.words) - len(form or ()))
+    behind_time = any(_is_told(part) for part in _closing_times(rest))
+    # "An hour before then" is one time.
+    counts = any(part.span[0] < len(rest.text) for part in _closing_times(said))
+    return rest.text if form is not None and behind_time and not counts else text
+
+
+def _closing_times(said: Said) -> list[TimeRequirement]:
+    found = find_times(said.text, said.now, said.lexicon).requirements
+    return [part for part in found if part.span[1] == len(said.text)]
+
+
+def _is_told(part: TimeRequirement) -> bool:
+    """Whether a time is whole: a day, an hour, or a length."""
+    return any(side is not None for side in (part.t_spec, part.earliest, part.latest, part.number))
