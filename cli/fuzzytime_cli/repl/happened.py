@@ -91,7 +91,8 @@ def _named(tokens: Sequence[Token], lexicon: Lexicon) -> Iterator[str]:
     for token in tokens:
         word, verb = token.text.lower(), token.tag.startswith(VERBAL)
         left_out = pronouns if verb else pronouns | small
-        if token.relation not in HELPING and word not in left_out and content_words(word):
+        named = word[:1].isalnum() and word not in left_out and content_words(word)
+        if named and token.relation not in HELPING:
             yield token.lemma
 
 

@@ -18,7 +18,7 @@ from fuzzytime.requirement import Constraint, TimeRequirement
 CLAUSES = re.compile(r"(?:[^,.;!?]|[,.;!?](?=\S))+")
 """What stands between marks that are no part of a word or a number."""
 
-CONTRACTED = re.compile(r"(?<=\w)(['\u2019])(s|ll)\b")
+CONTRACTED = re.compile(r"(?<=\w)(['\u2019])(s|ll|re)\b")
 """What is short for "is", "has" or "will", or tells whose something is."""
 
 ANEW = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
