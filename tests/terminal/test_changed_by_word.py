@@ -134,3 +134,45 @@ def test_what_is_let_be_twice_in_a_line_is_one_thing(line: str) -> None:
     talk = talk_of(*CALLS)
     talk.say(line)
     assert talk.entries == list(CALLS[:2])
+
+
+@pytest.mark.parametrize(
+    ("line", "left"),
+    [
+        ("cancel everything after noon", ["call Ann at ten am", "call Dora tomorrow at two pm"]),
+        ("clear my afternoon", ["call Ann at ten am", "call Dora tomorrow at two pm"]),
+        ("cancel everything after today", ["call Ann at ten am", "call Bob at two pm"]),
+    ],
+)
+def test_what_comes_after_an_hour_ends_with_its_day(line: str, left: list[str]) -> None:
+    talk = talk_of("call Ann at ten am", "call Bob at two pm", "call Dora tomorrow at two pm")
+    talk.say(line)
+    assert talk.entries == left
+
+
+def test_what_is_to_be_kept_is_not_dropped() -> None:
+    talk = talk_of("meeting at ten am, call the vet at noon, gym at six pm")
+    assert "is planned, and stays" in talk.say("oh wait, keep the vet")
+    assert len(talk.entries) == 1
+
+
+def test_the_next_of_several_in_a_line_is_skipped_alone() -> None:
+    talk = talk_of("meeting at ten am, call the vet at noon, gym at six pm")
+    talk.say("skip the next one")
+    assert talk.entries == ["call the vet at noon, gym at six pm"]
+
+
+def test_what_is_pushed_back_by_nobody_knows_how_much_is_asked() -> None:
+    talk = talk_of("call Ann at noon")
+    assert "by how much?" in talk.say("push it all back")
+    assert talk.start("s1").hour == 12
+
+
+@pytest.mark.parametrize(
+    ("line", "left"),
+    [("never mind, forget Bob", [CALLS[0], CALLS[2]]), ("forget that and cancel Bob", [CALLS[0]])],
+)
+def test_what_opens_a_change_is_no_other_change(line: str, left: list[str]) -> None:
+    talk = talk_of(*CALLS)
+    talk.say(line)
+    assert talk.entries == left

@@ -15,7 +15,7 @@ from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.naming import entry_of, unknown
 from fuzzytime_cli.repl.scene import Reply, Scene, number_of, said, waiting
-from fuzzytime_cli.repl.stretches import bounds_of, time_of
+from fuzzytime_cli.repl.stretches import bounds_of, on_its_day, time_of
 
 MOST = 5
 """How many things, or gaps, are told at most."""
@@ -102,9 +102,9 @@ def room(scene: Scene, about: About) -> Reply:
 def during(scene: Scene, about: About) -> Reply:
     """Say what there is at a time, or in a stretch of it."""
     time = time_of(scene, about.time)
-    first, end = bounds_of(scene, time)
+    first, end = on_its_day(scene, about.time)
     first = scene.now if first is None else first
-    # What comes after lunch has no end.
+    # What comes after friday has no end.
     last = (
         max((one.end for one in _all(scene)), default=first) if time.constraint is Constraint.AFTER else first
     )

@@ -17,6 +17,9 @@ HELPING = frozenset({"aux", "aux:pass"})
 VERBAL = ("V", "M")
 """How the tags of verbs begin."""
 
+NOMINAL = ("N", "PRP", "DT")
+"""How those begin of which one tells."""
+
 
 def happened(scene: Scene, words: str) -> tuple[str, ...]:
     """Give the commands that plan what waits for something now that this is told; none where nothing does.
@@ -53,7 +56,9 @@ def _tells(tokens: Sequence[Token]) -> bool:
     verbs = (place for place, token in enumerate(tokens) if token.tag.startswith(VERBAL))
     subjects = (place for place, token in enumerate(tokens) if token.relation in SUBJECTS)
     first = next(verbs, None)
-    return first is not None and next(subjects, first) < first
+    # Trees take "Tim" for a time, in "Tim got home".
+    named = bool(tokens) and tokens[0].tag.startswith(NOMINAL)
+    return first is not None and first > 0 and (named or next(subjects, first) < first)
 
 
 def _is_told(told: Sequence[Token], one: Interpreted, part: TimeRequirement, lexicon: Lexicon) -> bool:

@@ -15,7 +15,7 @@ from fuzzytime_cli.repl.naming import (
     unknown,
     words_of_entry,
 )
-from fuzzytime_cli.repl.parts import swapped_parts, without_part
+from fuzzytime_cli.repl.parts import first_part, swapped_parts, without_part
 from fuzzytime_cli.repl.progress import late, length_said, progress, unstarted
 from fuzzytime_cli.repl.retiming import days_on, with_time, without_thing
 from fuzzytime_cli.repl.scene import Scene, waiting
@@ -128,7 +128,8 @@ def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
         named = {part_meant(scene, meant[0].number, names) for names in about.each} - {None}
         if 1 < len(named) < len(waiting(scene, meant[0].number)):
             raise FuzzytimeError(ONE_AT_A_TIME)
-    if len(meant) == 1 and (part := part_meant(scene, meant[0].number, about.names)):
+    part = first_part(scene, meant[0]) if about.upcoming else part_meant(scene, meant[0].number, about.names)
+    if len(meant) == 1 and part:
         # "Forget the roses", of "water the roses, then mow the lawn"
         anew = without_part(scene, meant[0], part)
         return f":edit {numbers} {anew}" if anew else f":done {part}"

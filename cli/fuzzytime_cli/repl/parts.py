@@ -70,6 +70,14 @@ def _without_joints(scene: Scene, text: str) -> str:
     return text
 
 
+def first_part(scene: Scene, entry: Entry) -> str | None:
+    """Give the label of what starts first of several things that a line asks for; None where there is one."""
+    left = [(place, one) for place, one in waiting(scene, entry.number) if scene.plan.has_time(place)]
+    times = scene.plan.schedule.start_times
+    first = min(left, key=lambda pair: times[pair[0]], default=None)
+    return first[1].identifier if first is not None and len(left) > 1 else None
+
+
 def _parts_of(scene: Scene, entry: Entry) -> list[Interpreted]:
     return [one for one in scene.plan.skills if one.wish.identifier == entry.identifier]
 

@@ -25,6 +25,10 @@ SHORT = frozenset({"'s", "\u2019s"})
 """What is short for "is", or tells whose something is."""
 
 
+CHANGED = frozenset({AboutKind.MOVE, AboutKind.DELAY, AboutKind.DROP, AboutKind.EXCEPT})
+"""What may be said for a reason."""
+
+
 def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
     """Take what is so now as a reading, or as what something waits for; None where nothing is told."""
     said = words.strip().rstrip(".! ")
@@ -105,7 +109,7 @@ def behind_how_a_day_is(scene: Scene, words: str, taken: Taken) -> Reply | None:
     """Take what is said of wishes behind how some day is: "the bank's closed today, do it tomorrow"."""
     language = scene.conversation.interpreter.language
     told, about = behind_what_is_told(words, scene.now, language.lexicon) or ("", None)
-    if about is None or about.kind not in {AboutKind.MOVE, AboutKind.DELAY} or about.names or not told:
+    if about is None or about.kind not in CHANGED or about.names or not told:
         return None
     reading = language.read(told, now=scene.now)
     times = [part for one in reading.instructions for part in one.requirements]

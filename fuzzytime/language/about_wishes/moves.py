@@ -30,7 +30,9 @@ def delayed(said: Said) -> About | None:
     ):
         return None
     thing, directions = rest.without(*DIRECTIONS)
-    found = thing.length() or minutes_alone(thing, directed=bool(directions))
+    # "Push it all back" says no length.
+    whole = thing.is_in("everything") or is_last(thing)
+    found = None if whole else thing.length() or minutes_alone(thing, directed=bool(directions))
     if found is None:
         if thing.has_time or (delaying is None and not directions):
             return None

@@ -62,13 +62,14 @@ def said_apart(text: str, now: datetime, lexicon: Lexicon) -> list[str]:
             # "Thanks. What's next?"
             left = [n for n, kind in enumerate(kinds) if kind is not AboutKind.ANSWER]
             # "Never mind, cancel that" lets one thing be, and says so twice.
-            return [parts[n] for n in left if not (n + 1 in left and all(map(_lets_be, said[n : n + 2])))]
+            again = {n for n in left if n + 1 in left and _is_said_again(said[n], said[n + 1])}
+            return [parts[n] for n in left if n not in again or f"{parts[n]} and " in text]
     return [text]
 
 
-def _lets_be(about: About | None) -> bool:
-    """Whether what was spoken of last is let be, and nothing else."""
-    if about is None or about.kind is not AboutKind.DROP:
+def _is_said_again(about: About | None, behind: About | None) -> bool:
+    """Whether what lets the last thing be only opens what says which one: "never mind, forget the film"."""
+    if about is None or behind is None or not about.kind is behind.kind is AboutKind.DROP:
         return False
     return not (about.names or about.places or about.everything or about.both or about.other)
 
