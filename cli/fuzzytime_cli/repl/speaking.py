@@ -96,7 +96,7 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
     if (reply := _with_reason(scene, words)) is not None:
         return reply
     about = about_wishes(words, scene.now, lexicon) or _behind_what_is_told(scene, words)
-    if about is None or (about.kind is AboutKind.UNABLE and is_news(scene, words)):
+    if about is None or (not about.certain and is_news(scene, words)):
         return behind_how_a_day_is(scene, words, _taken) or _told(scene, words)
     if about.kind in ANSWERS:
         return ANSWERS[about.kind](scene, about)

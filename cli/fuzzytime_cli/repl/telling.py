@@ -69,7 +69,7 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     if len(reading.instructions) != 1 or reading.instructions[0].operation is None:
         return False
     operation = reading.instructions[0].operation
-    if _is_short_for_is(reading):
+    if _is_short_for_is(reading) or _goes_on(reading, lexicon):
         return True
     if operation.due is not None:
         return (operation.object or "").endswith(("'s", "\u2019s"))
@@ -84,6 +84,16 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
         return past and not operation.stated
     # No order begins with "she" or "that".
     return first in closed.third_person_singular | closed.singular_anaphors and not owed
+
+
+def _goes_on(reading: Reading, lexicon: Lexicon) -> bool:
+    """Whether words tell what somebody else is at: "Ann is painting the door"."""
+    tokens, closed = reading.tokens, lexicon.closed
+    place = next((n for n, token in enumerate(tokens) if token.tag == "VBG" and token.relation == "root"), 0)
+    own = [token for token in tokens[:place] if token.head == place]
+    helped = any(token.text.lower() in closed.third_person_be for token in own)
+    told = any(token.relation == "nsubj" and token.text.lower() not in closed.first_person for token in own)
+    return helped and told and not reading.instructions[0].requirements
 
 
 def _is_short_for_is(reading: Reading) -> bool:

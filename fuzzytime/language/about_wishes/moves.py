@@ -11,6 +11,7 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 
 FOR = "for"
 PUT = "put"
+NOW = "now"
 
 
 def delayed(said: Said) -> About | None:
@@ -71,7 +72,7 @@ def moved(said: Said) -> About | None:
     if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
         # "I need it by three"
         return About(kind=AboutKind.MOVE, time=time, certain=True)
-    if (able := _able(said)) is not None:
+    if (able := _able(said) or _now_at(said)) is not None:
         return able
     delaying = said.after("delaying")
     if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
@@ -117,6 +118,18 @@ def _able(said: Said) -> About | None:
         if rest is not None and time and (last or who.names):
             names = frozenset() if last else who.names
             return About(kind=AboutKind.MOVE, names=names, time=time, bare=rest.is_bare(time), certain=True)
+    return None
+
+
+def _now_at(said: Said) -> About | None:
+    """Read when something is now that was to be at another time: "the train's at ten past eight now"."""
+    for place in range(1, len(said.words) if said.forms[-1:] == (NOW,) and said.is_one else 0):
+        thing, rest = said.until(place), said.behind(place).until(len(said.words) - place - 1)
+        short = thing.text.endswith(("'s", "\u2019s"))
+        being = rest.forms[:1] and rest.forms[0] in said.lexicon.closed.third_person_be
+        time = (rest.behind(1) if being and not short else rest).as_time() if short or being else ""
+        if time and thing.names:
+            return About(kind=AboutKind.MOVE, names=thing.names, time=time)
     return None
 
 
