@@ -180,3 +180,9 @@ def test_what_opens_a_change_is_no_other_change(line: str, left: list[str]) -> N
     talk = talk_of(*CALLS)
     talk.say(line)
     assert talk.entries == left
+
+
+def test_a_change_that_would_lose_one_of_several_changes_nothing() -> None:
+    talk = talk_of("saturday: mow the lawn at ten am, wash the car at noon")
+    assert "nothing is changed" in talk.say("move the lawn to sunday")
+    assert f"{talk.start('s1'):%a %H:%M}" == "Sat 10:00"

@@ -245,7 +245,9 @@ def not_understood(scene: Scene, state: State, number: int) -> tuple[Text | str,
     made = scene.conversation.understood(scene.now, state)
     own = [one for one in made.everything if one.wish.identifier == entry.identifier]
     faults = [one for one in made.problems if one.text == entry.text and one.kind in UNREAD]
-    lines = [line for one in faults for line in problem_lines(one, scene.width)] if not own else []
+    before = [one for one in scene.plan.everything if one.wish.identifier == entry.identifier]
+    lost = not own or len(own) < len(before)
+    lines = [line for one in faults for line in problem_lines(one, scene.width)] if lost else []
     known = {(one.skill.name, one.reason) for one in scene.plan.everything}
     lines += [
         Text(plain(f"{one.skill.name}: {one.reason}"), style="red")
