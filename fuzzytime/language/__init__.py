@@ -34,6 +34,7 @@ from fuzzytime.language.about_wishes import (
     said_apart,
     with_names,
     without_article,
+    without_closing,
 )
 from fuzzytime.language.answer import NAMED, answer
 from fuzzytime.language.finding import Times, check_customs, check_length, find_times, shipped_lexicon
@@ -129,4 +130,5 @@ __all__ = [
     "with_names",
     "with_words",
     "without_article",
+    "without_closing",
 ]

@@ -196,13 +196,14 @@ class Question:
 
 @dataclass(frozen=True, slots=True)
 class Token:
-    """A word of the dependency tree: its span, part of speech, relation as the paper names it, and head."""
+    """A word of the dependency tree: span, part of speech, relation as the paper names it, head, lemma."""
 
     text: str
     span: Span
     tag: str
     relation: str
     head: int
+    lemma: str
 
 
 @dataclass(frozen=True, slots=True)

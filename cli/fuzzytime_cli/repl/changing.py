@@ -21,6 +21,7 @@ from fuzzytime_cli.repl.scene import (
     ended_line,
     got,
     identifier_of,
+    not_understood,
     number_and_rest,
     number_of,
     position_of,
@@ -78,6 +79,8 @@ def edit(scene: Scene, text: str) -> Reply:
         changed = said_anew(state, number, **anew)
         return changed.with_last(called) if behind else changed
 
+    if refused := not_understood(scene, change(state), called):
+        return Reply(refused)
     reply = step(scene, f":edit {number}", change)
     return reply if begun is None else replace(reply, lines=(*ended_line(scene, begun), *reply.lines))
 
@@ -181,7 +184,7 @@ def done(scene: Scene, text: str) -> Reply:
         agent = scene.plan.schedule.skills[position].agent
         now, satisfaction = scene.now, scene.plan.schedule.satisfactions[position]
         begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction, happens)
-        scene.conversation.store.note_started(scene.conversation.name, begun)
+        scene.conversation.store.note_over(scene.conversation.name, begun)
         return Reply((name,), changed=True)
     return replace(step(scene, f":done {number}", lambda state: state.without(number)), lines=(name,))
 

@@ -13,8 +13,9 @@ from fuzzytime.requirement import Constraint
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.naming import bounds_of, entry_of, time_of, unknown
+from fuzzytime_cli.repl.naming import entry_of, unknown
 from fuzzytime_cli.repl.scene import Reply, Scene, number_of, said, waiting
+from fuzzytime_cli.repl.stretches import bounds_of, on_its_day, time_of
 
 MOST = 5
 """How many things, or gaps, are told at most."""
@@ -45,7 +46,8 @@ def free(scene: Scene, about: About) -> Reply:
     time = time_of(scene, about.time)
     first, end = bounds_of(scene, time)
     if first is None:
-        return _gaps_told(scene)
+        # "Can I fit in a run before lunch?"
+        return room(scene, about) if about.thing else _gaps_told(scene)
     scene = _as_far_as(scene, end or first)
     length = _length_of(scene, about.thing)[0] if about.thing else timedelta(0)
     window = end if end is not None and end > first else first + max(length, SHORTEST)
@@ -57,7 +59,7 @@ def free(scene: Scene, about: About) -> Reply:
     if not meeting:
         behind = next((one for one in _taken(scene) if one.start >= window), None)
         until = "" if behind is None else f" until {_at(scene, behind.start)}, when {behind.title} begins"
-        return said(f"yes: nothing is planned {about.time}{until}")
+        return said(f"{'no' if about.text else 'yes'}: nothing is planned {about.time}{until}")
     lines = [
         f"{one.title} is from {_at(scene, one.start)} to {_at(scene, one.end)}"
         if one.end - one.start >= SHORTEST
@@ -65,7 +67,7 @@ def free(scene: Scene, about: About) -> Reply:
         for one in meeting
     ]
     whole = end is None or end - first <= SHORTEST or about.thing
-    answer = "no: " if whole else "not all of it: "
+    answer = "yes: " if about.text else "no: " if whole else "not all of it: "
     return _reply(meeting, [answer + lines[0], *lines[1:MOST]])
 
 
@@ -99,9 +101,14 @@ def room(scene: Scene, about: About) -> Reply:
 
 def during(scene: Scene, about: About) -> Reply:
     """Say what there is at a time, or in a stretch of it."""
-    first, end = bounds_of(scene, time_of(scene, about.time))
+    time = time_of(scene, about.time)
+    first, end = on_its_day(scene, about.time)
     first = scene.now if first is None else first
-    over = end if end is not None and end > first else first + SHORTEST
+    # What comes after friday has no end.
+    last = (
+        max((one.end for one in _all(scene)), default=first) if time.constraint is Constraint.AFTER else first
+    )
+    over = end if end is not None and end > first else max(first, last) + SHORTEST
     everything = list(_all(_as_far_as(scene, over)))
     found = [one for one in everything if one.start < over and (one.end > first or one.start >= first)]
     if found:
@@ -175,9 +182,9 @@ def _all(scene: Scene) -> Iterator[Taken]:
     """Give all that is running or planned, as it comes."""
     schedule = scene.plan.schedule
     found = [
-        Taken(one.start, one.end, one.identifier, one.name)
+        Taken(one.start, until, one.identifier, one.name)
         for one in scene.conversation.running(scene.now)
-        if one.end > scene.now
+        if (until := one.done if one.happens else one.end) > scene.now
     ]
     for place, one in waiting(scene):
         if scene.plan.has_time(place):

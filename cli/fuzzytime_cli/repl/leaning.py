@@ -59,7 +59,7 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
     if about.kind is AboutKind.OTHER:
         return the_other(scene, about, taken)
     known = entry_of(scene, about.names) if about.names else None
-    if about.kind is AboutKind.DROP and known is None:
+    if about.kind is AboutKind.UNDO or (about.kind is AboutKind.DROP and known is None):
         return _kept_after_all(scene, about, taken)
     if about.certain:
         return taken(scene, about) if known is not None or not about.names else None
@@ -145,7 +145,9 @@ def _instead(scene: Scene, about: About, taken: Taken) -> Reply | None:
 
 def _kept_after_all(scene: Scene, about: About, taken: Taken) -> Reply | None:
     """Leave out one of several that were dropped just before: "clear my afternoon", "wait, not the kids"."""
-    last = scene.taken
+    planned, last = entry_of(scene, about.names), scene.taken
+    if about.kind is AboutKind.UNDO and planned is not None:
+        raise FuzzytimeError(f"{planned.text!r} is planned, and stays")
     if last is None or last.kind is not AboutKind.DROP or scene.tried is not None:
         return None
     undone, before = _without_last(scene)
@@ -159,6 +161,9 @@ def _kept_after_all(scene: Scene, about: About, taken: Taken) -> Reply | None:
         if len(left) != 1:
             return undone if not left else None
         again = About(kind=AboutKind.DROP, names=frozenset(left))
+    if [entry.number for entry in before.conversation.state.entries] == [kept.number]:
+        # Nothing else was dropped.
+        return replace(undone, focus=kept.number)
     reply = taken(before, again)
     return None if reply is None else replace(reply, lines=(*undone.lines, *reply.lines))
 

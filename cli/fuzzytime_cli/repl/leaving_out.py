@@ -46,8 +46,10 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
         one_day = end - first <= DAY + timedelta(hours=1)
         return _without(scene, about, entry, f"on {first:%Y-%m-%d}" if one_day else about.time)
     then = [e for e in entries if any(first <= start < end for start in starts_of_entry(scene, e))]
-    if not about.certain and not (entries and about.names):
+    if not about.certain and not about.everything and not (entries and about.names):
         return None
+    if then and about.everything:
+        return taken(scene, replace(about, kind=AboutKind.DROP))
     if not then:
         raise FuzzytimeError(f"nothing that is planned is {about.time} (:list shows what is)")
     if about.names:

@@ -55,9 +55,10 @@ def what_would_move(scene: Scene, head: str, state: State) -> Reply:
 
 
 def move_lines(before: Plan | None, after: Plan, started: set[str] | None = None) -> list[str]:
-    """Say what moved between two plans."""
-    lines = []
-    found = moves(before, after, started or set())
+    """Say what moved between two plans, and what was told not to happen."""
+    started = started or set()
+    lines = _cancelled_lines(before, after, started)
+    found = moves(before, after, started)
     several = Counter(_repeated(move) for move in found)
     told = set[tuple[str, bool, bool]]()
     for move in found:
@@ -76,6 +77,17 @@ def move_lines(before: Plan | None, after: Plan, started: set[str] | None = None
         if several[repeated] > 1:
             lines[-1] += f", and {several[repeated] - 1} more like it"
     return lines
+
+
+def _cancelled_lines(before: Plan | None, after: Plan, started: set[str]) -> list[str]:
+    """Say what was told to happen between two plans, and is told not to any more."""
+    told = {wish.identifier: wish for wish in after.request.wishes}
+    known = {one.identifier for one in after.everything} | started
+    return [
+        f"will not happen: {plain(one.identifier)} {plain(one.skill.name)}"
+        for one in (() if before is None else before.everything)
+        if one.stated and one.identifier not in known and told.get(one.wish.identifier) == one.wish
+    ]
 
 
 def _repeated(move: Move) -> tuple[str, bool, bool]:

@@ -7,24 +7,24 @@ from fuzzytime.language import AT_FIRST, AT_ONCE, About, AboutKind, content_word
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.repl.naming import (
-    bounds_of,
     called,
     entries_meant,
     entry_of,
     part_meant,
     running_one,
-    starts_of_entry,
-    time_of,
     unknown,
     words_of_entry,
 )
-from fuzzytime_cli.repl.parts import swapped_parts, without_part
+from fuzzytime_cli.repl.parts import first_part, swapped_parts, without_part
 from fuzzytime_cli.repl.progress import late, length_said, progress, unstarted
 from fuzzytime_cli.repl.retiming import days_on, with_time, without_thing
 from fuzzytime_cli.repl.scene import Scene, waiting
+from fuzzytime_cli.repl.stretches import is_within
 from fuzzytime_cli.session import Entry
 
-ONE_AT_A_TIME = "one at a time, such as: move the call to six; or: push everything back by an hour"
+ONE_AT_A_TIME = (
+    "one at a time, such as: move the call to six; cancel the call; or: push everything back by an hour"
+)
 
 
 def command_meant(scene: Scene, about: About) -> str | None:
@@ -42,7 +42,7 @@ def command_meant(scene: Scene, about: About) -> str | None:
                 raise FuzzytimeError("nothing was changed: it stays as it is")
             return None
         case AboutKind.UNDO | AboutKind.REDO:
-            return _undone_report(scene, about) or f":{about.kind.value}"
+            return f":{about.kind.value}"
         case AboutKind.DROP if about.corrects and scene.taken is not None:
             # "Scratch that", of what was changed
             return ":undo"
@@ -63,16 +63,6 @@ def command_meant(scene: Scene, about: About) -> str | None:
     return _changing(scene, about)
 
 
-def _undone_report(scene: Scene, about: About) -> str | None:
-    """Give the command that plans anew what was told to be done just before; None where that was not."""
-    if about.kind is not AboutKind.UNDO or scene.taken is None or scene.taken.kind is not AboutKind.DONE:
-        return None
-    known = {entry.number for entry in scene.conversation.state.entries}
-    if scene.focus not in known:
-        return None
-    return unstarted(scene, replace(about, kind=AboutKind.UNSTARTED, names=frozenset({f"s{scene.focus}"})))
-
-
 def _changing(scene: Scene, about: About) -> str | None:
     """Give the command that drops, moves or delays what is meant."""
     if about.everything and about.kind is AboutKind.MOVE:
@@ -80,7 +70,7 @@ def _changing(scene: Scene, about: About) -> str | None:
     if about.everything:
         if about.kind is AboutKind.DROP:
             return _dropping_all(scene, about)
-        return f":delay all {length_said(scene, about)}"
+        return _delaying_all(scene, about)
     if about.corrects and scene.told_last is not None:
         scene = replace(scene, focus=scene.told_last)
     meant = entries_meant(scene, about)
@@ -134,7 +124,12 @@ def _delaying(scene: Scene, about: About, meant: list[Entry]) -> str:
 def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
     """Give the command that forgets what is meant: of "clean the hall and the kitchen", perhaps the hall."""
     numbers = ",".join(str(entry.number) for entry in meant)
-    if len(meant) == 1 and (part := part_meant(scene, meant[0].number, about.names)):
+    if len(meant) == 1 and about.each:
+        named = {part_meant(scene, meant[0].number, names) for names in about.each} - {None}
+        if 1 < len(named) < len(waiting(scene, meant[0].number)):
+            raise FuzzytimeError(ONE_AT_A_TIME)
+    part = first_part(scene, meant[0]) if about.upcoming else part_meant(scene, meant[0].number, about.names)
+    if len(meant) == 1 and part:
         # "Forget the roses", of "water the roses, then mow the lawn"
         anew = without_part(scene, meant[0], part)
         return f":edit {numbers} {anew}" if anew else f":done {part}"
@@ -153,6 +148,23 @@ def _of_two(scene: Scene, entry: Entry) -> int | None:
     return others[0] if timed and len(others) == 1 else None
 
 
+def _delaying_all(scene: Scene, about: About) -> str:
+    """Give the command that puts off everything, or all within a stretch: "everything after noon".
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing is planned then.
+    """
+    if not about.time:
+        return f":delay all {length_said(scene, about)}"
+    entries = scene.conversation.state.entries
+    within = [str(entry.number) for entry in entries if is_within(scene, entry, about.time)]
+    if not within:
+        raise FuzzytimeError(f"nothing is planned {about.time} (:list shows what is)")
+    return f":delay {','.join(within)} {length_said(scene, about)}"
+
+
 def _dropping_all(scene: Scene, about: About) -> str:
     """Give the command that drops everything, but for what is named."""
     entries = scene.conversation.state.entries
@@ -161,20 +173,12 @@ def _dropping_all(scene: Scene, about: About) -> str:
     kept = entries_meant(scene, replace(about, several=True)) if about.names else []
     if about.names and not kept:
         unknown(about.names)
-    within = [entry for entry in entries if not about.time or _is_within(scene, entry, about.time)]
+    within = [entry for entry in entries if not about.time or is_within(scene, entry, about.time)]
     left = [str(entry.number) for entry in within if entry not in kept]
     if not left:
         when = f"planned {about.time}" if about.time else "asked for"
         raise FuzzytimeError(f"nothing else is {when} (:list shows what is)")
     return f":drop {','.join(left)}"
-
-
-def _is_within(scene: Scene, entry: Entry, time: str) -> bool:
-    """Whether all that is left to do of an entry is planned within a stretch of time."""
-    first, end = bounds_of(scene, time_of(scene, time))
-    starts = starts_of_entry(scene, entry)
-    within = all((first is None or first <= at) and (end is None or at < end) for at in starts)
-    return bool(starts) and within
 
 
 def _stopping(scene: Scene, about: About) -> str | None:

@@ -5,10 +5,8 @@ from datetime import datetime
 from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, content_words, find_times, nouns_of, verb_forms
-from fuzzytime.requirement import TimeRequirement
-from fuzzytime.times import instant_after
-from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, waiting, whole_number
+from fuzzytime.language import About, AboutKind, content_words, nouns_of, verb_forms
+from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, own_words, waiting, whole_number
 from fuzzytime_cli.session import Entry, Started
 
 BOTH = 2
@@ -47,9 +45,9 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     comes = (e for e in entries if names <= happening.get(e.identifier, frozenset()))
     # What is done with it is meant before what only comes after it: "the nap", and "park after the nap".
     things = (e for e in entries if names <= _things_of(scene, e))
-    own = (entry for entry in entries if names <= content_words(entry.text))
+    own = (entry for entry in entries if names <= own_words(scene, entry))
     # "It" in its words is what it is called by, and "the inspection" what is inspected.
-    by_name = (e for e in entries if names <= words_of_entry(scene, e) | content_words(e.text))
+    by_name = (e for e in entries if names <= words_of_entry(scene, e) | own_words(scene, e))
     return next((entry for found in (comes, things, own, by_name) for entry in found), None)
 
 
@@ -118,12 +116,28 @@ def entries_meant(scene: Scene, about: About) -> list[Entry]:
             raise FuzzytimeError(f"{len(left)} {'is' if len(left) == 1 else 'are'} left (:list shows which)")
         return [left[place - 1 if place > 0 else place] for place in about.places]
     entry = entry_of(scene, about.names)
+    if entry is None and about.each:
+        return _each_of(scene, about)
     if entry is None or not about.several:
         return [] if entry is None else [entry]
     asked = [one for one in scene.plan.everything if not one.stated]
     named = {one.wish.identifier for one in asked if about.names <= content_words(one.skill.name)}
     # "The guests" are those who come, and not what waits for them.
     return [one for one in left if one.identifier in named] if entry.identifier in named else [entry]
+
+
+def _each_of(scene: Scene, about: About) -> list[Entry]:
+    """Give the entry of each of several things that are listed; none where none is known.
+
+    Raises
+    ------
+    FuzzytimeError
+        If only some are.
+    """
+    found = [entry_of(scene, names) for names in about.each]
+    if any(found) and None in found:
+        unknown(about.each[found.index(None)])
+    return list(dict.fromkeys(entry for entry in found if entry is not None))
 
 
 def _next_of(scene: Scene) -> list[Entry]:
@@ -143,27 +157,6 @@ def _next_of(scene: Scene) -> list[Entry]:
     if not starts:
         raise FuzzytimeError("nothing starts next (:list shows what is asked for)")
     return [one for one in scene.conversation.state.entries if one.identifier == min(starts)[1]]
-
-
-def time_of(scene: Scene, words: str) -> TimeRequirement:
-    """Read a time.
-
-    Raises
-    ------
-    FuzzytimeError
-        If it is none.
-    """
-    found = find_times(words, scene.now, scene.conversation.interpreter.language.lexicon).requirements
-    if not found:
-        raise FuzzytimeError(f"{words!r} is no time")
-    return found[0]
-
-
-def bounds_of(scene: Scene, time: TimeRequirement) -> tuple[datetime | None, datetime | None]:
-    """Give from when to when a time is, as instants; None where a side is open."""
-    sides = (time.earliest if time.earliest is not None else time.t_spec, time.latest)
-    first, end = (None if side is None else instant_after(scene.now, side) for side in sides)
-    return first, end
 
 
 def starts_of_entry(scene: Scene, entry: Entry) -> list[datetime]:
@@ -273,11 +266,11 @@ def all_called(scene: Scene, names: frozenset[str]) -> list[Started]:
 
 def _words(scene: Scene, one: Started) -> frozenset[str]:
     number = number_of(one.identifier)
-    texts = (entry.text for entry in scene.conversation.state.entries if entry.number == number)
+    said = (own_words(scene, one) for one in scene.conversation.state.entries if one.number == number)
     lexicon = scene.conversation.interpreter.language.lexicon
     # "Have I fed the cat?"
     verb = verb_forms(one.name.partition(" ")[0].lower(), lexicon)
-    return content_words(one.name) | content_words(next(texts, "")) | verb | {f"s{number}"}
+    return content_words(one.name) | next(said, frozenset()) | verb | {f"s{number}"}
 
 
 def unknown(names: frozenset[str]) -> NoReturn:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
+from fuzzytime.language import merged_time
 from fuzzytime.requirement import Constraint
 from fuzzytime_cli.repl.scene import Scene, begun_parts, waiting
 from fuzzytime_cli.session import Entry
@@ -20,6 +21,10 @@ def with_time_of_part(scene: Scene, entry: Entry, time: str, part: str) -> str:
     one = _one_of(scene, part)
     length = time.lower().startswith("for ")
     first, end = _time_of(one, length=length)
+    if first < end and not length:
+        # "Move the lawn to sunday", which was to be mown at ten, leaves it at ten.
+        lexicon = scene.conversation.interpreter.language.lexicon
+        time = merged_time(entry.text[first:end], entry.given, time, scene.now, lexicon)
     text = f"{entry.text[:first].rstrip()} {time}{entry.text[end:]}"
     return _checked(scene, entry, text, _names(scene, entry.text, entry))
 
@@ -63,6 +68,14 @@ def _without_joints(scene: Scene, text: str) -> str:
     while " " in text and (text.rpartition(" ")[2].lower(),) in joints:
         text = text.rpartition(" ")[0].rstrip(" ,;")
     return text
+
+
+def first_part(scene: Scene, entry: Entry) -> str | None:
+    """Give the label of what starts first of several things that a line asks for; None where there is one."""
+    left = [(place, one) for place, one in waiting(scene, entry.number) if scene.plan.has_time(place)]
+    times = scene.plan.schedule.start_times
+    first = min(left, key=lambda pair: times[pair[0]], default=None)
+    return first[1].identifier if first is not None and len(left) > 1 else None
 
 
 def _parts_of(scene: Scene, entry: Entry) -> list[Interpreted]:

@@ -62,6 +62,8 @@ def _lengthened(scene: Scene, number: int, about: About) -> str:
     if about.by is None:
         raise AskedBackError("by how much? Say: twenty minutes longer", about)
     lasts = max(one.skill.time_until_done for _, one in waiting(scene, number))
+    if lasts + about.by <= 0:
+        raise FuzzytimeError(f"it takes {as_typed(lasts)}, and cannot be {as_typed(-about.by)} shorter")
     return f":duration {number} {as_typed(lasts + about.by)}"
 
 

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Sequence
 from dataclasses import replace
-from datetime import timedelta
+from datetime import datetime, timedelta
 from itertools import combinations
 
 from fuzzytime.errors import FuzzytimeError
@@ -209,7 +209,7 @@ def with_time(
         return f"{entry.text.rstrip('.! ')} {about.time}"
     first, end = times[0].span
     lexicon = scene.conversation.interpreter.language.lexicon
-    time = merged_time(entry.text[first:end], entry.given, about.time, scene.now, lexicon)
+    time = merged_time(*_time_before(scene, entry, entry.text[first:end]), about.time, scene.now, lexicon)
     repeated = times[0].constraint is Constraint.EVERY and time == about.time
     if about.bare and times[0].constraint in BOUNDS and times[0].preposition:
         # "By seven", and then "make it eight", is by eight.
@@ -217,6 +217,16 @@ def with_time(
     if len(times) > 1 or repeated:
         raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
     return f"{entry.text[:first]}{time}{entry.text[end:]}"
+
+
+def _time_before(scene: Scene, entry: Entry, words: str) -> tuple[str, datetime]:
+    """Give the time that an entry has so far, and when that was said: it may be put off."""
+    starts = starts_of_entry(scene, entry) if entry.moved_by else []
+    if len(starts) != 1:
+        return words, entry.given
+    (start,) = starts
+    day = "" if start.date() == scene.now.date() else f" on {start:%Y-%m-%d}"
+    return f"at {start:%H:%M}{day}", scene.now
 
 
 def days_on(scene: Scene, entry: Entry, days: int) -> str:

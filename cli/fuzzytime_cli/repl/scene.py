@@ -9,12 +9,13 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import IN_THE_PLAN, Interpreted, Plan, Problem, ProblemKind
-from fuzzytime.language import About
+from fuzzytime.language import About, Lexicon, content_words
+from fuzzytime.requirement import TimeRequirement
 from fuzzytime_cli.faults import underlined
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
-from fuzzytime_cli.session import Started, State
+from fuzzytime_cli.session import Entry, Started, State
 
 UNREAD = frozenset({ProblemKind.NOT_UNDERSTOOD, ProblemKind.UNREADABLE, ProblemKind.NOTHING_TO_DO})
 """What is wrong with words of which nothing can be planned."""
@@ -197,6 +198,21 @@ def waiting(scene: Scene, number: int | None = None) -> list[tuple[int, Interpre
     ]
 
 
+def own_words(scene: Scene, entry: Entry) -> frozenset[str]:
+    """Give the words of an entry, without those for other things that it is done beside: "before dinner"."""
+    language = scene.conversation.interpreter.language
+    read = language.read(entry.text, now=entry.given).instructions
+    beside = (_words_beside(part, language.lexicon) for one in read for part in one.requirements)
+    named = (content_words(one.operation.name) for one in read if one.operation is not None)
+    return content_words(entry.text) - (frozenset[str]().union(*beside) - frozenset[str]().union(*named))
+
+
+def _words_beside(part: TimeRequirement, lexicon: Lexicon) -> frozenset[str]:
+    """Give the words of a time that name something else: "dinner", which customs may tell the time of."""
+    words = content_words(part.text)
+    return words if part.anchor is not None or part.condition is not None else words & lexicon.events
+
+
 def ended_line(scene: Scene, begun: Started) -> tuple[Text, ...]:
     """Say that what was running is not any more."""
     return (Text(f"no longer running: {plain(begun.name)}"),) if begun.done > scene.now else ()
@@ -232,3 +248,21 @@ def file_named(text: str) -> Path:
     name = text.strip()
     quoted = len(name) > 1 and name[0] == name[-1] and name[0] in QUOTES
     return Path(name[1:-1] if quoted else name).expanduser()
+
+
+def not_understood(scene: Scene, state: State, number: int) -> tuple[Text | str, ...]:
+    """Say why an instruction's new words ask for nothing that can be: that changes nothing."""
+    entry = state.entry(number)
+    made = scene.conversation.understood(scene.now, state)
+    own = [one for one in made.everything if one.wish.identifier == entry.identifier]
+    faults = [one for one in made.problems if one.text == entry.text and one.kind in UNREAD]
+    before = [one for one in scene.plan.everything if one.wish.identifier == entry.identifier]
+    lost = not own or len(own) < len(before)
+    lines = [line for one in faults for line in problem_lines(one, scene.width)] if lost else []
+    known = {(one.skill.name, one.reason) for one in scene.plan.everything}
+    lines += [
+        Text(plain(f"{one.skill.name}: {one.reason}"), style="red")
+        for one in own
+        if one.reason and not one.waits and (one.skill.name, one.reason) not in known
+    ]
+    return (*lines, Text("nothing is changed")) if lines else ()

@@ -26,17 +26,16 @@ from fuzzytime.language import (
 from fuzzytime.language.sentence.trees.model import is_verb
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, gaps, looking
-from fuzzytime_cli.repl.commands import command_of, how_to, what_if
+from fuzzytime_cli.repl.commands import how_to, what_if
+from fuzzytime_cli.repl.happened import happened
 from fuzzytime_cli.repl.leaning import leaning, the_other
 from fuzzytime_cli.repl.leaving_out import left_out, left_out_then, next_left_out
 from fuzzytime_cli.repl.meant import command_meant
 from fuzzytime_cli.repl.naming import LABEL, entries_meant, entry_of, label_meant, unknown
 from fuzzytime_cli.repl.retiming import said_anew, same_anew, timed_now, wished_instead
-from fuzzytime_cli.repl.scene import Reply, Scene, whole_number
-from fuzzytime_cli.repl.telling import tells_what_is, told_state
-
-HISTORY = frozenset({AboutKind.DONE, AboutKind.MORE, AboutKind.LATE})
-"""What tells how it went, which :undo does not take back."""
+from fuzzytime_cli.repl.scene import Reply, Scene
+from fuzzytime_cli.repl.taking import run, run_each
+from fuzzytime_cli.repl.telling import behind_how_a_day_is, is_news, tells_what_is, told_state
 
 CHANGING = frozenset(
     {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE, AboutKind.EXCEPT}
@@ -88,14 +87,17 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
     length = None if scene.asked is None else by_how_much(words, scene.now, lexicon)
     if scene.asked is not None and length is not None:
         return _taken(scene, replace(scene.asked, by=-length if scene.asked.earlier else length))
+    if waited := happened(scene, words):
+        reading = scene.conversation.interpreter.language.read(words, now=scene.now)
+        return told_state(scene, words, reading) or run_each(scene, waited)
     instead = wished_instead(scene, words)
     if instead is not None:
-        return _run(scene, About(kind=AboutKind.MOVE), instead)
+        return run(scene, About(kind=AboutKind.MOVE), instead)
     if (reply := _with_reason(scene, words)) is not None:
         return reply
     about = about_wishes(words, scene.now, lexicon) or _behind_what_is_told(scene, words)
-    if about is None:
-        return _told(scene, words)
+    if about is None or (not about.certain and is_news(scene, words)):
+        return behind_how_a_day_is(scene, words, _taken) or _told(scene, words)
     if about.kind in ANSWERS:
         return ANSWERS[about.kind](scene, about)
     return _taken(scene, about) or _told(scene, words)
@@ -108,12 +110,22 @@ def _behind_what_is_told(scene: Scene, words: str) -> About | None:
     if found is None:
         return None
     told, about = found
+    about = _of_what_is_told(scene, told, about)
     if not about.certain and (about.kind not in CHANGING or not entries_meant(scene, about)):
         return None
     if not told:
         return about
     reading = language.read(told, now=scene.now)
     return None if _asks(scene, reading) else about
+
+
+def _of_what_is_told(scene: Scene, told: str, about: About) -> About:
+    """Let what names nothing be of what is told in front of it: "the dentist rang, move it to four"."""
+    if about.names or about.places or about.everything:
+        return about
+    named = {word: entry_of(scene, frozenset({word})) for word in content_words(told)}
+    meant = {entry.number: frozenset({word}) for word, entry in named.items() if entry is not None}
+    return replace(about, names=next(iter(meant.values()))) if len(meant) == 1 else about
 
 
 def _asks(scene: Scene, reading: Reading) -> bool:
@@ -130,6 +142,10 @@ def _with_reason(scene: Scene, words: str) -> Reply | None:
     about = about_wishes(front, scene.now, language.lexicon) if mark and why.strip() else None
     anaphors = language.lexicon.closed.anaphors
     if about is None or about.kind not in CHANGING or not (about.certain or entries_meant(scene, about)):
+        return None
+    whole = about_wishes(words, scene.now, language.lexicon)
+    if whole is not None and whole.each and all(entry_of(scene, names) for names in whole.each):
+        # "Cancel Ann, Bob and Carl"
         return None
     if not about.names and anaphors.isdisjoint(front.lower().split()):
         # "Never mind, it works"
@@ -164,7 +180,7 @@ def _told(scene: Scene, words: str) -> Reply | None:
         perhaps = None if meant else perhaps_reported(reading, language.lexicon)
         if perhaps is not None and (reply := _done(scene, perhaps)) is not None:
             return reply
-        if tells_what_is(reading, language.lexicon):
+        if tells_what_is(reading, language.lexicon) and not is_news(scene, words):
             raise FuzzytimeError(f"{words!r} tells what is, and says nothing to do: say what you want done")
         if means is None or not (means.certain and means.names):
             _check_labels(scene, reading)
@@ -175,7 +191,7 @@ def _told(scene: Scene, words: str) -> Reply | None:
             return _taken(scene, added)
         anew = said_anew(scene, words) or timed_now(scene, words, reading)
         if anew is not None:
-            return _run(scene, About(kind=AboutKind.MOVE), anew)
+            return run(scene, About(kind=AboutKind.MOVE), anew)
         leant = leaning(scene, words, reading, _taken)
         # What asks for something is no question: "could you feed the cat?"
         return leant if leant is not None or wish else answering.asked_of(scene, words)
@@ -221,6 +237,8 @@ def _check_labels(scene: Scene, reading: Reading) -> None:
 
 def _taken(scene: Scene, about: About) -> Reply | None:
     """Run the command that is meant; None where the words may be a wish of their own."""
+    if about.kind is AboutKind.UNABLE and about.names:
+        return _when_then(scene, about)
     if about.kind in ASKED_BACK:
         raise FuzzytimeError(ASKED_BACK[about.kind])
     if about.kind is AboutKind.OTHER:
@@ -236,32 +254,13 @@ def _taken(scene: Scene, about: About) -> Reply | None:
     line = command_meant(scene, about)
     if line is None:
         return None
-    return _run(scene, about, line)
+    return run(scene, about, line)
 
 
-def _run(scene: Scene, about: About, line: str) -> Reply:
-    """Run a command, and say which."""
-    kind = about.kind if not line.startswith(":drop") else AboutKind.DROP
-    command, rest = command_of(line)
-    named = rest.partition(" ")[0]
-    dropped, focus = "", None
-    if line.startswith(":drop"):
-        dropped = "; ".join(_text_of(scene, number) for number in named.split(","))
-    else:
-        focus = whole_number(named.partition(".")[0].lstrip("s"))
-    reply = command.run(scene, rest)
-    if not (reply.changed or scene.tried is not None):
-        return replace(reply, focus=focus)
-    if line in {":undo", ":redo"}:
-        return reply
-    told = line.startswith(":done") or (kind in HISTORY and not line.startswith(":busy"))
-    back = "" if told else "; :undo takes it back"
-    head = Text(plain(f"taken as {line}{f' ({dropped})' if dropped else ''}{back}"))
-    return replace(reply, lines=(head, *reply.lines), focus=focus, taken=about)
-
-
-def _text_of(scene: Scene, number: str) -> str:
-    return next((one.text for one in scene.conversation.state.entries if str(one.number) == number), "")
+def _when_then(scene: Scene, about: About) -> Reply | None:
+    """Ask when something is to be that cannot be: "Jo can't make it"; None where nothing is about that."""
+    entry = entry_of(scene, about.names)
+    return None if entry is None else Reply((ASKED_BACK[about.kind],), focus=entry.number)
 
 
 def _supposed(scene: Scene, text: str) -> Reply:

@@ -1,15 +1,32 @@
 """What somebody tells to be so now: "the pan is hot" is a reading, "Bob is here" what was waited for."""
 
+from dataclasses import replace
+
 from rich.text import Text
 
-from fuzzytime.language import Lexicon, Reading, news_in
+from fuzzytime.language import (
+    AboutKind,
+    Lexicon,
+    Reading,
+    behind_what_is_told,
+    content_words,
+    news_in,
+)
 from fuzzytime.requirement import Condition, Constraint
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.changing import ctx
 from fuzzytime_cli.repl.conversation import context_of
+from fuzzytime_cli.repl.leaving_out import Taken
 from fuzzytime_cli.repl.retiming import IDLE
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.told_states import as_news, is_waited_for, tells_a_state, told_of
+
+SHORT = frozenset({"'s", "\u2019s"})
+"""What is short for "is", or tells whose something is."""
+
+
+CHANGED = frozenset({AboutKind.MOVE, AboutKind.DELAY, AboutKind.DROP, AboutKind.EXCEPT})
+"""What may be said for a reason."""
 
 
 def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
@@ -25,7 +42,7 @@ def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
         context_of(conversation.state.readings, scene.now)
     )
     told = conversation.interpreter.rulebook.told(condition, context)
-    if told is not None:
+    if told is not None and (told.value is not None or _is_event(told.signal, said, condition)):
         unit = f" {told.unit}" if told.unit else ""
         text = told.signal if told.value is None else f"{told.signal}={told.value:g}{unit}"
         reply = ctx(scene, text)
@@ -34,7 +51,17 @@ def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
     if not is_waited_for(said, (one for _, one in waiting(scene))):
         return None
     anew = as_news(said)
+    read = conversation.interpreter.language.read(anew, now=scene.now).instructions
+    if not any(one.operation is not None and one.operation.stated for one in read):
+        return None
     return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
+
+
+def _is_event(signal: str, said: str, condition: Condition) -> bool:
+    """Whether it is told of an event itself: "dinner's here", and not "mum's in charge of dinner"."""
+    named = content_words(signal.replace("_", " "))
+    about = content_words(condition.subject)
+    return content_words(said) <= named or any(word in signal for word in about)
 
 
 def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
@@ -42,6 +69,8 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     if len(reading.instructions) != 1 or reading.instructions[0].operation is None:
         return False
     operation = reading.instructions[0].operation
+    if _is_short_for_is(reading) or _goes_on(reading, lexicon):
+        return True
     if operation.due is not None:
         return (operation.object or "").endswith(("'s", "\u2019s"))
     first = reading.tokens[0].text.lower() if reading.tokens else ""
@@ -57,15 +86,59 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     return first in closed.third_person_singular | closed.singular_anaphors and not owed
 
 
+def _goes_on(reading: Reading, lexicon: Lexicon) -> bool:
+    """Whether words tell what somebody else is at: "Ann is painting the door"."""
+    tokens, closed = reading.tokens, lexicon.closed
+    place = next((n for n, token in enumerate(tokens) if token.tag == "VBG" and token.relation == "root"), 0)
+    own = [token for token in tokens[:place] if token.head == place]
+    helped = any(token.text.lower() in closed.third_person_be for token in own)
+    told = any(token.relation == "nsubj" and token.text.lower() not in closed.first_person for token in own)
+    return helped and told and not reading.instructions[0].requirements
+
+
+def _is_short_for_is(reading: Reading) -> bool:
+    """Whether words tell how something is, whose "'s" a tree takes for an owner's: "glue's dry"."""
+    tokens = reading.tokens
+    place = next((n for n, token in enumerate(tokens) if token.text in SHORT and n + 1 < len(tokens)), None)
+    if place is None or reading.instructions[0].requirements:
+        return False
+    following = tokens[place + 1]
+    closes = tokens[place + 2 :] == () and following.tag == "JJ"
+    return closes or following.tag in {"IN", "RP"}
+
+
 def _tells(scene: Scene, said: str, reading: Reading) -> bool:
     """Whether words tell what is so, and are no news of what was told."""
     lexicon = scene.conversation.interpreter.language.lexicon
     if not reading.instructions or not tells_a_state(said, reading, lexicon):
         return False
+    return not is_news(scene, said)
+
+
+def behind_how_a_day_is(scene: Scene, words: str, taken: Taken) -> Reply | None:
+    """Take what is said of wishes behind how some day is: "the bank's closed today, do it tomorrow"."""
+    language = scene.conversation.interpreter.language
+    told, about = behind_what_is_told(words, scene.now, language.lexicon) or ("", None)
+    if about is None or about.kind not in CHANGED or about.names or not told:
+        return None
+    reading = language.read(told, now=scene.now)
+    times = [part for one in reading.instructions for part in one.requirements]
+    lexicon, forms = language.lexicon, told.lower().replace("\u2019", "'").split()
+    being = any(form in lexicon.closed.present_be or form.endswith(("'s", "'m", "'re")) for form in forms)
+    event = not (lexicon.events | lexicon.happening).isdisjoint(content_words(told))
+    days = bool(times) and all(part.constraint is Constraint.BETWEEN for part in times)
+    if not (being and days) or event or is_news(scene, told):
+        return None
+    reply = taken(scene, about)
+    changes_nothing = Text(plain(f"{told!r} changes nothing"))
+    return None if reply is None else replace(reply, lines=(*reply.lines, changes_nothing))
+
+
+def is_news(scene: Scene, said: str) -> bool:
+    """Whether words tell anew of what was said to happen."""
+    lexicon = scene.conversation.interpreter.language.lexicon
     happening = [one.operation for one in scene.plan.everything if one.stated and one.operation is not None]
-    return not any(
-        news.is_of(one, lexicon) for news in news_in(said, scene.now, lexicon) for one in happening
-    )
+    return any(news.is_of(one, lexicon) for news in news_in(said, scene.now, lexicon) for one in happening)
 
 
 def _condition(scene: Scene, said: str) -> Condition | None:

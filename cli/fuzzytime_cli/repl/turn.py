@@ -8,7 +8,14 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError, InstructionError
 from fuzzytime.interpreter import Plan, Problem, ProblemKind
-from fuzzytime.language import About, behind_an_answer, choice_meant, chooses_none, said_apart
+from fuzzytime.language import (
+    About,
+    behind_an_answer,
+    choice_meant,
+    chooses_none,
+    said_apart,
+    without_closing,
+)
 from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.inputs.lines import is_ticked_off, said_in
@@ -174,7 +181,8 @@ class Turns:
     def _said(self, words: str, now: datetime) -> Reply:
         reply = reply_about(self._scene(now), words)
         if reply is None or not reply.anew:
-            return reply or self._instructions([words], now)
+            lexicon = self.conversation.interpreter.language.lexicon
+            return reply or self._instructions([without_closing(words, now, lexicon)], now)
         made = self._instructions([reply.anew], now)
         return replace(made, lines=(*reply.lines, *made.lines)) if made.changed else made
 

@@ -6,7 +6,7 @@ import sqlite3
 import weakref
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
-from dataclasses import asdict, replace
+from dataclasses import asdict, dataclass, replace
 from datetime import datetime
 from pathlib import Path
 
@@ -34,6 +34,20 @@ CREATE TABLE IF NOT EXISTS started (
 
 
 _HEAD = "SELECT {} FROM steps JOIN sessions ON name = session AND head = number WHERE name = ?"
+
+
+_CHANGED = "UPDATE started SET skill = ? WHERE session = ? AND identifier = ?"
+_FORGOTTEN = "DELETE FROM started WHERE session = ? AND identifier = ?"
+
+
+@dataclass(frozen=True, slots=True)
+class _Told:
+    """What was told of a skill behind a step, and how it was kept before; None where it had not started."""
+
+    version: int
+    identifier: str
+    name: str
+    before: str | None
 
 
 class NotKeptError(OSError):
@@ -69,6 +83,7 @@ class SessionStore:
         except sqlite3.Error:
             self._connection.close()
             raise
+        self._told: dict[str, _Told] = {}
 
     def close(self) -> None:
         """Close the file."""
@@ -147,6 +162,8 @@ class SessionStore:
 
     def undo(self, name: str) -> str:
         """Go back one step and say which; empty where there is none."""
+        if told := self._untold(name):
+            return told
         with self._writing() as connection:
             row = connection.execute(
                 _HEAD.format("parent, what"),
@@ -174,7 +191,7 @@ class SessionStore:
             self._move(name, int(row[0]))
             return str(row[1])
 
-    # -- what has started is history: it is kept beside the steps, and no undo changes it -----------------
+    # -- what has started is kept beside the steps; undo takes back only what was told of it last, and here --
 
     def started(self, name: str) -> tuple[Started, ...]:
         """Give the skills that have started."""
@@ -192,6 +209,11 @@ class SessionStore:
             )
             return cursor.rowcount == 1
 
+    def note_over(self, name: str, started: Started) -> None:
+        """Note that a skill that had not started is told to be done."""
+        if self.note_started(name, started):
+            self._told[name] = _Told(self.version(name), started.identifier, started.name, None)
+
     def note_done(self, name: str, identifier: str, at: datetime) -> None:
         """Note that a started skill was done at an instant."""
         self._note(name, identifier, lambda one: replace(one, done=at, end=min(one.end, at)))
@@ -207,11 +229,23 @@ class SessionStore:
             ).fetchone()
             if row is None:
                 raise NoInputError(f"{identifier} has not started")
-            changed = json.dumps(asdict(change(started_of(row[0]))), default=instant_text)
-            connection.execute(
-                "UPDATE started SET skill = ? WHERE session = ? AND identifier = ?",
-                (changed, name, identifier),
-            )
+            before = started_of(row[0])
+            changed = json.dumps(asdict(change(before)), default=instant_text)
+            connection.execute(_CHANGED, (changed, name, identifier))
+        self._told[name] = _Told(self.version(name), identifier, before.name, row[0])
+
+    def _untold(self, name: str) -> str:
+        """Take back what was told last of what has started, if no step was taken since, and say of which."""
+        told = self._told.get(name)
+        if told is None or told.version != self.version(name):
+            return ""
+        del self._told[name]
+        with self._writing() as connection:
+            if told.before is None:
+                connection.execute(_FORGOTTEN, (name, told.identifier))
+            else:
+                connection.execute(_CHANGED, (told.before, name, told.identifier))
+        return f"what was told of {told.name}"
 
 
 def open_store(path: Path | None) -> tuple[SessionStore, str]:

@@ -3,7 +3,7 @@
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.answers import choice_meant, chooses_none
 from fuzzytime.language.about_wishes.continued import continued, names_thing
-from fuzzytime.language.about_wishes.corrections import added_time, restated
+from fuzzytime.language.about_wishes.corrections import added_time, restated, without_closing
 from fuzzytime.language.about_wishes.lengths import by_how_much
 from fuzzytime.language.about_wishes.merging import merged_time
 from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
@@ -54,4 +54,5 @@ __all__ = [
     "said_apart",
     "with_names",
     "without_article",
+    "without_closing",
 ]

@@ -64,6 +64,8 @@ class About:
         What is said.
     names
         The words that name what is meant; none for what was spoken of last.
+    each
+        The words that name each of several things, where these are listed: "the call and the soup".
     others
         The words that name the second one, of what is swapped.
     places
@@ -86,7 +88,7 @@ class About:
         Seconds: by how much later, earlier (below 0), or longer; None where that is not said.
     text
         What is supposed: "what if I call mum at six" has "call mum at six"; how much later, where that is
-        vague: "a bit later"; or the kind of what somebody asks how to say.
+        vague: "a bit later"; the kind of what somebody asks how to say; or what one may be that is not free.
     thing
         What stands in the place of something that was asked for, or is wished beside it: "the roses" of "same
         for the roses", "dad" of "no, dad".
@@ -108,6 +110,7 @@ class About:
 
     kind: AboutKind
     names: frozenset[str] = frozenset()
+    each: tuple[frozenset[str], ...] = ()
     others: frozenset[str] = frozenset()
     places: tuple[int, ...] = ()
     several: bool = False

@@ -14,8 +14,8 @@ def asked(said: Said) -> About | None:
     return (
         _about_last(said)
         or _is_then(said)
-        or _free(said)
         or _room(said)
+        or _free(said)
         or _done(said)
         or _during(said)
         or _beside(said)
@@ -54,7 +54,8 @@ def _free(said: Said) -> About | None:
     if rest is not None:
         time = rest.as_time() if rest.words else ""
         known = not rest.words or bool(time)
-        return About(kind=AboutKind.FREE, time=time, certain=True) if known else None
+        busy = "busy" if (when or said).opens_with("busy") else ""
+        return About(kind=AboutKind.FREE, time=time, text=busy, certain=True) if known else None
     rest = said.after("may do")
     if rest is None or not rest.words:
         return None

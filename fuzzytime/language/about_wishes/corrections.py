@@ -4,7 +4,9 @@ from datetime import datetime
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.requirement import TimeRequirement
 
 MARKS = frozenset({",", ".", ";", "!", "-"})
 """What may stand behind the words that correct."""
@@ -52,7 +54,9 @@ def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     said = said.until(len(said.words) - max(map(len, closing), default=0))
     if (counted := _counted_at(said)) is not None:
         return counted
-    time = said.as_time() if said.has_time else ""
+    # "Post 11" is an errand, rather than after eleven.
+    errand = said.forms[:1] and said.forms[0] in lexicon.doing.errands
+    time = said.as_time() if said.has_time and not errand else ""
     number = said.as_number() if len(said.words) == 1 else ""
     if not time:
         return None
@@ -77,3 +81,25 @@ def _listed(said: Said) -> frozenset[str]:
 def _closing(said: Said) -> frozenset[tuple[str, ...]]:
     """Give what says "instead" behind a new time, but not what joins a step to another: "then"."""
     return said.table("instead") - said.lexicon.connectives.keys()
+
+
+def without_closing(text: str, now: datetime, lexicon: Lexicon) -> str:
+    """Give a line without what only closes it behind a time: "breakfast at ten then"; not "before then"."""
+    said = Said.of(text, now, lexicon)
+    closing = said.table("preferring") & lexicon.connectives.keys()
+    form = next((form for form in closing if said.forms[-len(form) :] == form != said.forms), None)
+    rest = said.until(len(said.words) - len(form or ()))
+    behind_time = any(_is_told(part) for part in _closing_times(rest))
+    # "An hour before then" is one time.
+    counts = any(part.span[0] < len(rest.text) for part in _closing_times(said))
+    return rest.text if form is not None and behind_time and not counts else text
+
+
+def _closing_times(said: Said) -> list[TimeRequirement]:
+    found = find_times(said.text, said.now, said.lexicon).requirements
+    return [part for part in found if part.span[1] == len(said.text)]
+
+
+def _is_told(part: TimeRequirement) -> bool:
+    """Whether a time is whole: a day, an hour, or a length."""
+    return any(side is not None for side in (part.t_spec, part.earliest, part.latest, part.number))

@@ -46,7 +46,9 @@ def exception(said: Said) -> About | None:
     names = frozenset() if thing.is_in("last") else thing.names
     # "Cancel the gym on friday" may be to be done then, and "skip rope" is.
     certain = not thing.words and (skipped is not None or denied is not None)
-    return About(kind=AboutKind.EXCEPT, names=names, time=time, certain=certain)
+    # "Cancel today" is of all that is then.
+    whole = not thing.words and skipped is None and denied is None
+    return About(kind=AboutKind.EXCEPT, names=names, time=time, everything=whole, certain=certain)
 
 
 def _day_and_thing(said: Said) -> tuple[str, Said]:

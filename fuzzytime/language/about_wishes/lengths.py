@@ -4,11 +4,13 @@ from dataclasses import replace
 from datetime import datetime
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.said import Length, Said
+from fuzzytime.language.about_wishes.meant import is_last
+from fuzzytime.language.about_wishes.said import FOR, Length, Said
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.requirement import Unit
 
 BY = "by"
+TO = "to"
 
 DIRECTIONS = ("later", "earlier")
 
@@ -67,3 +69,21 @@ def minutes_alone(said: Said, *, directed: bool) -> Length | None:
     # "Push the boxes by ten" has a deadline.
     known = directed or any(rest.is_in(name) for name in (*REFERRED, "both"))
     return replace(counted, joint=BY if joint else "", rest=rest) if counted and known else None
+
+
+def lengthened(said: Said) -> About | None:
+    """Read how much longer or shorter something takes, or how long: "shorten the call to ten minutes"."""
+    longer, shorter = said.after("lengthening"), said.after("shortening")
+    rest = longer or shorter
+    joint = max((n for n, word in enumerate(rest.forms) if word in {BY, TO}), default=0) if rest else 0
+    if rest is None or not joint:
+        return None
+    thing, behind = rest.until(joint), rest.behind(joint + 1)
+    found = behind.length() if behind.words else None
+    if found is None or found.rest.words or not (thing.meant or is_last(thing)):
+        return None
+    about = About(kind=AboutKind.TAKES, names=thing.meant, time=f"{FOR}{behind.text}", certain=is_last(thing))
+    if rest.forms[joint] == TO:
+        return about
+    by = found.seconds if longer is not None else -found.seconds
+    return replace(about, kind=AboutKind.MORE, by=by, time="", certain=True)

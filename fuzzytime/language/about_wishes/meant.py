@@ -32,4 +32,16 @@ def about_thing(kind: AboutKind, thing: Said, *, certain: bool = False) -> About
     names = named_in(thing)
     several = bool(names) and not thing.label and is_several(thing.text, thing.lexicon)
     certain = certain or bool(counted or thing.label)
-    return About(kind=kind, names=names, places=counted, several=several, certain=certain)
+    each = () if thing.label or counted else listed_in(thing)
+    return About(kind=kind, names=names, each=each, places=counted, several=several, certain=certain)
+
+
+def listed_in(thing: Said) -> tuple[frozenset[str], ...]:
+    """Give the words that name each of several things: "the call and the soup"; none where there is one."""
+    joints = [place for place, word in enumerate(thing.forms) if word in thing.lexicon.closed.coordinators]
+    first = (0, *(place + 1 for place in joints))
+    parts = [
+        thing.until(end).behind(begin) for begin, end in zip(first, (*joints, len(thing.words)), strict=True)
+    ]
+    named = tuple(part.names for part in parts if part.words)
+    return named if len(named) > 1 and all(named) else ()

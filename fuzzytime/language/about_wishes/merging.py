@@ -37,7 +37,13 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
         return new
     times = {piece: time for piece in _pieces(old) if (time := one_time(piece, said, lexicon)) is not None}
     days = [piece for piece, time in times.items() if is_of_days(time)]
+    dated = not is_of_days(other) and any(
+        is_of_days(time) for piece in _pieces(new) if (time := one_time(piece, now, lexicon)) is not None
+    )
     for piece, told in times.items():
+        if dated and is_of_days(told):
+            # "At eleven on friday" leaves no day open.
+            continue
         if is_of_days(other) and any(day.split()[-1] in piece.split() for day in days):
             continue
         words = _as_said_now(piece, told, said, now, lexicon)

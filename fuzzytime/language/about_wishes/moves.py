@@ -3,12 +3,15 @@
 from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, minutes_alone
+from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, by_length, minutes_alone
 from fuzzytime.language.about_wishes.meant import about_thing, is_last
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.finding import find_times
+from fuzzytime.language.sentence.trees.content_words import content_words
 
 FOR = "for"
+PUT = "put"
+NOW = "now"
 
 
 def delayed(said: Said) -> About | None:
@@ -19,6 +22,8 @@ def delayed(said: Said) -> About | None:
         return None
     if delaying is not None and not rest.words:
         return About(kind=AboutKind.DELAY, certain=True)
+    if (within := _all_within(rest)) is not None:
+        return within
     if (
         not rest.words
         or not rest.is_one
@@ -26,7 +31,9 @@ def delayed(said: Said) -> About | None:
     ):
         return None
     thing, directions = rest.without(*DIRECTIONS)
-    found = thing.length() or minutes_alone(thing, directed=bool(directions))
+    # "Push it all back" says no length.
+    whole = thing.is_in("everything") or is_last(thing)
+    found = None if whole else thing.length() or minutes_alone(thing, directed=bool(directions))
     if found is None:
         if thing.has_time or (delaying is None and not directions):
             return None
@@ -49,19 +56,31 @@ def delayed(said: Said) -> About | None:
     return replace(about_thing(AboutKind.DELAY, named, certain=certain), by=by)
 
 
+def _all_within(said: Said) -> About | None:
+    """Read what is moved of a stretch by a length: "everything after lunch an hour later"."""
+    taken = said.opens_with("everything")
+    for place in range(len(said.words) - 1, taken, -1) if taken else ():
+        stretch, shift = said.until(place).behind(taken), by_length(said.behind(place))
+        if shift is not None and not shift[1].words and stretch.one_time() is not None:
+            return About(kind=AboutKind.DELAY, everything=True, time=stretch.text, by=shift[0], certain=True)
+    return None
+
+
 def moved(said: Said) -> About | None:
     """Read a new time for what has one: "move the call to six", "I need it by three"."""
     wanted = said.after("wanted by")
     if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
         # "I need it by three"
         return About(kind=AboutKind.MOVE, time=time, certain=True)
+    if (able := _able(said) or _now_at(said)) is not None:
+        return able
     delaying = said.after("delaying")
     if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
         return None
     behind = (delaying or said.behind(1)).text
     joint = next((to for to in said.towards if f" {to}" in f" {behind.lower()}"), "")
     if not joint:
-        return _moved_at(said, behind) if delaying is not None else _moved_beside(said)
+        return _moved_at(said, behind) if delaying is not None else _moved_beside(said) or _put_at(said)
     place = f" {behind.lower()}".rfind(f" {joint}")
     thing = Said(behind[:place].rstrip(), said.now, said.lexicon)
     new = Said(behind[place:].strip(), said.now, said.lexicon)
@@ -87,6 +106,43 @@ def _moved_beside(said: Said) -> About | None:
         if beside is not None and thing.names and beside[1].names:
             return About(kind=AboutKind.MOVE, names=thing.names, time=beside[0], others=beside[1].names)
     return None
+
+
+def _able(said: Said) -> About | None:
+    """Read when somebody can do what was asked for: "they can only do four", "Ann can make it at one"."""
+    for place in range(1, len(said.words) if said.is_one else 0):
+        who, rest = said.until(place), said.behind(place).after("able at")
+        time = rest.as_time() if rest is not None and rest.words else ""
+        # "Well she can make it at one"
+        last = who.behind(len(who.words) - 1).is_in("they") or who.is_in("speaker")
+        if rest is not None and time and (last or who.names):
+            names = frozenset() if last else who.names
+            return About(kind=AboutKind.MOVE, names=names, time=time, bare=rest.is_bare(time), certain=True)
+    return None
+
+
+def _now_at(said: Said) -> About | None:
+    """Read when something is now that was to be at another time: "the train's at ten past eight now"."""
+    for place in range(1, len(said.words) if said.forms[-1:] == (NOW,) and said.is_one else 0):
+        thing, rest = said.until(place), said.behind(place).until(len(said.words) - place - 1)
+        short = thing.text.endswith(("'s", "\u2019s"))
+        being = rest.forms[:1] and rest.forms[0] in said.lexicon.closed.third_person_be
+        time = (rest.behind(1) if being and not short else rest).as_time() if short or being else ""
+        if time and thing.names:
+            return About(kind=AboutKind.MOVE, names=thing.names, time=time)
+    return None
+
+
+def _put_at(said: Said) -> About | None:
+    """Read a new time behind what is put there: "put the review at eleven"."""
+    what, time = said.behind(1).parted() if said.forms[0] == PUT else ("", "")
+    thing = Said(what, said.now, said.lexicon)
+    # "Put the soup on at four" is done with soup.
+    named = bool(what) and (is_last(thing) or bool(content_words(what.split()[-1])))
+    new = Said(time, said.now, said.lexicon).as_time() if named else ""
+    if not new or new.lower().startswith(f"{FOR} ") or not said.text.lower().endswith(time.lower()):
+        return None
+    return replace(about_thing(AboutKind.MOVE, thing), time=new)
 
 
 def _moved_at(said: Said, behind: str) -> About | None:

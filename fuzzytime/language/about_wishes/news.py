@@ -18,6 +18,9 @@ from fuzzytime.requirement import Constraint, TimeRequirement
 CLAUSES = re.compile(r"(?:[^,.;!?]|[,.;!?](?=\S))+")
 """What stands between marks that are no part of a word or a number."""
 
+CONTRACTED = re.compile(r"(?<=\w)(['\u2019])(s|ll|re)\b")
+"""What is short for "is", "has" or "will", or tells whose something is."""
+
 ANEW = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
 """What says when something happens."""
 
@@ -25,6 +28,7 @@ SEVERAL = r"\bthey"
 BE = "be"
 NOW = "now"
 ABSENT = "absent"
+HAPPENED = "happened"
 SOONER = frozenset({"early", "earlier"})
 LATER = frozenset({"late", "later", "rescheduled"})
 TABLES = (
@@ -141,9 +145,12 @@ class _Clause:
     lexicon: Lexicon
 
     def news(self) -> News | None:
-        words = self.text[self.span[0] : self.span[1]]
+        # "The flight's delayed" says no more than "flight delayed", and each word keeps its place.
+        words = CONTRACTED.sub(_blank, self.text[self.span[0] : self.span[1]])
         said = Said(words, self.now, self.lexicon)
         left, tables = said.without(*TABLES)
+        if any((form,) in self.lexicon.conversation[HAPPENED] for form in said.forms):
+            tables |= {HAPPENED}
         if not tables:
             # Only a plain verb and a time: "the train leaves at nine"
             return self._timed(words, frozenset())
@@ -156,7 +163,7 @@ class _Clause:
         if ABSENT in tables:
             known = LATE if {"present", "perfect"} & tables else CANCELLED
             return None if tables & (SOONER | LATER) else self._news_of(known, left, tables)
-        kinds = {"cancelled": CANCELLED, "present": THERE, "perfect": THERE}
+        kinds = {"cancelled": CANCELLED, "present": THERE, "perfect": THERE, HAPPENED: THERE}
         kinds |= dict.fromkeys(("late", "rescheduled"), LATE)
         kind = next((kind for name, kind in kinds.items() if name in tables), None)
         return None if kind is None else self._news_of(kind, left, tables)
@@ -219,6 +226,11 @@ class _Clause:
         words = self.text[self.span[0] : self.span[1]].lower()
         several = re.search(SEVERAL, words) is not None if "they" in tables else None
         return News(kind=kind, span=self.span, names=names, several=several, by=by)
+
+
+def _blank(contracted: re.Match[str]) -> str:
+    """Give spaces in the place of what is contracted: no other word moves."""
+    return " " * len(contracted[0])
 
 
 def _verbs(happening: Operation, lexicon: Lexicon) -> frozenset[str]:

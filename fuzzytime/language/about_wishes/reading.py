@@ -35,7 +35,7 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         return About(kind=AboutKind.DID, certain=True)
     if text.rstrip().endswith("?"):
         said = _without_tag(said)
-    found = _read(said)
+    found = _read(said) or (_of_thing(said) if text.rstrip().endswith("?") else None)
     plain = said.without_exclamations()
     # "Ok then do it the day after"
     then = plain.after("following") or plain
@@ -55,6 +55,13 @@ def _read(said: Said) -> About | None:
     if how is not None and how.words and how.forms[0] in said.lexicon.moving:
         return About(kind=AboutKind.HOW, text=AboutKind.MOVE.value, certain=True)
     return asked(said) or question(said) or change(_without_request(said)) or change(said) or report(said)
+
+
+def _of_thing(said: Said) -> About | None:
+    """Read what is asked of a thing without a verb: "and the eggs?"."""
+    thing = said.after("continuing")
+    named = thing is not None and thing.words and thing.forms[0] in said.lexicon.closed.noun_openers
+    return About(kind=AboutKind.WHEN, names=thing.names, certain=True) if thing and named else None
 
 
 def _without_tag(said: Said) -> Said:

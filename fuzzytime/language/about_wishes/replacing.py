@@ -60,8 +60,18 @@ def said_apart(text: str, now: datetime, lexicon: Lexicon) -> list[str]:
         sure = any(one is not None and one.certain and one.kind in TAKEN for one in said)
         if all(kind in TAKEN for kind in kinds) if every else sure:
             # "Thanks. What's next?"
-            return [part for part, kind in zip(parts, kinds, strict=True) if kind is not AboutKind.ANSWER]
+            left = [n for n, kind in enumerate(kinds) if kind is not AboutKind.ANSWER]
+            # "Never mind, cancel that" lets one thing be, and says so twice.
+            again = {n for n in left if n + 1 in left and _is_said_again(said[n], said[n + 1])}
+            return [parts[n] for n in left if n not in again or f"{parts[n]} and " in text]
     return [text]
+
+
+def _is_said_again(about: About | None, behind: About | None) -> bool:
+    """Whether what lets the last thing be only opens what says which one: "never mind, forget the film"."""
+    if about is None or behind is None or not about.kind is behind.kind is AboutKind.DROP:
+        return False
+    return not (about.names or about.places or about.everything or about.both or about.other)
 
 
 def behind_an_answer(text: str, now: datetime, lexicon: Lexicon) -> str:

@@ -3,12 +3,14 @@
 from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
+from fuzzytime.language.about_wishes.lengths import lengthened
 from fuzzytime.language.about_wishes.said import FOR, Said
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
 
 PAST = frozenset({"VBN", "VBD"})
 SUBJECTS = frozenset({"nsubj", "nsubjpass", "nsubj:pass", "csubj", "expl"})
+ING = "ing"
 WITH = "with"
 ON = "on"
 TO = "to"
@@ -24,9 +26,11 @@ def report(said: Said) -> About | None:
         or _more(said)
         or _added(said)
         or _so_long(said)
+        or lengthened(said)
         or _unstarted(said)
         or _started(said)
         or _finished(said)
+        or _going_on(said)
         or _protest(said)
     )
 
@@ -147,12 +151,24 @@ def _started(said: Said) -> About | None:
     return About(kind=AboutKind.STARTED, names=names, upcoming=not thing.words, certain=True)
 
 
+def _going_on(said: Said) -> About | None:
+    """Read what is not over yet, of which nothing changes: "still cutting the boards"."""
+    rest = said.after("still at")
+    going_on = rest is not None and rest.words and rest.forms[0].endswith(ING) and not rest.has_time
+    return About(kind=AboutKind.WHEN, names=rest.names, certain=True) if rest and going_on else None
+
+
 def _protest(said: Said) -> About | None:
     """Read that something is wrong, or cannot be done: "that's not right", "I can't do that now"."""
     for kind in (AboutKind.WRONG, AboutKind.UNABLE):
         rest = said.after(kind.value)
         if rest is not None and not rest.without("yet", "first", "last")[0].words:
             return About(kind=kind, certain=True)
+    closing = (form for form in said.table("unable then") if said.forms[-len(form) :] == form != said.forms)
+    who = said.until(len(said.words) - max(map(len, closing), default=0))
+    if len(who.words) < len(said.words) and who.names and said.is_one and not said.has_time:
+        # "Jo can't make it"
+        return About(kind=AboutKind.UNABLE, names=who.names)
     return None
 
 

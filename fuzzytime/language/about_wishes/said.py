@@ -222,6 +222,10 @@ class Said:
         """Give it as a new time, as that would be said with what is to be done; empty where it is none."""
         joint = next((to for to in self.towards if self.text.lower().startswith(to)), "")
         bare = self.text[len(joint) :]
+        # "Reschedule for friday", but "for an hour"
+        kept = bare[len(FOR) :] if bare.lower().startswith(FOR) else ""
+        if any(part.constraint is not Constraint.FOR for part in self._as_one_time(kept)):
+            bare = kept
         # "Move it to the afternoon"
         counted = bool(Said(bare, self.now, self.lexicon).places)
         inside = (f"in {bare}",) if bare.lower().startswith("the ") and not counted else ()

@@ -69,7 +69,12 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     denied = said.after("denying") if not place or said.forms[:1] == (NOT,) else None
     if place and said.forms[:1] and said.forms[0] in lexicon.doing.keeping:
         # "No wait, keep the plumber", where all was dropped
-        denied = said.behind(1)
+        kept = said.behind(1)
+        return (
+            About(kind=AboutKind.UNDO, names=kept.names, thing=kept.text, certain=True)
+            if kept.names
+            else None
+        )
     if denied is not None and denied.names and COMMA not in denied.forms and not denied.has_time:
         # "Not the carrots"
         return About(kind=AboutKind.DROP, names=denied.names, thing=denied.text, certain=place > 0)

@@ -53,7 +53,7 @@ def paper_tokens(tree: Tree, timely: Collection[int]) -> tuple[Token, ...]:
         for child in tree.children(node.head, "advmod"):
             heads[child] = number
     return tuple(
-        Token(node.text, (node.start, node.end), node.tag, relation, head)
+        Token(node.text, (node.start, node.end), node.tag, relation, head, node.lemma)
         for node, relation, head in zip(tree.nodes, relations, heads, strict=True)
     )
 

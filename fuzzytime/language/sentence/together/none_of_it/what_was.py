@@ -32,6 +32,8 @@ def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
     # "The meeting has been moved"
     moved = node.tag == "VBN" and "been" in helping and helping - {"been"} <= closed.have
+    # "Dad has dug the bed"; but "they have arrived at six"
+    has = node.tag == "VBN" and bool(helping) and helping <= closed.have and not sketch.phrases
     # "School finished early yesterday": a tree takes it for what must be done.
     ended = node.tag == "VBN" and not helping and bool(subjects) and _names_past(sketch)
     # "In no time the tent was up"
@@ -40,7 +42,7 @@ def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
     did = bool(subjects) and node.tag == "VBD" and not helping and bool(tree.children(root, *DONE))
     # "I fed the cat", with no time, is news of what was planned.
     did = did and bool(sketch.phrases)
-    return (_is_past(tree, root, lexicon) or moved or ended) and (named or did)
+    return (_is_past(tree, root, lexicon) or moved or has or ended) and (named or did)
 
 
 def is_over(sketch: Sketch, lexicon: Lexicon) -> bool:

@@ -1,0 +1,188 @@
+"""Changes in words: of several that are listed, of all within a stretch, of lengths, and by who can when."""
+
+import pytest
+
+from terminal.talking import Talk
+
+pytestmark = pytest.mark.model
+
+
+def talk_of(*lines: str) -> Talk:
+    talk = Talk()
+    for line in lines:
+        talk.say(line)
+    return talk
+
+
+CALLS = ("call Ann at noon", "call Bob at one pm", "call Carl at two pm")
+
+
+@pytest.mark.parametrize(
+    ("line", "left"),
+    [
+        ("cancel Ann and Bob", ["call Carl at two pm"]),
+        ("cancel Ann, Bob and Carl", []),
+        ("cancel Ann and Dora", list(CALLS)),
+    ],
+)
+def test_several_that_are_listed_are_dropped(line: str, left: list[str]) -> None:
+    talk = talk_of(*CALLS)
+    talk.say(line)
+    assert talk.entries == left
+
+
+def test_several_parts_of_one_line_are_not_dropped_with_the_rest() -> None:
+    talk = talk_of(", ".join(CALLS))
+    assert "one at a time" in talk.say("cancel Ann and Bob")
+    assert talk.entries == [", ".join(CALLS)]
+
+
+@pytest.mark.parametrize(
+    ("line", "answer"),
+    [
+        ("push Ann and Bob back by an hour", "taken as :delay 1,2 60min"),
+        ("push everything after half past twelve back by an hour", "taken as :delay 2,3 60min"),
+        ("move everything before half past one half an hour earlier", "taken as :delay 1,2 -30min"),
+        ("put Bob at three pm", "taken as :edit 2 call Bob at three pm"),
+        ("Bob can only do three pm", "taken as :edit 2 call Bob at three pm"),
+        ("he can do four pm", "taken as :edit 3 call Carl at four pm"),
+        ("lengthen Bob to an hour", "taken as :edit 2 call Bob at one pm for an hour"),
+        ("extend it by ten minutes", "taken as :duration 3 20min"),
+        ("shorten it by five minutes", "taken as :duration 3 5min"),
+        ("shorten it by an hour", "cannot be 60min shorter"),
+        ("Bob can't make it", "when then?"),
+        ("Bob rang, move it to three pm", "taken as :edit 2 call Bob at three pm"),
+        ("Ann can't make it, reschedule for friday", "taken as :edit 1 call Ann friday at noon"),
+        ("the line's down today, do it tomorrow", "taken as :edit 3 call Carl tomorrow at two pm"),
+        ("I'm sick, cancel today", "taken as :drop 1,2,3"),
+        ("post 11", "says a time but nothing to do"),
+        ("move it to yesterday", "nothing is changed"),
+        ("Bob's at three pm now", "taken as :edit 2 call Bob at three pm"),
+        ("Bob can only come at three pm", "taken as :edit 2 call Bob at three pm"),
+        ("Dora is calling Bob", "tells what is"),
+        ("anything left?", "call Ann: at 12:00"),
+        ("still calling", "call Carl: at 14:00"),
+        ("and the cat?", "nothing that is planned is about cat"),
+    ],
+)
+def test_calls_are_changed_by_word(line: str, answer: str) -> None:
+    assert answer in talk_of(*CALLS).say(line)
+
+
+@pytest.mark.parametrize(
+    "line", ["put the cat out at ten pm", "put Bob's book on the table at six pm", "extend the lease"]
+)
+def test_what_is_to_be_done_with_things_is_a_wish(line: str) -> None:
+    talk = talk_of(*CALLS)
+    talk.say(line)
+    assert talk.entries == [*CALLS, line]
+
+
+def test_what_was_put_off_stays_so_on_another_day() -> None:
+    talk = talk_of("call Ann at noon", "push it back by an hour")
+    assert "from 13:00 to Fri 13:00" in talk.say("on friday")
+
+
+@pytest.mark.parametrize("line", ["done", "five more minutes", ":done 1"])
+def test_undo_takes_back_what_was_told_of_it(line: str) -> None:
+    talk = talk_of("mop the floor")
+    assert "09:12" in talk.say("feed the cat at noon")
+    talk.say(line)
+    assert "undone: what was told of mop the floor" in talk.say("undo")
+    assert "running: s1 mop the floor, until 09:12" in talk.say("call Ann at one pm")
+    assert talk.entries[:2] == ["mop the floor", "feed the cat at noon"]
+
+
+def test_undo_plans_again_what_was_told_to_be_done_of_several() -> None:
+    talk = talk_of("call Ann at ten am, call Bob at noon", "done with Ann")
+    talk.say("undo")
+    assert talk.start("s1").hour == 10
+
+
+@pytest.mark.parametrize(
+    ("line", "answer"),
+    [
+        ("what do I have before one pm", "call Ann: 12:00 to 12:10"),
+        ("what do I have after one pm", "call Carl: 14:00 to 14:10"),
+        ("what's at five pm", "nothing is planned then"),
+        ("do I have anything at five pm", "no: nothing is planned"),
+        ("am I busy at noon", "yes: s1 call Ann"),
+        ("am I free at five pm", "yes: nothing is planned"),
+    ],
+)
+def test_questions_about_times_count_all_that_is_then(line: str, answer: str) -> None:
+    assert answer in talk_of(*CALLS).say(line)
+
+
+def test_then_behind_a_time_is_no_order() -> None:
+    talk = talk_of("call Ann at noon", "breakfast at ten then")
+    assert talk.start("s2").hour == 10
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["sweep the floor before then", "sweep the floor by then", "wait until then", "mop an hour before then"],
+)
+def test_then_as_a_time_stays(line: str) -> None:
+    assert talk_of("call Ann at noon", line).entries[-1] == line
+
+
+def test_one_of_several_that_is_moved_to_another_day_keeps_its_hour() -> None:
+    talk = talk_of("call Ann at ten am, dinner with Jo on saturday at seven pm")
+    talk.say("Jo can't make it, reschedule for friday")
+    assert f"{talk.start('s1.2'):%a %H:%M}" == "Fri 19:00"
+
+
+@pytest.mark.parametrize("line", ["never mind, cancel that", "forget it, skip it", "no, drop it. forget it"])
+def test_what_is_let_be_twice_in_a_line_is_one_thing(line: str) -> None:
+    talk = talk_of(*CALLS)
+    talk.say(line)
+    assert talk.entries == list(CALLS[:2])
+
+
+@pytest.mark.parametrize(
+    ("line", "left"),
+    [
+        ("cancel everything after noon", ["call Ann at ten am", "call Dora tomorrow at two pm"]),
+        ("clear my afternoon", ["call Ann at ten am", "call Dora tomorrow at two pm"]),
+        ("cancel everything after today", ["call Ann at ten am", "call Bob at two pm"]),
+    ],
+)
+def test_what_comes_after_an_hour_ends_with_its_day(line: str, left: list[str]) -> None:
+    talk = talk_of("call Ann at ten am", "call Bob at two pm", "call Dora tomorrow at two pm")
+    talk.say(line)
+    assert talk.entries == left
+
+
+def test_what_is_to_be_kept_is_not_dropped() -> None:
+    talk = talk_of("meeting at ten am, call the vet at noon, gym at six pm")
+    assert "is planned, and stays" in talk.say("oh wait, keep the vet")
+    assert len(talk.entries) == 1
+
+
+def test_the_next_of_several_in_a_line_is_skipped_alone() -> None:
+    talk = talk_of("meeting at ten am, call the vet at noon, gym at six pm")
+    talk.say("skip the next one")
+    assert talk.entries == ["call the vet at noon, gym at six pm"]
+
+
+def test_what_is_pushed_back_by_nobody_knows_how_much_is_asked() -> None:
+    talk = talk_of("call Ann at noon")
+    assert "by how much?" in talk.say("push it all back")
+    assert talk.start("s1").hour == 12
+
+
+@pytest.mark.parametrize(
+    ("line", "left"),
+    [("never mind, forget Bob", [CALLS[0], CALLS[2]]), ("forget that and cancel Bob", [CALLS[0]])],
+)
+def test_what_opens_a_change_is_no_other_change(line: str, left: list[str]) -> None:
+    talk = talk_of(*CALLS)
+    talk.say(line)
+    assert talk.entries == left
+
+
+def test_a_change_that_would_lose_one_of_several_changes_nothing() -> None:
+    talk = talk_of("saturday: mow the lawn at ten am, wash the car at noon")
+    assert "nothing is changed" in talk.say("move the lawn to sunday")
+    assert f"{talk.start('s1'):%a %H:%M}" == "Sat 10:00"
