@@ -6,6 +6,6 @@ For any kind of time
 Behind another time
     ``further``.
 For each kind
-    ``walls`` with ``bare_hours``, ``run_on_hours``, ``dated_entries`` and ``naming``; ``ranges``;
-    ``lengths``.
+    ``walls`` with ``weak_walls``, ``bare_hours``, ``run_on_hours``, ``dated_entries`` and ``naming``;
+    ``ranges``; ``lengths``.
 """
