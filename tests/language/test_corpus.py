@@ -33,7 +33,8 @@ def test_a_time_is_the_same_inside_a_sentence(row: Row) -> None:
     alone = find_times(row.phrase, row.now)
     text = f"call the plumber {row.phrase}, please"
     inside = find_times(text, row.now)
-    assert inside.requirements[0].text == alone.requirements[0].text
+    # At the end of a text a full stop is of the sentence, behind an abbreviation too.
+    assert inside.requirements[0].text.rstrip(".") == alone.requirements[0].text.rstrip(".")
     assert inside.requirements[0].t_spec == alone.requirements[0].t_spec
 
 
