@@ -57,6 +57,12 @@ def short_hour(hour: Integer) -> Clock | None:
     return Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True) if hour.digits and hour.value <= 24 else None
 
 
+@grammar.rule("clock behind at", "<integer> h .")
+def abbreviated_hour(hour: Integer) -> Clock | None:
+    """(at) 1830h., within a sentence: so many hours are hardly waited."""
+    return military(hour) if len(hour.digits) == FULL_DIGITS else None
+
+
 @grammar.rule("clock", "<hh.mm> h", weight=0.6)
 def dotted_with_h(numbers: Typed) -> Clock | None:
     """18.30h; but 8.30h alone may be a length."""
