@@ -201,7 +201,10 @@ def waiting(scene: Scene, number: int | None = None) -> list[tuple[int, Interpre
 def own_words(scene: Scene, entry: Entry) -> frozenset[str]:
     """Give the words of an entry, without those for other things that it is done beside: "before dinner"."""
     language = scene.conversation.interpreter.language
-    read = language.read(entry.text, now=entry.given).instructions
+    known = (one.reading for one in scene.plan.everything if one.wish.identifier == entry.identifier)
+    # What is over is in no plan.
+    reading = next((one for one in known if one is not None), None)
+    read = (reading or language.read(entry.text, now=entry.given)).instructions
     beside = (_words_beside(part, language.lexicon) for one in read for part in one.requirements)
     named = (content_words(one.operation.name) for one in read if one.operation is not None)
     return content_words(entry.text) - (frozenset[str]().union(*beside) - frozenset[str]().union(*named))

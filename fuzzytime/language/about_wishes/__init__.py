@@ -2,6 +2,13 @@
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.answers import choice_meant, chooses_none
+from fuzzytime.language.about_wishes.awaited import (
+    done_at_once,
+    is_untold,
+    tells_awaited,
+    tells_of_somebody,
+    written_out,
+)
 from fuzzytime.language.about_wishes.continued import continued, names_thing
 from fuzzytime.language.about_wishes.corrections import added_time, restated, without_closing
 from fuzzytime.language.about_wishes.lengths import by_how_much
@@ -39,9 +46,11 @@ __all__ = [
     "clauses_of",
     "continued",
     "continuing",
+    "done_at_once",
     "in_its_place",
     "is_person",
     "is_thing",
+    "is_untold",
     "may_be_thing",
     "merged_time",
     "names_thing",
@@ -52,7 +61,10 @@ __all__ = [
     "restated",
     "reworded",
     "said_apart",
+    "tells_awaited",
+    "tells_of_somebody",
     "with_names",
     "without_article",
     "without_closing",
+    "written_out",
 ]

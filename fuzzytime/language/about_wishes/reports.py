@@ -1,6 +1,6 @@
 """Reports of how it goes: "done", "the soup is ready", "I'm ten minutes late", "five more minutes"."""
 
-from fuzzytime.english import EMPTY
+from fuzzytime.english import EMPTY, PARTICIPLE
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import lengthened
@@ -10,7 +10,6 @@ from fuzzytime.language.instruction import Operation, Reading
 
 PAST = frozenset({"VBN", "VBD"})
 SUBJECTS = frozenset({"nsubj", "nsubjpass", "nsubj:pass", "csubj", "expl"})
-ING = "ing"
 WITH = "with"
 ON = "on"
 TO = "to"
@@ -154,7 +153,7 @@ def _started(said: Said) -> About | None:
 def _going_on(said: Said) -> About | None:
     """Read what is not over yet, of which nothing changes: "still cutting the boards"."""
     rest = said.after("still at")
-    going_on = rest is not None and rest.words and rest.forms[0].endswith(ING) and not rest.has_time
+    going_on = rest is not None and rest.words and rest.forms[0].endswith(PARTICIPLE) and not rest.has_time
     return About(kind=AboutKind.WHEN, names=rest.names, certain=True) if rest and going_on else None
 
 

@@ -219,8 +219,8 @@ def _moments(scanned: Scanned, explained: Sequence[Span], around: Surroundings) 
 def _typed(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
     """Give the places of two numbers that end what is asked for: "dentist 3/15", "book the court 12-2"."""
     lexicon = around.lexicon
-    numbered = lexicon.amount_nouns | lexicon.measure_nouns | lexicon.machines
-    counted = numbered | lexicon.no_times.numbered | lexicon.no_times.set_to | lexicon.function_words
+    numbered = lexicon.amount_nouns | lexicon.called_by_number
+    counted = numbered | lexicon.no_times.set_to | lexicon.function_words
     for piece in (piece for shape in TYPED for piece in scanned.pieces(shape)):
         first, last = scanned.words[piece.start], scanned.words[piece.end - 1]
         before = around.before(piece)

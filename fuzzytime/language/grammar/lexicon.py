@@ -262,6 +262,11 @@ class Lexicon:
         alone = self.chores | self.ordering | self.alone | self.causing - self.wanting
         return alone.union(self.doing.by_the_day, self.doing.by_then, self.doing.of_events)
 
+    @property
+    def called_by_number(self) -> frozenset[str]:
+        """What a number right behind is the name of: "room 12", "season 2"."""
+        return self.measure_nouns | self.machines | self.no_times.numbered
+
     def means(self, text: str, *categories: str) -> bool:
         """Whether a word alone has a meaning of one of some categories: "friday" is a "weekday"."""
         entries = self.entries.get(text, ())

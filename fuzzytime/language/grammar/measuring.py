@@ -224,13 +224,8 @@ class Measures:
     def is_called(self, place: int) -> bool:
         """Whether a number is the name of a thing that has no article: "at platform 9", "season 2"."""
         led = {*self.texts[max(0, place - 2) : place - 1]}
-        named = place > 0 and self.texts[place - 1] in self.called_by_number
+        named = place > 0 and self.texts[place - 1] in self.lexicon.called_by_number
         return named and self.is_number(place) and not led <= self.closed.noun_openers
-
-    @property
-    def called_by_number(self) -> frozenset[str]:
-        """What a number right behind is the name of: "room 12", "season 2"."""
-        return self.lexicon.measure_nouns | self.lexicon.machines | self.lexicon.no_times.numbered
 
     def divided(self, piece: Piece) -> bool:
         """Whether a number says into how many parts: "cut it in two"."""
@@ -242,7 +237,7 @@ class Measures:
         bare = piece.value.preposition is None and self.is_number(piece.start) and not piece.value.hedges
         # "Flight 6:40 am on friday" leaves then.
         bare = bare and self.lexicon.beside.of_hours.isdisjoint(self.texts[piece.start : piece.end])
-        nouns = self.called_by_number if bare else self.lexicon.amount_nouns
+        nouns = self.lexicon.called_by_number if bare else self.lexicon.amount_nouns
         if bare and COLON in self.texts[piece.start : piece.end]:
             # "Concrete truck 8:30", "first race 9:45": few things have a number of two parts.
             nouns = self.lexicon.amount_nouns | self.lexicon.no_times.numbered_in_two

@@ -44,7 +44,7 @@ class Standing:
         calling = self.lexicon.addressing - self.lexicon.doing.learning
         if verb < 0 or self.texts[verb] not in calling or not self.texts[place - 1].isalpha():
             return False
-        nouns = self.measures.called_by_number | self.lexicon.function_words
+        nouns = self.lexicon.called_by_number | self.lexicon.function_words
         noun = self.texts[place - 1]
         named = {noun, noun.removesuffix("s")}.isdisjoint(nouns) and not self.measures.is_number(place - 1)
         return named and not self.around.timely(place - 1)

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator, Sequence
 from functools import cache
 
-from fuzzytime.english import singular
+from fuzzytime.english import PARTICIPLE, singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import Word, words_of
@@ -22,15 +22,6 @@ TYPED = 3
 
 FIVES = 5
 """Minutes by which people plan; prices have others."""
-
-SURE = re.compile(
-    r"""
-    (?<![\d.:]) \d{1,2} : [0-5]\d (?![\d:])
-    | \b (?:at|by|from|until|till|before|after) \s (?:[01]?\d|2[0-3]) (?:\.[0-5]\d)? (?= \s* (?:[,;.)]|$) )
-    """,
-    re.VERBOSE | re.IGNORECASE,
-)
-"""A time that is surely one by how it is typed, or by what stands in front of it."""
 
 DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 """A number with two digits behind its point."""
@@ -52,9 +43,6 @@ BESIDE_HOURS = (
 )
 """What words mean that belong to the hour behind them: "exactly 9.10", "friday 9.30"."""
 
-GOING_ON = "ing"
-"""The ending of what goes on."""
-
 ENDS = r"\s*(?:$|[,;()!]|\.(?!\d)|[-–—]\s)"
 """What ends what is said of when something is."""
 
@@ -75,11 +63,24 @@ def _hours(halves: frozenset[str]) -> re.Pattern[str]:
     )
 
 
+@cache
+def _sure(prepositions: frozenset[str]) -> re.Pattern[str]:
+    """Give what finds a time that is surely one by how it is typed, or by what stands in front of it."""
+    return re.compile(
+        rf"""
+        (?<![\d.:]) \d{{1,2}} : [0-5]\d (?![\d:])
+        | \b (?:{"|".join(sorted(prepositions))}) \s (?:[01]?\d|2[0-3]) (?:\.[0-5]\d)? (?= \s* (?:[,;.)]|$) )
+        """,
+        re.VERBOSE | re.IGNORECASE,
+    )
+
+
 def are_times(texts: Sequence[str], lexicon: Lexicon) -> bool:
     """Whether lines are a list of times, as two are surely timed, or three have numbers like hours."""
     lines = [line[0] for text in texts for line in LINE.finditer(text)]
     halves = _hours(lexicon.beside.of_hours)
-    sure = sum(SURE.search(line) is not None for line in lines)
+    surely = _sure(lexicon.closed.prepositions_of_points | lexicon.closed.prepositions_of_time)
+    sure = sum(surely.search(line) is not None for line in lines)
     decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
     typed = sum(any(found["minutes"] for found in halves.finditer(line)) for line in lines)
     planned = len(decimals) >= TYPED and all(digits < 60 and digits % FIVES == 0 for digits in decimals)
@@ -161,10 +162,9 @@ def _goes_on(entry: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether one word that opens a line names what goes on, or several such: "trading", "interviews"."""
     first = entry[-1]
     alone = len(entry) == 1 and not _is_called(first, lexicon)
-    return alone and (first.text.endswith(GOING_ON) or has_time(singular(first.text), lexicon))
+    return alone and (first.text.endswith(PARTICIPLE) or has_time(singular(first.text), lexicon))
 
 
 def _is_called(word: Word, lexicon: Lexicon) -> bool:
     """Whether a number behind a word may be the name of a thing: "race 1"."""
-    called = lexicon.measure_nouns | lexicon.machines | lexicon.no_times.numbered
-    return not called.isdisjoint({word.text, singular(word.text)})
+    return not lexicon.called_by_number.isdisjoint({word.text, singular(word.text)})

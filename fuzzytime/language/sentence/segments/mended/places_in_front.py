@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from fuzzytime.english import PARTICIPLE
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_order
 from fuzzytime.language.sentence.segments.waiting import Waiting
@@ -15,9 +16,6 @@ LEAST = 3
 NOUNS = "NN"
 
 COMMA = ","
-
-ENDING = "ing"
-"""How words end that say which thing it is: "in a mixing bowl"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +64,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             return
         if here == root and node.may_act and is_bare(node, lexicon):
             return
-        led = before.text == COMMA or (before.tag.startswith(NOUNS) and not before.lower.endswith(ENDING))
+        led = before.text == COMMA or (before.tag.startswith(NOUNS) and not before.lower.endswith(PARTICIPLE))
         if led and node.may_act and is_bare(node, lexicon) and nodes[here + 1].lower != "of":
             front, order = tree.text[: before.end], tree.text[node.start :]
             yield _Try(place, front.rstrip(" ,"), order)

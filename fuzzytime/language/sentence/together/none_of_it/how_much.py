@@ -18,31 +18,28 @@ def counted(text: str, sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) 
     """Say how the last numbers of an order without a time are taken: they may be meant as its hours."""
     first, end = sketch.part.segment.span
     said = [word for word in words if first <= word.start < end and word.text.isalnum()]
-    if sketch.phrases or sketch.clauses or not said:
-        return
-    joint = _joint(said, lexicon)
-    if joint < 1:
+    joint = 0 if sketch.phrases or sketch.clauses else _joint(said, lexicon)
+    if not joint or (joint == 1 and said[joint].text == FOR):
+        # "Table for seven"
         return
     number = said[-1].text
-    if said[joint].text == FOR:
-        how, meant = "how many it is for", f"at {number}"
-    else:
-        how, meant = "how much", f"{number} o'clock"
-    if joint > 1 or said[joint].text != FOR:
-        span = (said[joint].start, said[-1].end)
-        message = f"{text[slice(*span)]!r} is taken for {how}: say {meant!r} for a time"
-        yield Remark(RemarkKind.POLICY, span, message)
+    people = "how many it is for", f"at {number}"
+    how, meant = people if said[joint].text == FOR else ("how much", f"{number} o'clock")
+    span = (said[joint].start, said[-1].end)
+    message = f"{text[slice(*span)]!r} is taken for {how}: say {meant!r} for a time"
+    yield Remark(RemarkKind.POLICY, span, message)
 
 
 def _joint(said: Sequence[Word], lexicon: Lexicon) -> int:
-    """Give the place of the preposition before the hours that end what is said, or -1."""
+    """Give the place of the preposition before the hours that end what is said; 0 where there is none."""
+    if not said or not _is_hour(said[-1], lexicon):
+        return 0
     place = len(said) - 1
-    while place > 0 and (
+    while place and (
         _is_hour(said[place], lexicon) or said[place].text in lexicon.closed.range_joints_or_and
     ):
         place -= 1
-    bound = said[place].text in AMOUNTED | {FOR} and place + 1 < len(said)
-    return place if bound and _is_hour(said[-1], lexicon) else -1
+    return place if said[place].text in AMOUNTED | {FOR} else 0
 
 
 def _is_hour(word: Word, lexicon: Lexicon) -> bool:
