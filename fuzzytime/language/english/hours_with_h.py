@@ -42,8 +42,8 @@ def hour_with_h(hour: Integer) -> Clock | None:
     )
 
 
-@grammar.rule("late clock with h", "<15h30>")
-@grammar.rule("late clock with h", "<integer> h")
+@grammar.rule("late clock with h", "<15h30> .?")
+@grammar.rule("late clock with h", "<integer> h .?")
 def late_with_h(said: Typed | Integer) -> Clock | None:
     """(not before) 14h30, 6h30: a length of time is hardly as long, nor as exact; but "not before 2h"."""
     found = typed_with_h(said) if isinstance(said, Typed) else hour_with_h(said)
@@ -51,16 +51,12 @@ def late_with_h(said: Typed | Integer) -> Clock | None:
     return found if found is not None and found.hour >= earliest else None
 
 
-@grammar.rule("clock behind at", "<integer> h")
+@grammar.rule("clock behind at", "<integer> h .?")
 def short_hour(hour: Integer) -> Clock | None:
-    """(at) 7h."""
+    """(at) 7h, 1830h.: so many hours are hardly waited."""
+    if len(hour.digits) == FULL_DIGITS:
+        return military(hour)
     return Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True) if hour.digits and hour.value <= 24 else None
-
-
-@grammar.rule("clock behind at", "<integer> h .")
-def abbreviated_hour(hour: Integer) -> Clock | None:
-    """(at) 1830h., within a sentence: so many hours are hardly waited."""
-    return military(hour) if len(hour.digits) == FULL_DIGITS else None
 
 
 @grammar.rule("clock", "<hh.mm> h", weight=0.6)
