@@ -94,6 +94,8 @@ def exit_of(error: BaseException) -> Exit:
     """Report an error and give its exit code."""
     if isinstance(error, KeyboardInterrupt | BrokenPipeError):
         return code_of(error)  # whoever stopped it, or went away, knows
+    if code_of(error) is Exit.FAILURE and _was_stopped(error):
+        return Exit.INTERRUPT
     if isinstance(error, InstructionError):
         report(f"fuzzytime: {error.message}\n{underlined(error.text, error.span)}")
         return code_of(error)
@@ -102,6 +104,12 @@ def exit_of(error: BaseException) -> Exit:
     placed = isinstance(error, DocumentError) or isinstance(error.__cause__, DocumentError)
     report(message_of(error) if placed else f"fuzzytime: {message_of(error)}")
     return code_of(error)
+
+
+def _was_stopped(error: BaseException) -> bool:
+    """Whether an error comes of Ctrl-C: Python gives it another name where a class is being made."""
+    behind = error.__cause__ or error.__context__
+    return behind is not None and (isinstance(behind, KeyboardInterrupt) or _was_stopped(behind))
 
 
 def message_of(error: BaseException) -> str:

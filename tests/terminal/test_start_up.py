@@ -13,6 +13,7 @@ import pytest
 from console import ROOT, environment
 from fuzzytime_cli.entry import INTERRUPTED
 from fuzzytime_cli.exits import Exit
+from fuzzytime_cli.faults import exit_of
 
 HEAVY = {
     "numpy",
@@ -97,6 +98,20 @@ def test_a_command_that_is_stopped_while_it_begins_ends_quietly(seconds: float, 
     assert said == b""
     # By the signal itself it ends where Python is on its way out.
     assert process.returncode in {130, 0, -signal.SIGINT}
+
+
+def test_ctrl_c_while_a_class_is_made_is_no_fault(capsys: pytest.CaptureFixture[str]) -> None:
+    class Named:
+        def __set_name__(self, owner: type, name: str) -> None:
+            raise KeyboardInterrupt
+
+    # Before 3.12 Python makes another error of it.
+    with pytest.raises((RuntimeError, KeyboardInterrupt)) as caught:
+        type("Made", (), {"named": Named()})
+    assert exit_of(caught.value) is Exit.INTERRUPT
+    assert capsys.readouterr().err == ""
+    assert exit_of(RuntimeError("of its own")) is Exit.FAILURE
+    assert "this should not happen" in capsys.readouterr().err
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals")
