@@ -9,7 +9,15 @@ import pytest
 import fuzzytime
 
 ROOT = Path(fuzzytime.__file__).parent
-HOUSES = ("language.english", "language.meaning", "language.sentence", "rulebook", "scheduling", "study")
+HOUSES = (
+    "interpreter",
+    "language.english",
+    "language.meaning",
+    "language.sentence",
+    "rulebook",
+    "scheduling",
+    "study",
+)
 """Packages whose modules stand in rooms."""
 
 ROOMS = [

@@ -4,8 +4,8 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from fuzzytime.interpreter.in_other_words.retold import turn
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.retold import turn
 from fuzzytime.language import Instruction, shares_thing
 from fuzzytime.requirement import Constraint, Edge, Recurrence, TimeRequirement
 

@@ -3,11 +3,11 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from fuzzytime.interpreter.apart import asks_for_first
-from fuzzytime.interpreter.in_order import without
+from fuzzytime.interpreter.binding.apart import asks_for_first
+from fuzzytime.interpreter.binding.in_order import without
+from fuzzytime.interpreter.binding.steps import OWN_TIME
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, ProblemKind
 from fuzzytime.interpreter.remarks import problem_of
-from fuzzytime.interpreter.steps import OWN_TIME
 from fuzzytime.requirement import Constraint
 from fuzzytime.skills import Precedence
 

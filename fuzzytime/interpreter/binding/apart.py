@@ -7,10 +7,10 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from fuzzytime.interpreter.in_order import without
+from fuzzytime.interpreter.binding.in_order import without
+from fuzzytime.interpreter.binding.renumbering import renumbered
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.remarks import problem_of
-from fuzzytime.interpreter.renumbering import renumbered
 from fuzzytime.skills import Precedence
 
 

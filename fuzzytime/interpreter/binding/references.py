@@ -9,10 +9,10 @@ from dataclasses import dataclass, field, replace
 from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.interpreter.circles import Before
+from fuzzytime.interpreter.binding.circles import Before
+from fuzzytime.interpreter.binding.ties import Tie
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.remarks import problem_of
-from fuzzytime.interpreter.ties import Tie
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.satisfaction import NEVER

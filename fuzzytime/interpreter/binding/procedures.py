@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from fuzzytime.interpreter.binding.steps import Step, is_asked
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.steps import Step, is_asked
 from fuzzytime.language import Instruction, Lexicon, Reading
 
 THEN = "then"

@@ -9,8 +9,8 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.interpreter.binding.references import Links
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
-from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from fuzzytime.rulebook import Rulebook

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from datetime import datetime
 
-from fuzzytime.interpreter.by_the_sky import told_by_the_sky
+from fuzzytime.interpreter.in_other_words.by_the_sky import told_by_the_sky
 from fuzzytime.interpreter.request import Request
 from fuzzytime.language import Lexicon
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement

@@ -10,10 +10,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
-from fuzzytime.interpreter.circles import Before
+from fuzzytime.interpreter.binding.circles import Before
+from fuzzytime.interpreter.binding.procedures import procedures
+from fuzzytime.interpreter.binding.steps import Row, Step, is_anchored, is_asked
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.procedures import procedures
-from fuzzytime.interpreter.steps import Row, Step, is_anchored, is_asked
 from fuzzytime.language import (
     Instruction,
     Lexicon,

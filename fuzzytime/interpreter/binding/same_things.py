@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
+from fuzzytime.interpreter.binding.steps import OWN_TIME, Step, is_anchored, is_asked
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.steps import OWN_TIME, Step, is_anchored, is_asked
 from fuzzytime.language import content_words
 from fuzzytime.requirement import Constraint
 from fuzzytime.skills import Precedence
