@@ -117,7 +117,7 @@ class Surroundings(BehindTimes):
             return False
         behind = self.words[place + 1 : place + 2]
         dated = bool(behind) and (
-            behind[0].is_digits or behind[0].text in self.lexicon.ordinals.keys() | {"the", "of", "'"}
+            behind[0].is_digits or behind[0].text in self.lexicon.ordinals.keys() | {"the", "of", "'", "-"}
         )
         dated = dated or (bool(behind) and behind[0].text in self.lexicon.numbers)
         # "Meet dawn at noon"

@@ -16,6 +16,9 @@ THESE = frozenset({"this", "that"})
 """Words that may say which of a thing is meant."""
 
 
+TIMES = frozenset({"times", "x"})
+"""What a number of turns counts."""
+
 LONGEST_DAY = 4
 """Words of the name of a day at most: "the day after tomorrow"."""
 
@@ -146,7 +149,15 @@ class Cuts(Standing):
         if piece.rule == "bounds.past_goal" and not self.around.may_end(piece):
             # "Past the weekend market"
             return True
-        if isinstance(piece.value.time, TimeWord) and self.around.follower(piece) == "left":
+        last, follower = self.words[piece.end - 1], self.around.follower(piece)
+        if last.text in self.around.closed.articles and not last.glued and piece.end - piece.start > 1:
+            # "Charge 5 a head"; but "at 5 a tomorrow"
+            other = follower in self.lexicon.function_words or self.around.timely(piece.end)
+            return follower.isalpha() and not other
+        if follower in TIMES and self.measures.is_number(piece.end - 1) and piece.end - piece.start > 1:
+            # "Every monday, 3 times"
+            return True
+        if isinstance(piece.value.time, TimeWord) and follower == "left":
             # "When you have ten minutes left"
             return True
         return self.texts[piece.end - 1] in self.beside.restricting and self.texts[piece.end - 2] == ","

@@ -78,8 +78,8 @@ def _joined(
             # "Today if you can, otherwise tomorrow", "at noon or, failing that, at two"
             between -= lexicon.beside.courteous | closed.singular_anaphors
         if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
-            # "Monday wednesday and friday", as it is said; "mon/wed/fri"
-            between = {","}
+            # "Monday wednesday and friday", as it is said; "mon/wed/fri", "tue/thu at six"
+            between = {"&"} if between else {","}
         if between and between <= TYPED_JOINTS and _is_clock(group[-1]) and _is_clock(following):
             # "7am/7pm", "7am + 7pm"
             between = {"&"}
