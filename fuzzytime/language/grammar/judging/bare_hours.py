@@ -132,7 +132,16 @@ class BareHours(Standing):
             # "Dentist 9.30", but "lunch 12.50"
             taken = self.lexicon.taken - self.lexicon.measure_nouns
             return place == 1 and (happens or before in taken) and self._ends_order(piece)
-        return spelt and (someone or named or happens) and self._ends_order(piece)
+        told = someone or named or happens or self._ends_at_quarter(piece, place)
+        return spelt and told and self._ends_order(piece)
+
+    def _ends_at_quarter(self, piece: Piece, place: int) -> bool:
+        """Whether minutes that few numbers end in stand behind a thing: "feed the cat six fifteen"."""
+        before = self.texts[place - 1] if place else ""
+        costs = not self.lexicon.no_times.costing.isdisjoint(self.texts[: place - 1])
+        counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | self.lexicon.function_words
+        thing = place > 1 and before.isalpha() and before not in counted and not self.around.opens(place - 1)
+        return thing and not costs and piece.value.time.clock.minute in QUARTERS
 
     def _is_in_front(self, piece: Piece) -> bool:
         """Whether two typed numbers stand in front of what is then: "14.30 tea"; but "2.50 coffee"."""
