@@ -1,4 +1,11 @@
-"""From typed words to instructions with time requirements; the only home of spaCy."""
+"""From typed words to instructions with time requirements; the only home of spaCy.
+
+The ``reader`` finds times by the ``grammar`` of ``english`` (``finding``), with what they are in
+``meaning``, and reads what stands around them in the ``sentence``. An ``instruction`` comes out, an
+``answer`` for other programs. ``continued`` and ``about_wishes`` are for conversations. The ``policy``
+decides what words leave open; rule tables bring ``own_words``; ``lines`` and what is ``unseen`` are
+seen to first.
+"""
 
 from fuzzytime.language.about_wishes import (
     AT_FIRST,
