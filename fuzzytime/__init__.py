@@ -14,8 +14,7 @@ The road from text to schedule
     ``language``, ``context`` and ``rulebook`` meet in the ``interpreter``; ``scheduling`` follows; a
     ``study`` makes the tables. What they hand on: ``requirement``, ``satisfaction``, ``skills``.
 What they stand on
-    ``times``, ``errors``, ``english`` and ``spelling``; ``resources`` with their ``cells``,
-    ``yaml_nodes``, ``yaml_document`` and ``yaml_tree``.
+    ``times``, ``documents`` and ``resources``, ``english`` and ``spelling``, ``errors``.
 """
 
 import importlib
