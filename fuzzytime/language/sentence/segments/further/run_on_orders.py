@@ -110,7 +110,9 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             # "Stir it when the chef asks the waiter": what is in a clause.
             return
         before, behind = source.sound[one.main : start].strip(), source.sound[verb:end]
-        sure = here - 1 in timed and (is_bare_order(tree, here, lexicon) or _is_carried(tree, here, timed))
+        sure = here - 1 in timed and (
+            is_bare_order(tree, here, timed, lexicon) or _is_carried(tree, here, timed)
+        )
         yield _Try(place, start, here - 1 in timed, tells, told, sure, before, behind)
 
 
@@ -144,7 +146,7 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     if place - 1 in timed:
         # "The fair is on friday book two tickets", "… at six order pizza", "… at six lock up"
         named = node.lower in lexicon.orders - lexicon.persons and behind.tag.startswith(NOUNS)
-        bare = is_bare_order(tree, place, lexicon) or _is_carried(tree, place, timed)
+        bare = is_bare_order(tree, place, timed, lexicon) or _is_carried(tree, place, timed)
         led = led or behind.tag == "CD" or named or bare
     further = tree.nodes[place + 2 : place + 3]
     carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
