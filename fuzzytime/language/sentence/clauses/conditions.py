@@ -97,7 +97,7 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
         return Condition(text=text, subject=" ".join(named), word=last.lower)
     if (
         last.tag != "NNS"
-        or len(named) == len(before)
+        or (len(named) == len(before) and last.lower not in tree.lexicon.doing.surely_timed)
         or not named
         or not before[-1].tag.startswith(("NN", "JJ"))
     ):

@@ -43,3 +43,10 @@ def is_order(tree: Tree, place: int) -> bool:
         and node.relation not in {"relcl", "acl", "advcl"}
         and not tree.children(place, *SUBJECTS)
     )
+
+
+def denied_from(tree: Tree, place: int) -> int | None:
+    """Give where a verb begins that is denied: "fill it but don't switch it on"."""
+    helping = tree.children(place, "aux")
+    denied = bool(tree.children(place, "neg")) and [tree.nodes[p].lower for p in helping] == ["do"]
+    return helping[0] if denied else None

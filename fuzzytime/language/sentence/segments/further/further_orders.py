@@ -15,7 +15,6 @@ from fuzzytime.language.sentence.segments.further.orders_in_front import (
     ANY_SUBJECTS,
     COORDINATE,
     behind_joint,
-    denied_from,
     first_of,
     order_behind_order,
 )
@@ -26,6 +25,7 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.actions import action_of, gone_to_do
+from fuzzytime.language.sentence.verbs.orders_before import denied_from
 from fuzzytime.language.sentence.verbs.statements import (
     being_behind_order,
     due_too,
