@@ -9,7 +9,6 @@ from fuzzytime.language.about_wishes.awaited import (
     tells_of_somebody,
     written_out,
 )
-from fuzzytime.language.about_wishes.continued import continued, names_thing
 from fuzzytime.language.about_wishes.corrections import added_time, restated, without_closing
 from fuzzytime.language.about_wishes.lengths import by_how_much
 from fuzzytime.language.about_wishes.merging import merged_time
@@ -44,7 +43,6 @@ __all__ = [
     "choice_meant",
     "chooses_none",
     "clauses_of",
-    "continued",
     "continuing",
     "done_at_once",
     "in_its_place",
@@ -53,7 +51,6 @@ __all__ = [
     "is_untold",
     "may_be_thing",
     "merged_time",
-    "names_thing",
     "news_in",
     "perhaps_reported",
     "reported",
