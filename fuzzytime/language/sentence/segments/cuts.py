@@ -17,6 +17,8 @@ from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node
+from fuzzytime.language.sentence.verbs.actions import action_of
+from fuzzytime.language.sentence.verbs.called import person_due
 from fuzzytime.language.sentence.verbs.statements import second_statement
 
 CHAIN = re.compile(r",?w(?:,w)*,?&")
@@ -126,7 +128,7 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
             whole = _begins_order(one, part, start) or _is_told(one, start, lexicon)
             borrowed = wishes.get(start, ())
             verbless = start in gaps and not whole and not borrowed and not _happens(part, lexicon)
-            addressee = one.segment.addressee
+            addressee = one.segment.addressee or _due_too(part, start, lexicon)
             yield Segment((start, last), addressee=addressee, verbless=verbless, borrowed=borrowed)
             return
 
@@ -136,6 +138,17 @@ def _is_overlooked_order(part: Part, place: int, timed: set[int], lexicon: Lexic
     return is_order_between_times(part.tree, place, timed, lexicon) or governs_bare(
         part.tree, place, timed, lexicon
     )
+
+
+def _due_too(part: Part, start: int, lexicon: Lexicon) -> str | None:
+    """Give who must do this, too: "Tim has to wash the car and feed the dog"; None for nobody."""
+    action = action_of(part.tree, lexicon)
+    place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
+    if action is None or place is None or part.tree.nodes[place - 1].lower not in {"and", "&"}:
+        return None
+    node = part.tree.nodes[place]
+    joined = node.relation == "conj" and node.head == action.place and node.tag == "VB"
+    return person_due(part.tree, action.place, lexicon) if joined else None
 
 
 def _happens(part: Part, lexicon: Lexicon) -> bool:

@@ -140,8 +140,9 @@ def _may_be_done(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     known = node.may_act or node.lower in lexicon.addressing
     led = any(one.tag in DETERMINERS for one in behind) and node.tag not in BINDING
-    # "When the light turns green"
+    # "When the light turns green"; but "when the timer goes varnish the chair"
     becomes = node.tag in {"JJ", "RB"} and tree.nodes[place - 1].lemma in lexicon.doing.being
+    becomes = becomes and not (led and node.lower in lexicon.orders)
     return (known or led) and is_bare(node, lexicon) and not becomes
 
 
