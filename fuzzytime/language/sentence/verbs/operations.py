@@ -146,6 +146,7 @@ class Reader(Particles):
         found = (*self.tree.children(verb, *OBJECTS), *self._asked(verb))
         level = [*level, *self._let(verb)]
         direct = [p for p in found if p > verb and p not in level and not self._is_apart(p)]
+        direct = [p for p in direct if not self.names_company(p)]
         yield self.words([p for p in direct if not self.timed(p) or self._is_joined(p)], verb)
         yield self._inquired(verb)
         # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.

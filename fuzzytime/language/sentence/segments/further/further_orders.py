@@ -88,11 +88,10 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
         return place
     if place > 1 and (_follows_so(tree, place, timed) or _follows_statement(tree, place, root, timed)):
         return place
-    if place > 1 and place != root:
-        if is_overlooked(tree, place, timed, lexicon):
-            return place
-        if is_led_by_time(tree, place, timed, lexicon):
-            return behind_joint(tree, place, timed)
+    if place > 1 and place != root and is_overlooked(tree, place, timed, lexicon):
+        return place
+    if place > 1 and is_led_by_time(tree, place, timed, lexicon):
+        return behind_joint(tree, place, timed)
     if (
         place > 1
         and _is_passive_order(tree, place)
