@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.clauses.conditions import ITS, being, happening
+from fuzzytime.language.sentence.clauses.conditions import ITS, being, happening, state
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
@@ -252,4 +252,6 @@ def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
             node.tag == "NNS" and bool(tree.children(root, "nummod"))
         )
     whole = range(len(tree.nodes))
-    return any(read(tree, whole, tree.text) is not None for read in (happening, being))
+    # "When in doubt call Ann"
+    where = tree.nodes[0].lower in lexicon.places and state(tree, whole, tree.text) is not None
+    return where or any(read(tree, whole, tree.text) is not None for read in (happening, being))
