@@ -9,7 +9,15 @@ import pytest
 import fuzzytime
 
 ROOT = Path(fuzzytime.__file__).parent
-HOUSES = ("language.sentence", "rulebook", "scheduling", "study")
+HOUSES = (
+    "interpreter",
+    "language.english",
+    "language.meaning",
+    "language.sentence",
+    "rulebook",
+    "scheduling",
+    "study",
+)
 """Packages whose modules stand in rooms."""
 
 ROOMS = [
@@ -24,10 +32,10 @@ SMALLER_ROOMS = [
 ]
 MAPS = [
     "interpreter",
+    "language.english",
     "language.grammar",
     "language.grammar.judging",
     "language.meaning",
-    "language.meaning.calendars",
     "language.sentence",
     *sorted(ROOMS),
     *sorted(SMALLER_ROOMS),
