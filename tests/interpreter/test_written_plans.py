@@ -136,6 +136,28 @@ def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
     assert starts(made)["s2"] < "09:00"
 
 
+@pytest.mark.parametrize(
+    ("line", "hours"),
+    [
+        ("Wrap 6", ["18:00"]),
+        ("Second milking 4, then bed the calves", ["16:00"]),
+        ("Consults 11-1", ["11:00"]),
+        ("Bottles 11, 1 and 3", ["11:00", "13:00", "15:00"]),
+        ("Wool dyeing: 11.20", ["11:20"]),
+        ("Sweep the yard 11", ["11:00"]),
+    ],
+)
+def test_a_number_alone_is_an_hour_where_most_lines_say_when(line: str, hours: list[str]) -> None:
+    made = starts(told(["Open the hall at 9", "Rehearsal 10.15", "Tea at 10.45", line]))
+    assert [made[name] for name in made if name.startswith("s4")][: len(hours)] == hours
+
+
+@pytest.mark.parametrize("line", ["Stall 4", "Guests: 12", "Simmer 10", "Tables 5 and 6"])
+def test_what_is_called_or_counted_is_no_hour_beside_them(line: str) -> None:
+    made = told(["Open the hall at 9", "Rehearsal 10.15", "Tea at 10.45", line])
+    assert not [time for one in made.skills[3:] for time in one.requirements if time.constraint == "at"]
+
+
 @pytest.mark.parametrize("way", ["hour and a quarter drive", "75 minutes' drive", "an hour's drive"])
 def test_how_long_one_drives_may_be_said_behind_a_comma(way: str) -> None:
     (leaving,) = told([f"Leave at 2, {way}"]).skills

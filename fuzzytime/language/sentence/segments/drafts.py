@@ -21,7 +21,12 @@ from fuzzytime.language.sentence.segments.further.orders_behind_joints import or
 from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.further.same_doers import done_next
 from fuzzytime.language.sentence.segments.lists.dividers import divided
-from fuzzytime.language.sentence.segments.lists.hours_of_lines import are_times, hours_in
+from fuzzytime.language.sentence.segments.lists.hours_of_lines import (
+    Timed,
+    hours_in,
+    how_timed,
+    without_colons,
+)
 from fuzzytime.language.sentence.segments.lists.leading_tags import (
     leading_labels,
     leading_tags,
@@ -147,13 +152,16 @@ def drafted(
 ) -> list[Draft]:
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
     sources, steps, asides, several, messages, tags = [], [], [], [], [], []
-    timed = together and are_times([text for text, _ in texts], lexicon)
+    timed = how_timed([text for text, _ in texts], lexicon) if together else Timed.NO
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         tags.append(leading_tags(text))
-        plain = blanked(without_marks(text, marks), (*tags[-1], *leading_labels(text, lexicon)))
-        hours = hours_in(plain, lexicon) if timed or are_times([text], lexicon) else frozenset()
+        own = max(timed, how_timed([text], lexicon))
+        plain = blanked(without_marks(text, marks), tags[-1])
+        plain = without_colons(plain, lexicon, own) if own else plain
+        plain = blanked(plain, leading_labels(plain, lexicon))
+        hours = hours_in(plain, lexicon, own)
         scanned = _in_entries(plain, hours, grammar, lexicon)
         messages.append(messages_of(scanned, lexicon))
         told = (message.span for message in messages[-1])
