@@ -145,6 +145,9 @@ def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
         ("Bottles 11, 1 and 3", ["11:00", "13:00", "15:00"]),
         ("Wool dyeing: 11.20", ["11:20"]),
         ("Sweep the yard 11", ["11:00"]),
+        ("Phones on 11.30", ["11:30"]),
+        ("Milk round 11", ["11:00"]),
+        ("Evening guests from 7 pm, first dance 7.30", ["19:00", "19:30"]),
     ],
 )
 def test_a_number_alone_is_an_hour_where_most_lines_say_when(line: str, hours: list[str]) -> None:

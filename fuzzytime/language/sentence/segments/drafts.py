@@ -162,7 +162,7 @@ def drafted(
         plain = without_colons(plain, lexicon, own) if own else plain
         plain = blanked(plain, leading_labels(plain, lexicon))
         hours = hours_in(plain, lexicon, own)
-        scanned = _in_entries(plain, hours, grammar, lexicon)
+        scanned = _in_entries(plain, hours, grammar, lexicon, listed=own is Timed.MOST)
         messages.append(messages_of(scanned, lexicon))
         told = (message.span for message in messages[-1])
         scanned = _again(scanned, blanked(scanned.text, told), grammar)
@@ -200,11 +200,14 @@ def drafted(
     ]
 
 
-def _in_entries(text: str, hours: frozenset[int], grammar: Grammar, lexicon: Lexicon) -> Scanned:
+def _in_entries(
+    text: str, hours: frozenset[int], grammar: Grammar, lexicon: Lexicon, *, listed: bool
+) -> Scanned:
     """Scan a text with a stop between each two entries of a line; ``hours`` are marked as such."""
     marked = "".join(MARKS.get(c, c) if place in hours else c for place, c in enumerate(text))
-    listed = switched_apart(run_apart(divided(marked, grammar, lexicon), lexicon), lexicon)
-    typed = "".join(text[place] if place in hours else c for place, c in enumerate(listed))
+    apart = divided(marked, grammar, lexicon, listed=listed)
+    apart = switched_apart(run_apart(apart, lexicon), lexicon)
+    typed = "".join(text[place] if place in hours else c for place, c in enumerate(apart))
     return Scanned.of(typed, grammar, lexicon, hours=hours)
 
 

@@ -14,6 +14,9 @@ A_DAY = 86400.0
 A_WEEK = 7 * A_DAY
 """Seconds of a day and of a week; what is longer names no day."""
 
+BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
+"""How clock times bind that bound what is done: "guests from 7 pm"."""
+
 NIGHT_SECONDS = A_DAY / 2 + 1
 """What goes on over midnight for longer leaves open which half of the day is meant."""
 
@@ -58,7 +61,7 @@ def last_said(requirements: Iterable[TimeRequirement], before: LastSaid) -> Last
             # Of a weekend, its last day.
             named = requirement.grain in {*SUB_DAY, Unit.DAY} or length > A_DAY
             before = replace(before, day=begin + max(0.0, length - A_DAY)) if named else before
-        if requirement.constraint in SAID_WHEN | {Constraint.BEFORE} and requirement.grain in SUB_DAY:
+        if requirement.constraint in SAID_WHEN | BOUNDS and requirement.grain in SUB_DAY:
             if latest is not None and (begin is None or latest - begin > FOLLOWING.total_seconds()):
                 # "Charge overnight and be ready at seven"
                 begin = latest

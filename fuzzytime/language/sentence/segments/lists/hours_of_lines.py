@@ -48,8 +48,9 @@ BESIDE_HOURS = (
     "weekday",
     "day",
     "month",
+    "unit",
 )
-"""What words mean that belong to the hour behind them: "exactly 9.10", "friday 9.30"."""
+"""What words mean that belong to what is behind them: "exactly 9.10", "friday 9.30", "day 3"."""
 
 ENDS = r"\s*(?:$|[,;()!]|\.(?!\d)|[-–—]\s)"
 """What ends what is said of when something is."""
@@ -159,7 +160,8 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         if _takes(before, lexicon) and not typed:
             # "Simmer 10"
             continue
-        named = _is_thing(before[-1], lexicon) if typed else _is_timed(before[-1], lexicon, timed)
+        thing = _thing_of(before, lexicon)
+        named = _is_thing(thing, lexicon) if typed else _is_timed(thing, lexicon, timed)
         goes_on = found["until"] is not None and _goes_on(before, lexicon)
         if (goes_on or named) and _may_end(found, behind, lexicon):
             yield found.start("mark")
@@ -200,11 +202,21 @@ def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:
     return bool(entry) and entry[-1].text in lexicon.timing | lexicon.timing_alone
 
 
+def _thing_of(before: Sequence[Word], lexicon: Lexicon) -> Word:
+    """Give the word in front of an hour that names what is then, "phones" of "phones on 8.30"."""
+    last = before[-1]
+    return before[-2] if last.text in lexicon.beside.switched and len(before) > 1 else last
+
+
 def _is_thing(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word names something that may have an hour, and is no preposition, hedge or day of one."""
     kinds = lexicon.no_times
     numbered = lexicon.measure_nouns | lexicon.amount_nouns | kinds.numbered_in_two | kinds.set_to
-    named = has_time(word.text, lexicon) or word.text not in numbered
+    known = has_time(word.text, lexicon)
+    if known and lexicon.means(word.text, "hedge"):
+        # "Drug round 8.15"
+        return True
+    named = known or word.text not in numbered
     return named and word.text not in lexicon.function_words and not lexicon.means(word.text, *BESIDE_HOURS)
 
 
