@@ -171,3 +171,10 @@ def test_lines_that_go_through_a_day_in_order_go_on_further() -> None:
     lines = ["Open the hall at 8", "Sweep it at 10", "Lunch at 1.30", "Count the tickets at 7.15"]
     assert starts(told(lines))["s4"] == "19:15"
     assert starts(told(lines[2:]))["s2"] == "07:15"
+
+
+def test_what_lines_say_is_hardly_before_the_day_of_those_above_begins() -> None:
+    lines = ["Hall open from 1.30", "Staging 2.30", "Full rehearsal at 4.30", "Piano tuner 12 noon"]
+    found = starts(told([*lines, "Doors 6.45, concert 7.30"]))
+    assert [found["s5"], found["s5.2"]] == ["18:45", "19:30"]
+    assert "08:15" in starts(told([*lines[:2], "Doors 8.15"])).values()

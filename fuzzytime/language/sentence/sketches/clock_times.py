@@ -26,28 +26,41 @@ class LastSaid:
     """The clock time, and the day, that were said last, in seconds from now; None where none was.
 
     ``night`` is from when to when something goes on over midnight, as was told; ``forward`` is how many clock
-    times in a row came later than the one before, on lines before this.
+    times in a row came later than the one before, on ``lines`` before this, and ``earliest`` the earliest of
+    all.
     """
 
     clock: float | None = None
     day: float | None = None
     night: tuple[float, float] | None = None
     forward: int = 0
+    lines: int = 0
+    earliest: float | None = None
 
     @property
     def in_order(self) -> bool:
         """Whether lines go through a day in its order, as far as is known."""
         return self.forward >= IN_ORDER
 
+    @property
+    def opened(self) -> float | None:
+        """The earliest clock time of enough lines, before which another is hardly meant."""
+        return self.earliest if self.lines >= SEVERAL else None
+
     def behind(self, before: "LastSaid") -> "LastSaid":
         """Give the same, with how far lines have gone on from what was said before."""
         if before.clock is None or self.clock is None or self.clock == before.clock:
-            return replace(self, forward=before.forward)
-        return replace(self, forward=before.forward + 1 if self.clock > before.clock else 0)
+            return replace(self, forward=before.forward, lines=before.lines, earliest=before.earliest)
+        forward = before.forward + 1 if self.clock > before.clock else 0
+        earliest = min(self.clock, before.clock if before.earliest is None else before.earliest)
+        return replace(self, forward=forward, lines=before.lines + 1, earliest=earliest)
 
 
 IN_ORDER = 2
 """Times in a row that come later than the one before, from which on lines go through a day in its order."""
+
+SEVERAL = 3
+"""Lines with another clock time than the one before, from which on the earliest is where a day begins."""
 
 NOTHING = LastSaid()
 
