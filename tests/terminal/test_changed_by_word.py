@@ -182,6 +182,32 @@ def test_what_opens_a_change_is_no_other_change(line: str, left: list[str]) -> N
     assert talk.entries == left
 
 
+@pytest.mark.parametrize(
+    ("line", "length", "start"),
+    [
+        ("move Ann up", "by half an hour", (11, 30)),
+        ("bring it forward", "an hour", (11, 0)),
+        ("make it earlier", "10 minutes", (11, 50)),
+        ("push it back", "an hour", (13, 0)),
+        ("push it back", "an hour earlier", (11, 0)),
+    ],
+)
+def test_a_length_that_was_asked_for_goes_the_way_that_was_said(
+    line: str, length: str, start: tuple[int, int]
+) -> None:
+    talk = talk_of("call Ann at noon")
+    assert "by how much?" in talk.say(line)
+    talk.say(length)
+    assert (talk.start("s1").hour, talk.start("s1").minute) == start
+
+
+@pytest.mark.parametrize("reason", ["Bob is doing it", "we already talked", "it's raining"])
+def test_what_somebody_else_does_is_no_wish_in_its_place(reason: str) -> None:
+    talk = talk_of("call Ann at noon")
+    assert "changes nothing" in talk.say(f"cancel the call, {reason}")
+    assert talk.entries == []
+
+
 def test_a_change_that_would_lose_one_of_several_changes_nothing() -> None:
     talk = talk_of("saturday: mow the lawn at ten am, wash the car at noon")
     assert "nothing is changed" in talk.say("move the lawn to sunday")

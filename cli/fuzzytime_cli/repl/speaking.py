@@ -35,7 +35,8 @@ from fuzzytime_cli.repl.naming import LABEL, entries_meant, entry_of, label_mean
 from fuzzytime_cli.repl.retiming import said_anew, same_anew, timed_now, wished_instead
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.repl.taking import run, run_each
-from fuzzytime_cli.repl.telling import behind_how_a_day_is, is_news, tells_what_is, told_state
+from fuzzytime_cli.repl.telling import behind_how_a_day_is, is_news, told_state
+from fuzzytime_cli.told_states import tells_what_is
 
 CHANGING = frozenset(
     {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE, AboutKind.EXCEPT}
@@ -84,9 +85,9 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
 
 def _reply_about(scene: Scene, words: str) -> Reply | None:
     lexicon = scene.conversation.interpreter.language.lexicon
-    length = None if scene.asked is None else by_how_much(words, scene.now, lexicon)
-    if scene.asked is not None and length is not None:
-        return _taken(scene, replace(scene.asked, by=-length if scene.asked.earlier else length))
+    asked = None if scene.asked is None else by_how_much(words, scene.asked, scene.now, lexicon)
+    if asked is not None:
+        return _taken(scene, asked)
     if waited := happened(scene, words):
         reading = scene.conversation.interpreter.language.read(words, now=scene.now)
         return told_state(scene, words, reading) or run_each(scene, waited)

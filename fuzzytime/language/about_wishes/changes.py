@@ -130,9 +130,10 @@ def _ordered(said: Said) -> About | None:
             time = AT_FIRST if rest.forms == (FIRST,) else AT_ONCE
             return replace(about_thing(AboutKind.MOVE, thing), time=time)
         new = rest.without("instead")[0]
-        if new.words and not new.without(*DIRECTIONS)[0].words and is_last(thing):
+        undirected, directions = new.without(*DIRECTIONS)
+        if new.words and not undirected.words and is_last(thing):
             # "Do it earlier": by how much is not said
-            return About(kind=AboutKind.DELAY, certain=True)
+            return About(kind=AboutKind.DELAY, earlier="earlier" in directions, certain=True)
         if (later := later_by(new)) is not None and not later[1].words:
             about = about_thing(AboutKind.DELAY, thing)
             return replace(about, by=later[0].by, text=later[0].text, earlier=later[0].earlier)

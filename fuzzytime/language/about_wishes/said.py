@@ -33,6 +33,7 @@ ENDS = ".?! "
 
 FOR = "for "
 AT = "at "
+FROM = "from "
 THE = "the"
 LAST = "last"
 
@@ -235,7 +236,9 @@ class Said:
         found = [(text, part) for text in tried for part in self._as_one_time(text)]
         if len(found) > 1 and _lacks_preposition(found[0][1]):
             found = found[1:]
-        return found[0][0] if found else ""
+        # "Make it four to six"
+        stretch = FROM + bare if self._as_one_time(FROM + bare) and not found else ""
+        return found[0][0] if found else stretch
 
     def is_bare(self, time: str) -> bool:
         """Whether it has no preposition of its own where it is a new time: "seven", "to half past"."""
