@@ -7,9 +7,9 @@ import pytest
 
 from fuzzytime.errors import InstructionError
 from fuzzytime.language import Instruction, Operation, RemarkKind
-from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
-from fuzzytime.language.meaning.recurrence_by_months import RecurrenceByMonths
-from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
+from fuzzytime.language.meaning.recurrences.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrences.recurrence_by_months import RecurrenceByMonths
+from fuzzytime.language.meaning.recurrences.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Edge, TimeRequirement
 from language.reading import CORPUS, NOW, language
 

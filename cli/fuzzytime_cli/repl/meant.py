@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import AT_FIRST, AT_ONCE, About, AboutKind, content_words
 from fuzzytime.times import instant_after, parse_duration
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import (
     called,
     entries_meant,

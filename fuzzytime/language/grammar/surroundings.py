@@ -6,9 +6,9 @@ from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.behind_times import BehindTimes
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.meaning.calendar import Fields, Weekend
+from fuzzytime.language.meaning.days.relations import Deictic
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
-from fuzzytime.language.meaning.relations import Deictic
 
 HER = "her"
 """Who is asked, or whose something is."""

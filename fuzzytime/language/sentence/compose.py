@@ -14,8 +14,8 @@ from fuzzytime.language.instruction import (
     Remark,
     Span,
 )
-from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.meaning.requirements import Grounded
+from fuzzytime.language.meaning.grounded.moment import Moment
+from fuzzytime.language.meaning.required.requirements import Grounded
 from fuzzytime.language.sentence.asked_for import asked_of
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions

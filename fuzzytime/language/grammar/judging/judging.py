@@ -16,7 +16,7 @@ from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.distances import INTO, LAST
+from fuzzytime.language.meaning.days.relations import CountedDay
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -30,7 +30,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
-from fuzzytime.language.meaning.relations import CountedDay
+from fuzzytime.language.meaning.joined.distances import INTO, LAST
 from fuzzytime.language.meaning.times_of_day import Clock
 
 OF_HOURS = frozenset(

@@ -15,9 +15,9 @@ from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Cycle, Fields
+from fuzzytime.language.meaning.days.relations import Deictic, Which
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.feasts import OfYear, Season
-from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.requirement import Unit
 
 PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR))

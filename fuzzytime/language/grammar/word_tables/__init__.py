@@ -1,4 +1,8 @@
-"""Reading the word tables: YAML to a `Lexicon`, with every mistake at its line and column."""
+"""Reading the word tables: YAML to a `Lexicon`, with every mistake at its line and column.
+
+``tables`` are read in ``layers``: of ``calendar.yaml`` the ``days``, ``feasts`` (with ``feast_names``)
+and ``policies``; of ``lexicon.yaml`` the ``speech`` and the ``groups``.
+"""
 
 from collections.abc import Iterable
 from pathlib import Path

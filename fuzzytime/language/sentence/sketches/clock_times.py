@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from datetime import timedelta
 
 from fuzzytime.language.instruction import Reading
-from fuzzytime.language.meaning.chosen_clocks import CLOSE, FOLLOWING
+from fuzzytime.language.meaning.grounded.chosen_clocks import CLOSE, FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.sketches.alternatives import SAID_WHEN
 from fuzzytime.requirement import Constraint, TimeRequirement, Unit

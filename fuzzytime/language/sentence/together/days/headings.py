@@ -8,8 +8,8 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.joined.told_apart import told_apart
 from fuzzytime.language.meaning.phrases import places_in
-from fuzzytime.language.meaning.told_apart import told_apart
 from fuzzytime.language.sentence.segments.drafts import Draft, Heading
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import sketch_of

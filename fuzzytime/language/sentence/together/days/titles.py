@@ -8,7 +8,7 @@ from itertools import pairwise
 from fuzzytime.language.finding import ground_all
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
-from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.language.policy import Policy

@@ -5,9 +5,9 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.bounded_repeats import is_of_day
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord, Wall
+from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.times.mornings import part_said
 from fuzzytime.language.sentence.together.times.said_again import (
