@@ -2,11 +2,9 @@
 
 from collections.abc import Iterable
 
+from fuzzytime.english import SHORT_FOR_IS
 from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import Lexicon, Reading, content_words
-
-SHORT = frozenset({"'s", "\u2019s"})
-"""What is short for "is", or tells whose something is."""
 
 
 def tells_a_state(said: str, reading: Reading, lexicon: Lexicon) -> bool:
@@ -48,7 +46,9 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     if _is_short_for_is(reading) or _goes_on(reading, lexicon):
         return True
     if operation.due is not None:
-        return (operation.object or "").endswith(("'s", "\u2019s"))
+        # "Mum called"
+        calls = operation.lemma in lexicon.addressing and not reading.instructions[0].requirements
+        return calls or (operation.object or "").endswith(("'s", "\u2019s"))
     first = reading.tokens[0].text.lower() if reading.tokens else ""
     if operation.negated or reading.instructions[0].requirements:
         return False
@@ -75,7 +75,9 @@ def _goes_on(reading: Reading, lexicon: Lexicon) -> bool:
 def _is_short_for_is(reading: Reading) -> bool:
     """Whether words tell how something is, whose "'s" a tree takes for an owner's: "glue's dry"."""
     tokens = reading.tokens
-    place = next((n for n, token in enumerate(tokens) if token.text in SHORT and n + 1 < len(tokens)), None)
+    place = next(
+        (n for n, token in enumerate(tokens) if token.text in SHORT_FOR_IS and n + 1 < len(tokens)), None
+    )
     if place is None or reading.instructions[0].requirements:
         return False
     following = tokens[place + 1]

@@ -49,9 +49,7 @@ def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     'at seven'
     """
     said = Said.of(text, now, lexicon).without_exclamations()
-    behind = lexicon.courtesies | said.table("preferring") | said.table("instead")
-    closing = (form for form in behind if said.forms[-len(form) :] == form != said.forms)
-    said = said.until(len(said.words) - max(map(len, closing), default=0))
+    said = said.without_end(lexicon.courtesies | said.table("preferring") | said.table("instead"))
     if (counted := _counted_at(said)) is not None:
         return counted
     # "Post 11" is an errand, rather than after eleven.

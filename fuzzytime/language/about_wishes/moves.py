@@ -12,6 +12,9 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 FOR = "for"
 PUT = "put"
 NOW = "now"
+LEAVE = "leave"
+LEFT = frozenset({FOR, "till", "until"})
+"""What stands between what is left and until when."""
 
 
 def delayed(said: Said) -> About | None:
@@ -73,7 +76,7 @@ def moved(said: Said) -> About | None:
     if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
         # "I need it by three"
         return About(kind=AboutKind.MOVE, time=time, certain=True)
-    if (able := _able(said) or _now_at(said)) is not None:
+    if (able := _able(said) or _now_at(said) or _left_for(said)) is not None:
         return able
     delaying = said.after("delaying")
     if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
@@ -119,6 +122,16 @@ def _able(said: Said) -> About | None:
         if rest is not None and time and (last or who.names):
             names = frozenset() if last else who.names
             return About(kind=AboutKind.MOVE, names=names, time=time, bare=rest.is_bare(time), certain=True)
+    return None
+
+
+def _left_for(said: Said) -> About | None:
+    """Read until when something is left: "leave it till monday"; but "leave the dough for an hour"."""
+    for place in range(2, len(said.words) if said.forms[0] == LEAVE else 0):
+        thing, new = said.until(place).behind(1), said.behind(place)
+        time = new.as_time() if new.forms[0] in LEFT else ""
+        if time and not time.startswith(f"{FOR} ") and (thing.names or is_last(thing)):
+            return replace(about_thing(AboutKind.MOVE, thing), time=time)
     return None
 
 

@@ -104,7 +104,11 @@ class Said:
 
     def without_thanks(self) -> "Said":
         """Leave out what is polite behind something else: "the soup first, please"."""
-        behind = (form for form in self.lexicon.courtesies if self.forms[-len(form) :] == form != self.forms)
+        return self.without_end(self.lexicon.courtesies)
+
+    def without_end(self, forms: frozenset[Form]) -> "Said":
+        """Leave out the longest of some forms that ends it, and is not all of it."""
+        behind = (form for form in forms if self.forms[-len(form) :] == form != self.forms)
         return self.until(len(self.words) - max(map(len, behind), default=0))
 
     def without_exclamations(self) -> "Said":
