@@ -103,6 +103,7 @@ def test_what_goes_on_is_meant_and_not_what_is_done_with_it() -> None:
     [
         ("clean the garage tomorrow from two to four", (38, 40)),
         ("write the essay tonight 7 til 9", (19, 21)),
+        ("study tomorrow seven to nine", (31, 33)),
         ("clean the garage tomorrow between two and four", None),
         ("mow the lawn anytime 3 to 5", None),
     ],

@@ -1,7 +1,6 @@
 """Instructions in other words: two ends as start and length, one occurrence of many, the way somewhere."""
 
 import math
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from datetime import datetime
@@ -17,9 +16,6 @@ RIGHT_THEN = "exactly"
 """How near what somebody goes to follows the way there."""
 
 FROM, UNTIL = "from", "until"
-ENDS = re.compile(rf"\b(?:{FROM}\s|\d)", re.IGNORECASE)
-"""How two ends of a stretch begin."""
-
 LASTING = frozenset({"be", "have"})
 """What is said of somebody or something that is so for a while: "I'm out until four"."""
 
@@ -106,12 +102,17 @@ def from_to(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Inst
 
 def _says_ends(part: TimeRequirement, given: datetime, lexicon: Lexicon) -> bool:
     """Whether a time is two ends, perhaps behind its day: "from two to four", "tomorrow 2-4"."""
-    ends = ENDS.search(part.text)
-    day = "" if ends is None else part.text[: ends.start()].rstrip(" ,")
-    if not day:
-        return ends is not None
+    words = part.text.lower().split()
+    first = next((place for place, word in enumerate(words) if _opens_ends(word, lexicon)), None)
+    day = " ".join(part.text.split()[:first])
+    if not first:
+        return first is not None
     times = find_times(day, given, lexicon).requirements
     return [(time.text, time.constraint) for time in times] == [(day, Constraint.BETWEEN)]
+
+
+def _opens_ends(word: str, lexicon: Lexicon) -> bool:
+    return word == FROM or word[0].isdigit() or word in lexicon.numbers
 
 
 def _beginning(part: TimeRequirement) -> TimeRequirement:
