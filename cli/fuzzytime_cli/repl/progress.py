@@ -124,7 +124,8 @@ def length_said(scene: Scene, about: About) -> str:
         by = some_time(scene, about.text)
         return as_typed(-by if about.earlier else by)
     if about.by is None:
-        message = "by how much? Say: push it back by ten minutes (or: make it half past six)"
+        way = "bring it forward" if about.earlier else "push it back"
+        message = f"by how much? Say: {way} by ten minutes (or: make it half past six)"
         raise AskedBackError(message, about)
     return as_typed(about.by)
 

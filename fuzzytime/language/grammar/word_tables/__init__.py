@@ -240,7 +240,7 @@ _ROWS = {
         "supposing", "filling", "first", "instead", "letting", "answering", "going ahead", "beginning now",
         "on time", "having left", "lasting so long", "greeting",
         "again", "like", "continuing", "following", "closing", "naming anew", "meaning", "other",
-        "reversing", "stopping", "no longer", "restoring", "slightly", "several", "skipping",
+        "reversing", "stopping", "no longer", "restoring", "staying", "slightly", "several", "skipping",
         "letting go", "denying",
         "proposing", "exclaiming", "free", "may do", "having time", "done already",
         "said of me", "not done", "asking about", "holding", "besides", "asking next", "asking when",
