@@ -62,8 +62,11 @@ BRACKETS = (("(", ")"), ("[", "]"))
 """Marks that open, and that close."""
 
 
-def divided(text: str, grammar: Grammar, lexicon: Lexicon) -> str:
-    """Give a text of the same length with a stop in place of each mark between entries."""
+def divided(text: str, grammar: Grammar, lexicon: Lexicon, *, listed: bool = False) -> str:
+    """Give a text of the same length with a stop in place of each mark between entries.
+
+    It may be one of the lines that together are ``listed`` with their times.
+    """
     text = LEADING.sub(lambda found: " " * len(found[0]), text)
     for line in LINE.finditer(text):
         bullets = _found(BULLET, text, line)
@@ -71,7 +74,8 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon) -> str:
             text = _with_stops(text, bullets)
         commas = _found(COMMA, text, line)
         items = _between(text, line, commas)
-        if commas and any(told(items, grammar, lexicon) for told in BY_COMMAS):
+        kinds = (*BY_COMMAS, _each_ends_timed) if listed else BY_COMMAS
+        if commas and any(told(items, grammar, lexicon) for told in kinds):
             text = _with_stops(text, commas)
         for kind in MARKS:
             marks = _found(kind, text, line)
@@ -195,6 +199,28 @@ def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> 
     return all(
         ((entry.clocked or entry.bounded) and entry.named and entry.opens) or entry.counted
         for entry in others
+    )
+
+
+def _each_ends_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether commas stand between things that each end in their time: "tenors from 2.30, first altos 3.15".
+
+    The first is nothing to do, that may be done with the others, too.
+    """
+    first, *others = (Entry.of(item, grammar, lexicon) for item in items)
+    doing = lexicon.doing
+    verbs = lexicon.orders.union(
+        lexicon.addressing,
+        lexicon.circling,
+        *(doing.errands, doing.putting, doing.several_timed, doing.shutting),
+    )
+    if not first.words or first.words[0].text in verbs:
+        return False
+    if any(one.words and one.words[0].text in doing.timed for one in others):
+        # "Coach leaves at 8, arrives 9.30"
+        return False
+    return all(
+        (one.clocked or one.bounded) and one.ends and one.named[:1] == (0,) for one in (first, *others)
     )
 
 

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fuzzytime.documents.nodes import MAX_BYTES, MAX_DEPTH, Mapping, Reader, Scalar
 from fuzzytime.errors import DocumentError, FuzzytimeError
 from fuzzytime.spelling import suggestion
 from fuzzytime.times import parse_duration
-from fuzzytime.yaml_nodes import MAX_BYTES, MAX_DEPTH, Mapping, Reader, Scalar
 
 
 def mistakes_of(source: str | bytes) -> list[str]:

@@ -2,8 +2,8 @@
 
 PyYAML's objects lose the places of keys and values, turn ``on`` into true and ``1:30`` into ninety, and
 follow aliases into bombs. So a document is read into a tree in which every scalar is still text (see
-`fuzzytime.yaml_tree`); converting is the caller's, through a `Reader`, which collects mistakes instead of
-stopping at the first. Aliases, anchors, tags and merge keys are refused.
+`fuzzytime.documents.tree`); converting is the caller's, through a `Reader`, which collects mistakes
+instead of stopping at the first. Aliases, anchors, tags and merge keys are refused.
 """
 
 import math
@@ -11,11 +11,11 @@ import re
 from collections.abc import Callable, Collection, Iterable
 from typing import TypeVar
 
+from fuzzytime.documents.document import MAX_BYTES, Document
+from fuzzytime.documents.tree import MAX_DEPTH, Mapping, Node, Scalar, Sequence
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.spelling import nearest, suggestion
 from fuzzytime.times import format_duration, parse_duration
-from fuzzytime.yaml_document import MAX_BYTES, Document
-from fuzzytime.yaml_tree import MAX_DEPTH, Mapping, Node, Scalar, Sequence
 
 __all__ = ["MAX_BYTES", "MAX_DEPTH", "Mapping", "Node", "Reader", "Scalar", "Sequence"]
 

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from datetime import datetime
-from typing import TYPE_CHECKING
 
 from fuzzytime.language.about_wishes.about import AboutKind
 from fuzzytime.language.about_wishes.rewording import is_thing, reworded
@@ -11,17 +10,15 @@ from fuzzytime.language.about_wishes.things import continuing
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation, Reading
+from fuzzytime.language.reader import Language
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.times import instant_after
 
 MOST_WORDS = 6
 """Words that the name of a thing has at most."""
 
-if TYPE_CHECKING:
-    from fuzzytime.language.reader import Language
 
-
-def continued(text: str, now: datetime, before: str, said: datetime, language: "Language") -> str | None:
+def continued(text: str, now: datetime, before: str, said: datetime, language: Language) -> str | None:
     """Give in full what leans on what was asked for before; None where it does not, or cannot.
 
     Parameters
@@ -101,7 +98,7 @@ def _is_met(thing: str, operation: Operation, lexicon: Lexicon) -> bool:
     return person and not known
 
 
-def names_thing(thing: str, now: datetime, language: "Language") -> bool:
+def names_thing(thing: str, now: datetime, language: Language) -> bool:
     """Whether words name a thing with which nothing is done without another verb.
 
     "And dinner at seven" and "then a nap" are something of their own, and so is "and stir".

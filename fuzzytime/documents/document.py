@@ -7,8 +7,8 @@ import re
 from pathlib import Path
 from typing import NoReturn, Self
 
+from fuzzytime.documents.tree import Node, Place, Scalar, TreeError, parse_tree
 from fuzzytime.errors import DocumentError, Mistake
-from fuzzytime.yaml_tree import Node, Place, Scalar, TreeError, parse_tree
 
 MAX_BYTES = 1 << 20
 
