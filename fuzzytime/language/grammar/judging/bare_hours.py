@@ -144,8 +144,9 @@ class BareHours(Standing):
         """Whether minutes that few numbers end in stand behind a thing: "feed the cat six fifteen"."""
         before = self.texts[place - 1] if place else ""
         costs = not self.lexicon.no_times.costing.isdisjoint(self.texts[: place - 1])
-        counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | self.lexicon.function_words
-        thing = place > 1 and before.isalpha() and before not in counted and not self.around.opens(place - 1)
+        counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | self.lexicon.no_times.codes
+        named = before.isalpha() and before not in counted | self.lexicon.function_words
+        thing = named and not self.measures.is_number(place - 1) and not self.around.opens(place - 1)
         return thing and not costs and piece.value.time.clock.minute in QUARTERS
 
     def _ends_meeting(self, piece: Piece) -> bool:
@@ -163,6 +164,7 @@ class BareHours(Standing):
         said = [*takewhile(lambda text: text not in marks, reversed(self.texts[:place]))]
         noun, before = (said[0], set(said[1:])) if said else ("", set[str]())
         unmet = self.lexicon.called_by_number | self.lexicon.addressing | self.lexicon.orders
+        unmet |= self.lexicon.playing
         if not noun or noun in unmet or any(text.isdecimal() for text in said):
             # "Vet 10 dentist 3"
             return False
