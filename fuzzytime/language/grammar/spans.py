@@ -222,6 +222,7 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
         or is_moved(scanned.words, piece.start, piece.end, lexicon)
     ]
     called += [piece for piece in scanned.pieces("hours open") if judge.walls.is_open(piece.start)]
+    called += [piece for piece in scanned.pieces("so many each") if judge.lengths.counts_each(piece)]
     instead = {(piece.start, piece.end) for piece in called}
     said = [piece for piece in scanned.pieces("said") if (piece.start, piece.end) not in instead]
     chosen = _best_of(called, said, len(scanned.words), judge)
