@@ -227,6 +227,7 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     said = [piece for piece in scanned.pieces("said") if (piece.start, piece.end) not in instead]
     chosen = _best_of(called, said, len(scanned.words), judge)
     chosen += [piece for one in chosen for piece in judge.further.continued(one, scanned.cells, chosen)]
+    chosen += [piece for one in chosen for piece in judge.further.before(one, scanned.cells, chosen)]
     read = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
     found = [
         one
