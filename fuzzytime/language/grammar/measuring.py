@@ -207,7 +207,7 @@ class Measures:
             first -= 2
         named = self.texts[first - 2 : first - 1] if first > 1 else []
         called = {text.removesuffix(end) for text in named for end in ("", "s")}
-        again = self.texts[first] in self.beside.first_of_repetitions
+        again = self.texts[piece.start] in self.beside.first_of_repetitions
         if self.is_number(piece.start - 1) and not again and not (self.lexicon.measure_nouns & called):
             # "Within two working days"; but "pick from bin 4 daily", "take 2 every four hours"
             return True

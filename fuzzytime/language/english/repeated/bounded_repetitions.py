@@ -211,6 +211,12 @@ def so_many_each_bounded(each: Said, said: Said) -> Said | None:
     return None if found is None else replace(each, time=found)
 
 
+@grammar.rule("repeat", "<hours open> ,|on? <repeat>", weight=-0.5)
+def hours_repeated(said: Said, repeat: Repeat) -> Repeat | None:
+    """(homework) 4 to 5 on weekdays."""
+    return within_range(said, repeat)
+
+
 @grammar.rule("repeat", "<said> ,|on? <repeat>", weight=-1)
 def within_range(said: Said, repeat: Repeat) -> Repeat | None:
     """From nine to five every day, between lunch and three on fridays."""
