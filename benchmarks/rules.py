@@ -14,6 +14,7 @@ import numpy as np
 from rules_peers import STATIC, StaticRule, by_rtamt, installed
 
 from fuzzytime.context import Context
+from fuzzytime.documents.nodes import Reader
 from fuzzytime.errors import DocumentError
 from fuzzytime.requirement import Condition, Constraint, TimeRequirement
 from fuzzytime.rulebook import Profile, Resolution, Rulebook, check
@@ -22,7 +23,6 @@ from fuzzytime.rulebook.over_time.world import Grid, World
 from fuzzytime.rulebook.resolving.inference import takagi_sugeno
 from fuzzytime.rulebook.tables.documents import SHIPPED, Document, load, read_over, shipped_tables
 from fuzzytime.satisfaction import Floats
-from fuzzytime.yaml_nodes import Reader
 
 SEEDED = Path(__file__).parent.parent / "tests" / "rulebook" / "seeded_mistakes.yaml"
 RULES, ROWS, SAMPLES, RUNS = 50, 10_000, 1801, 20

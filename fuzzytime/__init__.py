@@ -9,6 +9,12 @@
 ('optimal', 1.0)
 
 The names below are imported when they are first used, so that importing fuzzytime costs nothing.
+
+The road from text to schedule
+    ``language``, ``context`` and ``rulebook`` meet in the ``interpreter``; ``scheduling`` follows; a
+    ``study`` makes the tables. What they hand on: ``requirement``, ``satisfaction``, ``skills``.
+What they stand on
+    ``times``, ``documents`` and ``resources``, ``english`` and ``spelling``, ``errors``.
 """
 
 import importlib

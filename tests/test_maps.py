@@ -1,4 +1,4 @@
-"""The docstrings of packages with many modules are maps, which lead to each of them."""
+"""The docstrings of packages are maps, which lead to each of their modules."""
 
 import re
 from importlib import import_module
@@ -7,39 +7,28 @@ from pathlib import Path
 import pytest
 
 import fuzzytime
+import fuzzytime_cli
 
-ROOT = Path(fuzzytime.__file__).parent
-HOUSES = ("language.sentence", "rulebook", "scheduling", "study")
-"""Packages whose modules stand in rooms."""
-
-ROOMS = [
-    f"{house}.{path.parent.name}"
-    for house in HOUSES
-    for path in ROOT.joinpath(*house.split(".")).glob("*/__init__.py")
-]
-SMALLER_ROOMS = [
-    f"language.sentence.{room}.{path.parent.name}"
-    for room in ("segments", "together")
-    for path in ROOT.joinpath("language", "sentence", room).glob("*/__init__.py")
-]
-MAPS = [
-    "interpreter",
-    "language.grammar",
-    "language.grammar.judging",
-    "language.meaning",
-    "language.meaning.calendars",
-    "language.sentence",
-    *sorted(ROOMS),
-    *sorted(SMALLER_ROOMS),
-]
+ROOTS = [Path(module.__file__ or "").parent for module in (fuzzytime, fuzzytime_cli)]
+FEW = 2
+"""Modules that need no map."""
 
 
-@pytest.mark.parametrize("name", MAPS)
+def modules_of(package: Path) -> set[str]:
+    """Give what stands in a package: modules, and packages in it."""
+    return {
+        path.stem for path in package.iterdir() if path.suffix == ".py" or (path / "__init__.py").exists()
+    } - {"__init__", "__main__"}
+
+
+PACKAGES = {
+    ".".join(path.parent.relative_to(root.parent).parts): path.parent
+    for root in ROOTS
+    for path in sorted(root.rglob("__init__.py"))
+}
+
+
+@pytest.mark.parametrize("name", [name for name, path in PACKAGES.items() if len(modules_of(path)) > FEW])
 def test_the_map_of_a_package_names_each_module_and_nothing_else(name: str) -> None:
-    package = import_module(f"fuzzytime.{name}")
-    here = Path(package.__file__ or "").parent
-    modules = {
-        path.stem for path in here.iterdir() if path.suffix == ".py" or (path / "__init__.py").exists()
-    }
-    named = re.findall(r"``(\w+)``", package.__doc__ or "")
-    assert sorted(named) == sorted(modules - {"__init__"})
+    named = re.findall(r"``(\w+)``", import_module(name).__doc__ or "")
+    assert sorted(named) == sorted(modules_of(PACKAGES[name]))

@@ -5,10 +5,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.spelling import nearest
 from fuzzytime.times import parse_duration, parse_zone
-from fuzzytime.yaml_nodes import Node, Reader
 from fuzzytime_cli.choices import ActorChoice, ProfileChoice, SolverChoice
 from fuzzytime_cli.faults import ConfigError, as_config
 

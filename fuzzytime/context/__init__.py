@@ -1,4 +1,9 @@
-"""Readings of the world over time, and forecasts of them."""
+"""Readings of the world over time, and forecasts of them.
+
+``signals`` can be read, in ``units``; ``readings`` come from ``files``, ``lines`` and a
+``spreadsheet``. A ``series`` is one signal over all time, and its ``forecast`` comes of ``fitting`` and
+``sampling``.
+"""
 
 from fuzzytime.context.files import (
     parse_assignment,

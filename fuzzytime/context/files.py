@@ -10,10 +10,10 @@ from fuzzytime.context.lines import LONGEST_LINE, LineError, parse_context_line
 from fuzzytime.context.readings import MAX_READINGS, Context, Reading, admitted
 from fuzzytime.context.signals import Signal
 from fuzzytime.context.spreadsheet import is_head, read_rows
+from fuzzytime.documents.nodes import Mapping as MappingNode
+from fuzzytime.documents.nodes import Node, Reader, Scalar
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.spelling import suggestion
-from fuzzytime.yaml_nodes import Mapping as MappingNode
-from fuzzytime.yaml_nodes import Node, Reader, Scalar
 
 LARGEST_FILE = 64 << 20
 

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from datetime import datetime
 from itertools import chain
 
-from fuzzytime.cells import delimiter_of, with_point
 from fuzzytime.context.lines import KEYS, LONGEST_LINE, LineError, reading_of
 from fuzzytime.context.readings import MAX_READINGS, Context, Reading
 from fuzzytime.context.signals import Signal
+from fuzzytime.documents.cells import delimiter_of, with_point
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.spelling import suggestion
 

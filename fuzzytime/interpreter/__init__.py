@@ -6,17 +6,11 @@ way.
 Understanding (``interpreter``)
     Values: ``request``, ``interpretation``.
     Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``, ``joining``.
-    In other words: ``in_full``, ``retold``, ``told_anew``, ``lasting``, ``waits``, ``by_the_sky``;
-    none: ``why_nothing``.
-    Repeated beside something else: ``inside``, ``behind``, ``each_turn``, ``of_each``, ``passing``,
-    ``turns_in_bounds``.
-    Done ``meanwhile``, or ``giving_way`` to what is said to begin.
-    Who, and how far ahead: ``asked``, ``horizon``, ``waking_hours``.
+    What was said ``in_other_words``; what happens, ``told_anew``; ``turns`` of what is repeated.
+    Who, and how far ahead: ``asked``, ``horizon``.
 
 What binds skills
-    References: ``references``, ``ties``, ``circles``; what cannot be done during another (``both_hands``).
-    Order: ``in_order`` by ``steps``, ``procedures``, ``same_things``, ``loosening``.
-    Where some skills are left out: ``renumbering``; what waits is set ``apart``.
+    References and order: ``binding``.
 
 Planning (``planner``)
     What happens by itself, and what has begun: ``happening``, ``started``.

@@ -5,19 +5,19 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.interpreter.behind import Behind, behind_of
-from fuzzytime.interpreter.each_turn import EachTurn, each_turn_of
-from fuzzytime.interpreter.in_order import Rows, without_now
-from fuzzytime.interpreter.inside import GoingOn, going_on
+from fuzzytime.interpreter.binding.in_order import Rows, without_now
+from fuzzytime.interpreter.binding.meanwhile import beside_what_lasts, going_on_by_itself
+from fuzzytime.interpreter.binding.references import Links
+from fuzzytime.interpreter.in_other_words.why_nothing import why_nothing
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
-from fuzzytime.interpreter.meanwhile import beside_what_lasts, going_on_by_itself
-from fuzzytime.interpreter.of_each import OfEach, of_each, said_of_each
-from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
 from fuzzytime.interpreter.told_anew import asks_beside_another, meant, on_its_day, told_anew
-from fuzzytime.interpreter.why_nothing import why_nothing
+from fuzzytime.interpreter.turns.behind import Behind, behind_of
+from fuzzytime.interpreter.turns.each_turn import EachTurn, each_turn_of
+from fuzzytime.interpreter.turns.inside import GoingOn, going_on
+from fuzzytime.interpreter.turns.of_each import OfEach, of_each, said_of_each
 from fuzzytime.language import (
     Instruction,
     News,

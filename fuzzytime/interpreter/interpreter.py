@@ -7,22 +7,22 @@ from datetime import datetime
 from fuzzytime.context import Context
 from fuzzytime.errors import InstructionError
 from fuzzytime.interpreter.asked import by_agents
-from fuzzytime.interpreter.by_the_sky import told_by_the_sky
+from fuzzytime.interpreter.binding.giving_way import giving_way
+from fuzzytime.interpreter.binding.in_order import Rows, free_of_circles, of_places
+from fuzzytime.interpreter.binding.references import Links, link
+from fuzzytime.interpreter.binding.same_things import of_things
 from fuzzytime.interpreter.gathering import Gathering
-from fuzzytime.interpreter.giving_way import giving_way
 from fuzzytime.interpreter.horizon import horizon_of, within_horizon
-from fuzzytime.interpreter.in_full import in_full
-from fuzzytime.interpreter.in_order import Rows, free_of_circles, of_places
+from fuzzytime.interpreter.in_other_words.by_the_sky import told_by_the_sky
+from fuzzytime.interpreter.in_other_words.in_full import in_full
+from fuzzytime.interpreter.in_other_words.retold import behind_ends
 from fuzzytime.interpreter.interpretation import Interpretation, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
-from fuzzytime.interpreter.passing import in_passing
-from fuzzytime.interpreter.references import Links, link
 from fuzzytime.interpreter.remarks import notes_of, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, Request, SpokenWish
-from fuzzytime.interpreter.retold import behind_ends
-from fuzzytime.interpreter.same_things import of_things
 from fuzzytime.interpreter.told_anew import as_they_happened
-from fuzzytime.interpreter.turns_in_bounds import turns_out_of_bounds, without
+from fuzzytime.interpreter.turns.passing import in_passing
+from fuzzytime.interpreter.turns.turns_in_bounds import turns_out_of_bounds, without
 from fuzzytime.language import Language, Reading, check_length, with_words
 from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.requirement import TimeRequirement

@@ -5,19 +5,25 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import islice
 
-from fuzzytime.interpreter.behind import Behind
-from fuzzytime.interpreter.each_turn import EachTurn
 from fuzzytime.interpreter.horizon import passed
 from fuzzytime.interpreter.how_long import HowLong
-from fuzzytime.interpreter.inside import GoingOn
+from fuzzytime.interpreter.in_other_words.lasting import with_lasting
+from fuzzytime.interpreter.in_other_words.retold import (
+    from_to,
+    going_to,
+    occurrence,
+    until_then,
+    waiting_until,
+)
+from fuzzytime.interpreter.in_other_words.waits import with_waits, without_readings
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both, either, is_day_of_another, with_alternatives
-from fuzzytime.interpreter.lasting import with_lasting
-from fuzzytime.interpreter.of_each import OfEach
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
-from fuzzytime.interpreter.retold import from_to, going_to, occurrence, until_then, waiting_until
-from fuzzytime.interpreter.waits import with_waits, without_readings
-from fuzzytime.interpreter.waking_hours import within_hours
+from fuzzytime.interpreter.turns.behind import Behind
+from fuzzytime.interpreter.turns.each_turn import EachTurn
+from fuzzytime.interpreter.turns.inside import GoingOn
+from fuzzytime.interpreter.turns.of_each import OfEach
+from fuzzytime.interpreter.turns.waking_hours import within_hours
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
@@ -77,7 +83,7 @@ class Maker:
         FuzzytimeError
             If a context reading is of no declared signal, or a duration impossible.
         """
-        instruction = waiting_until(from_to(instruction), self.lexicon)
+        instruction = waiting_until(from_to(instruction, wish.given, self.lexicon), self.lexicon)
         told = (p for p in instruction.requirements if p.constraint is not Constraint.FOR)
         known = without_readings(list(told), wish.given, self.request, self.lexicon)
         said = [with_waits(part, self.rulebook, self.request) for part in known]
@@ -292,5 +298,6 @@ def _parameters(operation: Operation | None) -> dict[str, str]:
         "object": operation.object,
         "place": operation.place,
         "manner": operation.manner,
+        "purpose": operation.purpose,
     }
     return {name: words for name, words in parts.items() if words}

@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cached_property
 
-from fuzzytime.interpreter.apart import apart
-from fuzzytime.interpreter.both_hands import behind_each_other
+from fuzzytime.interpreter.binding.apart import apart
+from fuzzytime.interpreter.binding.both_hands import behind_each_other
+from fuzzytime.interpreter.binding.loosening import loosened, may_be_loosened
 from fuzzytime.interpreter.happening import attended, clashes, happening
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
-from fuzzytime.interpreter.loosening import loosened, may_be_loosened
 from fuzzytime.interpreter.request import Request, Started
 from fuzzytime.interpreter.started import without_started
 from fuzzytime.scheduling import THRESHOLD, Limits, Schedule, Solver, solve

@@ -4,10 +4,10 @@ import math
 from collections.abc import Container, Sequence
 from dataclasses import replace
 
+from fuzzytime.interpreter.binding.renumbering import renumbered
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import too_late
-from fuzzytime.interpreter.renumbering import renumbered
 from fuzzytime.interpreter.request import Started
 from fuzzytime.satisfaction import NEVER, Rectangle
 from fuzzytime.skills import Busy, Precedence

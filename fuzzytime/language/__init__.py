@@ -1,4 +1,11 @@
-"""From typed words to instructions with time requirements; the only home of spaCy."""
+"""From typed words to instructions with time requirements; the only home of spaCy.
+
+The ``reader`` finds times by the ``grammar`` of ``english`` (``finding``), with what they are in
+``meaning``, and reads what stands around them in the ``sentence``. An ``instruction`` comes out, an
+``answer`` for other programs. ``continued`` and ``about_wishes`` are for conversations. The ``policy``
+decides what words leave open; rule tables bring ``own_words``; ``lines`` and what is ``unseen`` are
+seen to first.
+"""
 
 from fuzzytime.language.about_wishes import (
     AT_FIRST,
@@ -17,7 +24,6 @@ from fuzzytime.language.about_wishes import (
     choice_meant,
     chooses_none,
     clauses_of,
-    continued,
     continuing,
     done_at_once,
     in_its_place,
@@ -26,7 +32,6 @@ from fuzzytime.language.about_wishes import (
     is_untold,
     may_be_thing,
     merged_time,
-    names_thing,
     news_in,
     perhaps_reported,
     reported,
@@ -36,12 +41,14 @@ from fuzzytime.language.about_wishes import (
     said_apart,
     tells_awaited,
     tells_of_somebody,
+    told_result,
     with_names,
     without_article,
     without_closing,
     written_out,
 )
 from fuzzytime.language.answer import NAMED, answer
+from fuzzytime.language.continued import continued, names_thing
 from fuzzytime.language.finding import Times, check_customs, check_length, find_times, shipped_lexicon
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.word_tables import read_lexicon
@@ -57,7 +64,7 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
-from fuzzytime.language.meaning.decisions import HALF_OF_DAY_ADVICE
+from fuzzytime.language.meaning.required.decisions import HALF_OF_DAY_ADVICE
 from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
@@ -134,6 +141,7 @@ __all__ = [
     "shipped_lexicon",
     "tells_awaited",
     "tells_of_somebody",
+    "told_result",
     "undoes",
     "verb_forms",
     "with_names",

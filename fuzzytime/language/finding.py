@@ -15,9 +15,9 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.word_tables import read_lexicon
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.expressions import HourMark, Phrase, Wall
-from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.meaning.offered import alternative_to
-from fuzzytime.language.meaning.requirements import Grounded, grounded
+from fuzzytime.language.meaning.grounded.moment import Moment
+from fuzzytime.language.meaning.required.offered import alternative_to
+from fuzzytime.language.meaning.required.requirements import Grounded, grounded
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.language.policy import Policy

@@ -1,4 +1,8 @@
-"""From a time requirement and a context to a satisfaction function."""
+"""From a time requirement and a context to a satisfaction function.
+
+The ``rulebook`` is the road: ``tables`` say what holds, ``wording`` finds what a text names in them,
+``logic`` is temporal fuzzy logic, true ``over_time``, and ``resolving`` ends in ψ.
+"""
 
 from fuzzytime.rulebook.resolving.resolution import (
     AtomDegree,

@@ -6,6 +6,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from fuzzytime.context import Context, Reading, Signal
+from fuzzytime.documents.nodes import Reader
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.requirement import Anchor, Condition, Reference, TimeRequirement
 from fuzzytime.rulebook.resolving.answer import answer
@@ -23,7 +24,6 @@ from fuzzytime.rulebook.wording.sentences import can_be_told, condition_of
 from fuzzytime.rulebook.wording.told import reading_told
 from fuzzytime.satisfaction import ALWAYS
 from fuzzytime.times import HOUR
-from fuzzytime.yaml_nodes import Reader
 
 HORIZON = 48 * HOUR
 """Seconds from now within which conditions are looked for, where nothing else is asked."""

@@ -1,4 +1,9 @@
-"""ψ: how satisfied a person is with a start time (the paper's eq. 3)."""
+"""ψ: how satisfied a person is with a start time (the paper's eq. 3).
+
+The ``protocol``, and what keeps it: ``bell``, and what is ``linear`` piece by piece, by corners
+(``trapezoid``) or by points (``sampled``). Made of others: ``either``, ``clipped``, ``floored``, and by
+``algebra``. ``chord`` is for bounds.
+"""
 
 from fuzzytime.satisfaction.algebra import ALWAYS, NEVER, averaged, points_of, product
 from fuzzytime.satisfaction.bell import Bell

@@ -1,10 +1,11 @@
 """FuzzyTask to Schedule: provably best start times.
 
-Its rooms, from the ground: `problem` is what is solved, `timing` makes start times of an order, `bound` says
-what no schedule can cost less than, `search` finds good schedules, `exact` proves one best, `secondary`
-chooses among equals, `paper` holds the paper's own methods. `solve` is the road through them, `auto` picks
-the solver, `replan` plans on, `why` and `elsewhere` explain. docs/scheduling-exact.md derives it all, and
-says in which order to read.
+Its rooms, from the ground: ``problem`` is what is solved, ``timing`` makes start times of an order,
+``bound`` says what no schedule can cost less than, ``search`` finds good schedules, ``exact`` proves
+one best, ``secondary`` chooses among equals, ``paper`` holds the paper's own methods. ``solve`` is the
+road through them, ``auto`` picks the solver, ``replan`` plans on, ``why`` and ``elsewhere`` explain. A
+``solver`` works within ``limits`` and hands back a ``schedule``. docs/scheduling-exact.md derives it
+all, and says in which order to read.
 """
 
 from fuzzytime.scheduling.auto import Auto

@@ -1,8 +1,11 @@
 """From what people draw to the table that plans (the paper's section III-C).
 
 Collect curves with `fuzzytime.study.serving.server`, keep them in an `AnswerStore`, describe them by
-`characterise`, `fit` and `compare`, and write the rule table that they amount to by `calibrate`. Everything
-but the server, the store and the plots is a pure function over arrays.
+`characterise`, `fit` and `compare`, and write the rule table that they amount to by `calibrate`.
+Everything but the server, the store and the plots is a pure function over arrays.
+
+``asking`` and ``serving`` bring ``answers``, kept by ``storing``; ``analysis``, and its ``reporting``;
+``calibration``. Pages are made of ``assets``, numbers read by ``wording``.
 """
 
 from fuzzytime.study.analysis.analyse import Analysis, analyse, corner_intervals

@@ -15,8 +15,8 @@ from fuzzytime.context import (
     read_context_lines,
     read_context_node,
 )
+from fuzzytime.documents.nodes import Reader
 from fuzzytime.errors import DocumentError, FuzzytimeError
-from fuzzytime.yaml_nodes import Reader
 
 SIGNALS = {
     "pan_temp": Signal(name="pan_temp", unit="degC", low=0, high=350),

@@ -1,6 +1,6 @@
 """Orders that close no circle, however many there are."""
 
-from fuzzytime.interpreter.circles import Before
+from fuzzytime.interpreter.binding.circles import Before
 
 
 def test_what_would_close_a_circle_is_not_added() -> None:

@@ -14,9 +14,9 @@ from fuzzytime.language.meaning.calendars.easter import FromEaster
 from fuzzytime.language.meaning.calendars.hebrew import OnHebrewDate
 from fuzzytime.language.meaning.calendars.islamic import OnIslamicDate
 from fuzzytime.language.meaning.calendars.observance import OnWeekday
+from fuzzytime.language.meaning.days.nested import Nth, Share, WeekOf, Within
+from fuzzytime.language.meaning.days.relations import Away, narrowed
 from fuzzytime.language.meaning.feasts import Feast, Season
-from fuzzytime.language.meaning.nested import Nth, Share, WeekOf, Within
-from fuzzytime.language.meaning.relations import Away, narrowed
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Unit
 

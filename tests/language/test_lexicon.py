@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pytest
 
+from fuzzytime.documents.nodes import Reader
 from fuzzytime.errors import DocumentError
 from fuzzytime.language import Language, Lexicon, find_times, read_lexicon, shipped_lexicon
 from fuzzytime.language.finding import shipped_grammar
 from fuzzytime.language.grammar.verb_groups import Doing
 from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses
 from fuzzytime.resources import rules_directory
-from fuzzytime.yaml_nodes import Reader
 
 LEXICON = (rules_directory() / "lexicon.yaml").read_text("utf-8")
 ROOT = Path(__file__).parents[2]

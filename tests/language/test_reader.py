@@ -7,9 +7,9 @@ import pytest
 
 from fuzzytime.errors import InstructionError
 from fuzzytime.language import Instruction, Operation, RemarkKind
-from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
-from fuzzytime.language.meaning.recurrence_by_months import RecurrenceByMonths
-from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
+from fuzzytime.language.meaning.recurrences.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrences.recurrence_by_months import RecurrenceByMonths
+from fuzzytime.language.meaning.recurrences.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Edge, TimeRequirement
 from language.reading import CORPUS, NOW, language
 
@@ -44,7 +44,17 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
                 found[key] = operation.name if operation is not None else None
             case "to":
                 found[key] = operation.addressee if operation is not None else None
-            case "lemma" | "negated" | "object" | "place" | "manner" | "order" | "stated" | "attended":
+            case (
+                "lemma"
+                | "negated"
+                | "object"
+                | "place"
+                | "manner"
+                | "purpose"
+                | "order"
+                | "stated"
+                | "attended"
+            ):
                 found[key] = getattr(operation, key)
             case "duration" | "alone":
                 found[key] = getattr(instruction, key)

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.language import find_times
-from fuzzytime.language.meaning.recurrence import MOST, CalendarRecurrence, EvenRecurrence
-from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
+from fuzzytime.language.meaning.recurrences.recurrence import MOST, CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrences.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Recurrence
 from fuzzytime.times import instant_after
 

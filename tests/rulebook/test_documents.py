@@ -5,12 +5,12 @@ from pathlib import Path
 import pytest
 
 from fuzzytime.context import Context
+from fuzzytime.documents.nodes import Reader
 from fuzzytime.errors import DocumentError
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.resources import rules_directory
 from fuzzytime.rulebook import Profile, Rulebook, check
 from fuzzytime.rulebook.tables.documents import shipped_tables
-from fuzzytime.yaml_nodes import Reader
 
 SEEDED = Path(__file__).with_name("seeded_mistakes.yaml")
 

@@ -6,12 +6,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from fuzzytime.documents.nodes import Mapping, Node, Reader, Scalar
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement, Unit
 from fuzzytime.resources import rules_directory
 from fuzzytime.rulebook import Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, SatisfactionFunction
 from fuzzytime.times import DAY, HOUR, MINUTE
-from fuzzytime.yaml_nodes import Mapping, Node, Reader, Scalar
 from rulebook.requirements_of import ahead, said, word
 
 RULEBOOK = Rulebook.shipped()

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from fuzzytime.satisfaction import NEVER, Bell, Sampled, SatisfactionFunction, Trapezoid, Triangle
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.drawing.ticks import axis, ticks
-from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.timeline import SHADES, Window, shades
 from terminal.running import ran
 

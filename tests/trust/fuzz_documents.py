@@ -20,6 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from fuzzytime.context import Context, read_context_lines
+from fuzzytime.documents.nodes import Reader
 from fuzzytime.errors import DocumentError, FuzzytimeError
 from fuzzytime.interpreter import DirectWish
 from fuzzytime.language import Language, find_times
@@ -28,7 +29,6 @@ from fuzzytime.rulebook import Profile, Rulebook
 from fuzzytime.rulebook.tables.documents import read_over
 from fuzzytime.satisfaction import SatisfactionFunction
 from fuzzytime.times import parse_zone
-from fuzzytime.yaml_nodes import Reader
 from fuzzytime_cli.faults import NoInputError
 from fuzzytime_cli.inputs.calendar import read_calendar
 from fuzzytime_cli.inputs.source import source_of

@@ -1,1 +1,5 @@
-"""Many task files planned at once: an answer each, in order, on this machine's processes or a cluster's."""
+"""Many task files planned at once: an answer each, in order, on this machine's processes or a cluster's.
+
+``start`` takes the ``files``, ``backends`` do the work, ``answers`` are what comes of it, kept in a
+``journal``.
+"""

@@ -10,13 +10,14 @@ from typing import Any
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreter
 from fuzzytime_cli.assembly import Assembly
-from fuzzytime_cli.commands.plan import exit_of_plan, request_from
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import code_of, message_of
 from fuzzytime_cli.formats.document import document_of
 from fuzzytime_cli.inputs.source import bytes_of, source_of
 from fuzzytime_cli.options import Understanding
+from fuzzytime_cli.problems import exit_of_plan
 from fuzzytime_cli.release import installed_version
+from fuzzytime_cli.requests import request_from
 
 SCHEMA = "fuzzytime-batch/1"
 

@@ -1,1 +1,4 @@
-"""The commands, one a module; heavy imports wait inside them."""
+"""The commands, one a module; heavy imports wait inside them.
+
+``plan``, ``repl``, ``run`` and ``batch``; ``parse`` and ``explain``; ``rules``, ``config`` and ``doctor``.
+"""

@@ -40,11 +40,12 @@ def explain(
             f"fuzzytime explain 'one of its lines' --beside {shlex.quote(text)}"
         )
     from fuzzytime_cli.assembly import Assembly
-    from fuzzytime_cli.commands.plan import is_fault, report_problem, request_of
     from fuzzytime_cli.drawing.svg import chart_svg
     from fuzzytime_cli.explaining import chart_of, explanation_lines, reading_lines
     from fuzzytime_cli.files import replace_file
+    from fuzzytime_cli.problems import is_fault, report_problem
     from fuzzytime_cli.render import Screen
+    from fuzzytime_cli.requests import request_of
 
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()

@@ -54,9 +54,9 @@ def show(
 
     from fuzzytime.interpreter import IN_THE_PLAN
     from fuzzytime_cli.assembly import Assembly
-    from fuzzytime_cli.commands.plan import report_problem
     from fuzzytime_cli.explaining import rules_lines
     from fuzzytime_cli.faults import UsageError
+    from fuzzytime_cli.problems import report_problem
     from fuzzytime_cli.render import Screen
     from fuzzytime_cli.showing import shown_plan
 

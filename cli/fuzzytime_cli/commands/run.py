@@ -72,12 +72,12 @@ def run(
 ) -> None:
     """Carry out a plan in time: tell each start, or run a command, and re-plan when something matters."""
     from fuzzytime_cli.assembly import Assembly
-    from fuzzytime_cli.commands.plan import request_from, request_of
     from fuzzytime_cli.faults import UsageError
     from fuzzytime_cli.inputs.source import STDIN, is_piped
     from fuzzytime_cli.live import programs
     from fuzzytime_cli.live.start import Settings
     from fuzzytime_cli.live.start import run as carried_out
+    from fuzzytime_cli.requests import request_from, request_of
 
     if wait_for_done and program:
         raise UsageError("--wait-for-done and --exec: a skill ends by word or with its command, not both")

@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.drawing.canvas import Canvas
 from fuzzytime_cli.drawing.chart import Chart, Panel
 from fuzzytime_cli.drawing.ticks import axis
-from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of
 
 _AXIS = 7

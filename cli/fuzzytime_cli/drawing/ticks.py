@@ -7,7 +7,7 @@ from datetime import datetime
 from itertools import pairwise
 
 from fuzzytime.times import instant_after, seconds_between
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import width_of
 
 MINUTES = (1, 2, 5, 10, 15, 30)

@@ -7,11 +7,11 @@ from itertools import groupby
 from fuzzytime.interpreter import Interpreted, Plan
 from fuzzytime.language import Reading
 from fuzzytime.times import format_duration
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.drawing.terminal import chart_lines
 from fuzzytime_cli.explaining.charts import chart_of
 from fuzzytime_cli.explaining.origins import resolution_lines
 from fuzzytime_cli.explaining.words import left_lines, requirement_lines, strict_line, tree_lines
-from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.reasons import why_sentences
 from fuzzytime_cli.render import plain, width_of
 

@@ -3,7 +3,7 @@
 from fuzzytime.language import Reading, Token
 from fuzzytime.requirement import Comparison, TimeRequirement
 from fuzzytime.times import format_duration
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of
 
 

@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 from icalendar import Calendar, Event
 
 from fuzzytime.interpreter import Plan
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain
 
 

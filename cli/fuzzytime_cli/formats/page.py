@@ -1,8 +1,8 @@
 """A plan as one self-contained HTML page: picture, table, what is proved, what was not understood."""
 
 from fuzzytime.interpreter import IN_THE_PLAN, Plan, Problem
+from fuzzytime_cli.clock import date_of
 from fuzzytime_cli.drawing.markup import element, words
-from fuzzytime_cli.formats.clock import date_of
 from fuzzytime_cli.formats.picture import plan_svg
 from fuzzytime_cli.formats.series import waiting
 from fuzzytime_cli.formats.table import PlanView

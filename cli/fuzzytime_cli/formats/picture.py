@@ -5,11 +5,11 @@ import math
 import numpy as np
 
 from fuzzytime.interpreter import Interpreted, Plan
+from fuzzytime_cli.clock import date_of
 from fuzzytime_cli.drawing.chart import sample_times
 from fuzzytime_cli.drawing.markup import element, picture, words
 from fuzzytime_cli.drawing.svg import path
 from fuzzytime_cli.drawing.ticks import ticks
-from fuzzytime_cli.formats.clock import date_of
 from fuzzytime_cli.formats.series import clock_at, clock_of, folded, shown
 from fuzzytime_cli.render import plain, width_of
 

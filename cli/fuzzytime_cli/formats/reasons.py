@@ -16,8 +16,8 @@ from fuzzytime.scheduling import (
     explain,
 )
 from fuzzytime.skills import Busy
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.formats.asked import asked_of_time, waits_sentences
-from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.whole import SHOWN, how_near, is_same, product_of
 from fuzzytime_cli.render import plain
 

@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Mapping
 
 from fuzzytime.interpreter import Plan
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.clock import Clock
 
 SHOWN = 3
 """Occurrences of a repetition that are shown one by one."""

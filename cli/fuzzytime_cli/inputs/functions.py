@@ -3,6 +3,8 @@
 from collections.abc import Callable, Mapping
 from functools import partial
 
+from fuzzytime.documents.nodes import Mapping as MappingNode
+from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import (
     NEVER,
@@ -13,8 +15,6 @@ from fuzzytime.satisfaction import (
     Trapezoid,
     Triangle,
 )
-from fuzzytime.yaml_nodes import Mapping as MappingNode
-from fuzzytime.yaml_nodes import Node, Reader
 
 CORNERED: Mapping[str, tuple[type[Trapezoid | Triangle | Rectangle], int]] = {
     "trapezoid": (Trapezoid, 4),

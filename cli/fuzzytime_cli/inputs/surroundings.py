@@ -6,10 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 
+from fuzzytime.documents.nodes import Node, Reader, Scalar
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.skills import Busy
 from fuzzytime.times import parse_clock, parse_duration, parse_instant, seconds_between
-from fuzzytime.yaml_nodes import Node, Reader, Scalar
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,12 +11,12 @@ from functools import partial
 from typing import Required, TypedDict, TypeVar
 
 from fuzzytime.context import Context, Signal, read_context_node
+from fuzzytime.documents.nodes import Node, Reader, Scalar
+from fuzzytime.documents.tree import Sequence as Listed
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.spelling import suggestion
 from fuzzytime.times import WEEK, in_zone, parse_instant, parse_zone
-from fuzzytime.yaml_nodes import Node, Reader, Scalar
-from fuzzytime.yaml_tree import Sequence as Listed
 from fuzzytime_cli.bounds import MAX_AGENTS, MAX_INSTRUCTIONS, PRIORITIES
 from fuzzytime_cli.inputs.functions import read_function
 from fuzzytime_cli.inputs.source import Source

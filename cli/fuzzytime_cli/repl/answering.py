@@ -8,7 +8,7 @@ from rich.text import Text
 from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import About, AboutKind, content_words, verb_forms
 from fuzzytime.times import format_duration, seconds_between
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.naming import FEW, all_called, entry_of, running_one
 from fuzzytime_cli.repl.scene import (

@@ -10,7 +10,7 @@ from fuzzytime.interpreter import Interpretation, Interpreted, ProblemKind
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.bounds import MAX_AGENTS, PRIORITIES
 from fuzzytime_cli.choices import SolverChoice
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped
 from fuzzytime_cli.repl.naming import identifier_meant
 from fuzzytime_cli.repl.scene import (

@@ -11,7 +11,7 @@ from fuzzytime.interpreter import MAX_HORIZON, WITHOUT_END
 from fuzzytime.language import About, without_article
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import format_duration, seconds_between
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.naming import entry_of, unknown
 from fuzzytime_cli.repl.scene import Reply, Scene, number_of, said, waiting

@@ -9,7 +9,7 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Plan
 from fuzzytime.times import seconds_between
-from fuzzytime_cli.formats.clock import Clock, date_of
+from fuzzytime_cli.clock import Clock, date_of
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Move, lengths_of, moves, news_of
 from fuzzytime_cli.repl.naming import identifier_meant

@@ -10,7 +10,7 @@ from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import Language
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration, instant_after, parse_duration
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.scene import (
     Reply,

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import About, AboutKind
 from fuzzytime.times import instant_after
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown
 from fuzzytime_cli.repl.retiming import some_time, without_thing
 from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting
@@ -124,7 +124,8 @@ def length_said(scene: Scene, about: About) -> str:
         by = some_time(scene, about.text)
         return as_typed(-by if about.earlier else by)
     if about.by is None:
-        message = "by how much? Say: push it back by ten minutes (or: make it half past six)"
+        way = "bring it forward" if about.earlier else "push it back"
+        message = f"by how much? Say: {way} by ten minutes (or: make it half past six)"
         raise AskedBackError(message, about)
     return as_typed(about.by)
 

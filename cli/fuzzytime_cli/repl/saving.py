@@ -8,7 +8,7 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import WEEK, instant_after
 from fuzzytime_cli.choices import PlanFormat
-from fuzzytime_cli.formats.clock import date_of
+from fuzzytime_cli.clock import date_of
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
 from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, file_named, got, problem_lines, said, step

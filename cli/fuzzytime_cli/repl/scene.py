@@ -11,8 +11,8 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import IN_THE_PLAN, Interpreted, Plan, Problem, ProblemKind
 from fuzzytime.language import About, Lexicon, content_words
 from fuzzytime.requirement import TimeRequirement
+from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.faults import underlined
-from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
 from fuzzytime_cli.session import Entry, Started, State

@@ -1,4 +1,7 @@
-"""A conversation that survives: its state as a value, kept in SQLite with every step undoable."""
+"""A conversation that survives: its state as a value, kept in SQLite with every step undoable.
+
+The ``state``, as a ``document``, in a ``store``.
+"""
 
 from fuzzytime_cli.session.document import state_of, state_text
 from fuzzytime_cli.session.state import (

@@ -1,4 +1,8 @@
-"""`fuzzytime study`: collect what people draw, analyse it, and make a rule table of it."""
+"""`fuzzytime study`: collect what people draw, analyse it, and make a rule table of it.
+
+The ``commands`` are for ``collecting``, ``keeping`` and ``using`` answers, with much ``shared``.
+``summary`` shows a study; ``truth`` is what synthetic participants mean.
+"""
 
 from typing import Any
 

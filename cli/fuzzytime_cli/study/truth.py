@@ -2,13 +2,13 @@
 
 from pathlib import Path
 
+from fuzzytime.documents.nodes import Mapping as MappingNode
+from fuzzytime.documents.nodes import Reader
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.rulebook import Actor, Profile, Rulebook
 from fuzzytime.satisfaction import SatisfactionFunction
 from fuzzytime.study import Design, StudyInstruction
 from fuzzytime.study.answers.simulate import Truth
-from fuzzytime.yaml_nodes import Mapping as MappingNode
-from fuzzytime.yaml_nodes import Reader
 from fuzzytime_cli.inputs.functions import read_function
 
 

@@ -72,8 +72,7 @@ def _without_tag(said: Said) -> Said:
 
 def _without_closing(said: Said) -> Said:
     """Leave out what is said of a wish behind it: "an hour earlier would be better"."""
-    closing = (form for form in said.table("preferring") if said.forms[-len(form) :] == form != said.forms)
-    return said.until(len(said.words) - max(map(len, closing), default=0))
+    return said.without_end(said.table("preferring"))
 
 
 def behind_what_is_told(text: str, now: datetime, lexicon: Lexicon) -> tuple[str, About] | None:
@@ -110,4 +109,5 @@ def _without_courtesies(said: Said) -> Said:
         if place + len(form) >= len(said.words):
             break
         place += len(form)
-    return said.behind(place).without_thanks()
+    # "Cancel the gym too"
+    return said.behind(place).without_thanks().without_end(said.table("closing"))

@@ -1,113 +1,38 @@
-"""The grammar of English time: one file of rules a concern, beside word tables in ``rules/``."""
+"""The grammar of English time: one file of rules a concern, beside word tables in ``rules/``.
+
+Parts of a time
+    ``amounts``; ``clock_times``; days and periods of the ``calendar``; ``parts_of_days``.
+A whole time
+    ``at_times`` with hedges and prepositions; ``from_now`` on; ``intervals``; ``bounded``; ``repeated``.
+"""
 
 from functools import cache
 
 from fuzzytime.language.english import (
-    all_through,
-    apart,
-    bounded_repetitions,
-    bounds,
-    bounds_off_times,
-    bounds_on_days,
-    clocks,
-    counted,
-    dates,
-    days,
-    days_from_days,
-    days_of_each_month,
-    days_of_one_month,
-    durations,
-    durations_between,
-    edges_of_parts,
-    elapsed,
-    elliptic,
-    feasts,
-    first_and_last,
-    first_hours,
-    goals,
-    hedged_asides,
-    hours_open,
-    hours_with_h,
-    if_it_is,
-    marks,
-    meals,
-    minutes_past,
-    nights_and_weekends,
-    numbers,
-    numbers_on_dates,
-    offered_days,
-    parts,
-    periods,
-    prepositions,
-    ranges,
-    ranges_of_minutes,
-    repeated_days,
-    repeated_moments,
-    repetitions,
-    stacks,
-    stretches_of_weekdays,
-    typed_dates,
-    typed_intervals,
-    workdays,
-    zones,
+    amounts,
+    at_times,
+    bounded,
+    calendar,
+    clock_times,
+    from_now,
+    intervals,
+    parts_of_days,
+    repeated,
 )
 from fuzzytime.language.grammar.chart import Grammar
-
-_ROOMS = (
-    numbers,
-    durations,
-    durations_between,
-    clocks,
-    hours_with_h,
-    minutes_past,
-    zones,
-    days,
-    days_from_days,
-    parts,
-    first_and_last,
-    first_hours,
-    dates,
-    typed_dates,
-    periods,
-    feasts,
-    stacks,
-    goals,
-    prepositions,
-    meals,
-    bounds,
-    numbers_on_dates,
-    counted,
-    marks,
-    elapsed,
-    elliptic,
-    ranges,
-    ranges_of_minutes,
-    hours_open,
-    days_of_one_month,
-    offered_days,
-    bounds_off_times,
-    edges_of_parts,
-    bounds_on_days,
-    hedged_asides,
-    if_it_is,
-    repetitions,
-    apart,
-    repeated_days,
-    days_of_each_month,
-    nights_and_weekends,
-    repeated_moments,
-    bounded_repetitions,
-    stretches_of_weekdays,
-    all_through,
-    typed_intervals,
-    workdays,
-)
 
 
 @cache
 def grammar() -> Grammar:
     """Give all rules of English."""
-    whole = Grammar()
-    for room in _ROOMS:
-        whole.include(room.grammar)
-    return whole
+    return Grammar.of(
+        amounts.grammar,
+        clock_times.grammar,
+        calendar.grammar,
+        parts_of_days.grammar,
+        at_times.grammar,
+        from_now.grammar,
+        intervals.grammar,
+        bounded.grammar,
+        repeated.grammar,
+    )

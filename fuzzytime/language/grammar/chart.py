@@ -132,10 +132,13 @@ class Grammar:
 
         return added
 
-    def include(self, other: "Grammar") -> None:
-        """Add the rules of another grammar."""
-        self.rules += other.rules
-        self._index = None
+    @classmethod
+    def of(cls, *others: "Grammar") -> "Grammar":
+        """Give the rules of others in one."""
+        whole = cls()
+        for other in others:
+            whole.rules += other.rules
+        return whole
 
     def add(self, rule: Rule) -> None:
         """Add a rule."""

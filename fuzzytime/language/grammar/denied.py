@@ -6,7 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat
-from fuzzytime.language.meaning.weekdays_left_out import weekdays_in
+from fuzzytime.language.meaning.joined.weekdays_left_out import weekdays_in
 from fuzzytime.requirement import Constraint
 
 SIDED = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})

@@ -8,9 +8,9 @@ from fuzzytime.language.grammar.lent import is_heated, is_left_for, lasts_minute
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.beside import lasts_then
+from fuzzytime.language.meaning.days.relations import Relative, days_away
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Repeat, Said, Wall
-from fuzzytime.language.meaning.relations import Relative, days_away
+from fuzzytime.language.meaning.joined.beside import lasts_then
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS, Clock, Half
 from fuzzytime.requirement import Constraint, Unit
 

@@ -6,8 +6,8 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.distances import HALFWAY
 from fuzzytime.language.meaning.expressions import Duration, Range, Repeat, Said, Time, TimeWord, Wall
+from fuzzytime.language.meaning.joined.distances import HALFWAY
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.meaning.days.relations import Relative
 
 TIMELY = frozenset(
     {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}

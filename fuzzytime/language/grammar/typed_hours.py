@@ -5,8 +5,8 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.distances import INTO
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Said, Wall
+from fuzzytime.language.meaning.joined.distances import INTO
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS, Clock
 from fuzzytime.requirement import Constraint, Unit
 

@@ -14,8 +14,8 @@ from fuzzytime.language.instruction import (
     Remark,
     Span,
 )
-from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.meaning.requirements import Grounded
+from fuzzytime.language.meaning.grounded.moment import Moment
+from fuzzytime.language.meaning.required.requirements import Grounded
 from fuzzytime.language.sentence.asked_for import asked_of
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
@@ -100,6 +100,7 @@ class _Composer:
             since=since.clock,
             carried=since.clock is not None,
             in_order=since.in_order,
+            opened=since.opened,
             day=since.day,
             night=since.night,
             window=_window_of(draft, lexicon),

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.finding import Times
 from fuzzytime.language.instruction import Remark
-from fuzzytime.language.meaning.first_times import opening_of
+from fuzzytime.language.meaning.joined.first_times import opening_of
 from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.each_time import each_time

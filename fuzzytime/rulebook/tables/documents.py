@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.errors import DocumentError, Mistake
 from fuzzytime.resources import rules_directory
 from fuzzytime.rulebook.tables.agreement import Clash, clashes, in_units_of_signals
@@ -34,7 +35,6 @@ from fuzzytime.rulebook.tables.sections.widths import (
     read_width,
 )
 from fuzzytime.rulebook.tables.vocabulary import Vocabulary, child
-from fuzzytime.yaml_nodes import Node, Reader
 
 VERSION = "1"
 SHIPPED = ("lookup.yaml", "durations.yaml", "kitchen.yaml", "household.yaml", "workshop.yaml")

@@ -7,10 +7,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
+from fuzzytime.documents.nodes import Mapping as MappingNode
+from fuzzytime.documents.nodes import Node, Scalar
 from fuzzytime.requirement import Constraint
 from fuzzytime.rulebook.tables.variables import Source
-from fuzzytime.yaml_nodes import Mapping as MappingNode
-from fuzzytime.yaml_nodes import Node, Scalar
 
 CLAUSE_MODELS = ("when", "while", "until")
 """Models of clauses, which need no breakpoints: they follow a condition's trace."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from itertools import chain
 from typing import TypeVar
 
-from fuzzytime.cells import delimiter_of, with_point
+from fuzzytime.documents.cells import delimiter_of, with_point
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.spelling import suggestion
 from fuzzytime.study.asking.design import Design

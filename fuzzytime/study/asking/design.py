@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from fuzzytime.documents.nodes import Reader
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.resources import rules_directory
 from fuzzytime.study.asking.design_parts import (
@@ -19,7 +20,6 @@ from fuzzytime.study.asking.design_parts import (
 from fuzzytime.study.asking.page_texts import PageTexts, read_texts
 from fuzzytime.study.asking.questions import ControlQuestion, Question, StudyInstruction, Timeline
 from fuzzytime.times import DAY
-from fuzzytime.yaml_nodes import Reader
 
 SHIPPED = "sucker2024"
 

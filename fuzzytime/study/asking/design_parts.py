@@ -4,10 +4,10 @@ import re
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.study.asking.placeholders import check_places
 from fuzzytime.study.asking.questions import ControlQuestion, Question, StudyInstruction, Timeline
 from fuzzytime.times import DAY
-from fuzzytime.yaml_nodes import Node, Reader
 
 MOST_SAMPLES = 10_000
 LONGEST_TEXT = 500

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.resources import rules_directory
 from fuzzytime.study.asking.placeholders import check_places, places_in
-from fuzzytime.yaml_nodes import Node, Reader
 
 PageTexts = Mapping[str, str | tuple[str, ...]]
 """Texts by their keys; ``tutorial_steps`` is a list of them."""

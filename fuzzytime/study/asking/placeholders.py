@@ -3,8 +3,8 @@
 import re
 from collections.abc import Collection
 
+from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.spelling import suggestion
-from fuzzytime.yaml_nodes import Node, Reader
 
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
 

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.resources import rules_directory
-from fuzzytime.yaml_nodes import Node, Reader
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,8 +8,8 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.days.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Goal,
@@ -25,9 +25,9 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.feasts import Feast
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.meaning.range_ends import lent
-from fuzzytime.language.meaning.relations import Deictic, Relative, Which
-from fuzzytime.language.meaning.repeats_beside import narrowed_repeat
+from fuzzytime.language.meaning.joined.beside import joined
+from fuzzytime.language.meaning.joined.range_ends import lent
+from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import Constraint, Unit
 

@@ -19,8 +19,8 @@ from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.days.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.expressions import Wall
-from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.requirement import Constraint
 
 SIGNS = frozenset({">", "<"})

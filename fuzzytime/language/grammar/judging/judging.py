@@ -16,7 +16,7 @@ from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.distances import INTO, LAST
+from fuzzytime.language.meaning.days.relations import CountedDay
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -30,7 +30,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
-from fuzzytime.language.meaning.relations import CountedDay
+from fuzzytime.language.meaning.joined.distances import INTO, LAST
 from fuzzytime.language.meaning.times_of_day import Clock
 
 OF_HOURS = frozenset(
@@ -207,6 +207,10 @@ class Judge:
             return False
         if "to" in {piece.value.preposition, self.around.before(piece)} or self._counts_things(piece):
             # "Hand over to nights"
+            return False
+        named = self.around.before(piece) in self.closed.sure_noun_openers and piece.value.preposition is None
+        if named and self.around.may_end(piece):
+            # "Buy the daily"; but "a twice daily walk"
             return False
         if self.texts[piece.end - 1] == "annual" and not self.around.may_end(piece):
             # "Book annual leave"

@@ -4,8 +4,8 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.proper_names import is_whom
 from fuzzytime.language.grammar.judging.spoken_of import is_converted, is_spoken_of
 from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.meaning.days.relations import Relative, Which
 from fuzzytime.language.meaning.expressions import UnitWord
-from fuzzytime.language.meaning.relations import Relative, Which
 from fuzzytime.requirement import Unit
 
 MINUTES = 60

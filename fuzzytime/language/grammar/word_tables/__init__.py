@@ -1,4 +1,8 @@
-"""Reading the word tables: YAML to a `Lexicon`, with every mistake at its line and column."""
+"""Reading the word tables: YAML to a `Lexicon`, with every mistake at its line and column.
+
+``tables`` are read in ``layers``: of ``calendar.yaml`` the ``days``, ``feasts`` (with ``feast_names``)
+and ``policies``; of ``lexicon.yaml`` the ``speech`` and the ``groups``.
+"""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -236,7 +240,7 @@ _ROWS = {
         "supposing", "filling", "first", "instead", "letting", "answering", "going ahead", "beginning now",
         "on time", "having left", "lasting so long", "greeting",
         "again", "like", "continuing", "following", "closing", "naming anew", "meaning", "other",
-        "reversing", "stopping", "no longer", "restoring", "slightly", "several", "skipping",
+        "reversing", "stopping", "no longer", "restoring", "staying", "slightly", "several", "skipping",
         "letting go", "denying",
         "proposing", "exclaiming", "free", "may do", "having time", "done already",
         "said of me", "not done", "asking about", "holding", "besides", "asking next", "asking when",

@@ -4,16 +4,16 @@ from collections.abc import Iterable, Mapping
 from datetime import time
 from typing import Any
 
+from fuzzytime.documents.nodes import Node, Scalar
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.grammar.lexicon import form_of
 from fuzzytime.language.grammar.word_tables.tables import FULL_STOP_BELOW, Form, Tables
 from fuzzytime.language.meaning.calendar import Cycle
+from fuzzytime.language.meaning.days.relations import Relative, Which
 from fuzzytime.language.meaning.expressions import Edge, Ending, UnitWord
-from fuzzytime.language.meaning.relations import Relative, Which
 from fuzzytime.language.meaning.times_of_day import Half, Part
 from fuzzytime.requirement import Unit
 from fuzzytime.times import parse_clock, parse_zone
-from fuzzytime.yaml_nodes import Node, Scalar
 
 
 def read_units(tables: Tables) -> None:

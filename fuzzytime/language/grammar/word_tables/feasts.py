@@ -5,6 +5,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from fuzzytime.documents.nodes import Node, Scalar, Sequence
 from fuzzytime.language.grammar.lexicon import Entry
 from fuzzytime.language.grammar.word_tables.feast_names import otherwise
 from fuzzytime.language.grammar.word_tables.tables import Form, Tables, numbered
@@ -22,7 +23,6 @@ from fuzzytime.language.meaning.calendars.islamic import OnIslamicDate
 from fuzzytime.language.meaning.calendars.observance import Observance, OnDate, OnWeekday
 from fuzzytime.language.meaning.calendars.persian import OnPersianDate
 from fuzzytime.language.meaning.feasts import Feast, OneOf, Season
-from fuzzytime.yaml_nodes import Node, Scalar, Sequence
 
 MOST_DAYS = 366
 """How far a feast is from another, and how long it lasts, at most."""

@@ -3,9 +3,9 @@
 from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
+from fuzzytime.documents.nodes import Mapping, Node, Reader, Scalar, Sequence
 from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import form_of
-from fuzzytime.yaml_nodes import Mapping, Node, Reader, Scalar, Sequence
 
 ALSO = "also"
 """The key of a row under which other ways to say it stand: an upper file adds to them."""

@@ -2,10 +2,10 @@
 
 from datetime import time
 
+from fuzzytime.documents.nodes import Node
 from fuzzytime.language.grammar.lexicon import form_of
 from fuzzytime.language.grammar.word_tables.tables import Form, Tables, numbered
 from fuzzytime.language.policy import DateOrder, Hours, Midnight, Policy, SameWeekday
-from fuzzytime.yaml_nodes import Node
 
 
 def read_usual_hours(tables: Tables) -> dict[Form, Hours]:

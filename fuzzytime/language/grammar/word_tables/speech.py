@@ -3,11 +3,11 @@
 from collections.abc import Iterable
 from typing import Any
 
+from fuzzytime.documents.nodes import Node
 from fuzzytime.language.grammar.lexicon import Entry, Preposition, form_of
 from fuzzytime.language.grammar.word_tables.tables import Form, Tables
 from fuzzytime.language.meaning.expressions import Edge, Quantity, TimeWord
 from fuzzytime.requirement import Constraint, Side
-from fuzzytime.yaml_nodes import Node
 
 
 def read_prepositions(tables: Tables) -> None:

@@ -5,10 +5,10 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
+from fuzzytime.documents.nodes import Mapping, Node, Scalar
 from fuzzytime.language.grammar.lexicon import Entry, form_of
 from fuzzytime.language.grammar.word_tables.layers import HEAD, LayeredReader
 from fuzzytime.times import parse_clock
-from fuzzytime.yaml_nodes import Mapping, Node, Scalar
 
 FULL_STOP_BELOW = 6
 """Words shorter than this may be typed with a full stop, as abbreviations are."""

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.days.relations import Deictic, Which
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Repeat, Said, Wall
-from fuzzytime.language.meaning.first_times import closing_of
-from fuzzytime.language.meaning.relations import Deictic, Which
+from fuzzytime.language.meaning.joined.first_times import closing_of
 from fuzzytime.requirement import Constraint
 
 BESIDE = 2

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.distances import UPPER
 from fuzzytime.language.meaning.expressions import Duration, Phrase
+from fuzzytime.language.meaning.joined.distances import UPPER
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.requirement import Constraint
 

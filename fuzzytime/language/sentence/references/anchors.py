@@ -8,7 +8,7 @@ from itertools import chain
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.distances import HALFWAY
+from fuzzytime.language.meaning.joined.distances import HALFWAY
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_sides import FIRST, side_of
 from fuzzytime.language.sentence.references.likeness import best_of

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.meaning.delayed_recurrence import DelayedRecurrence
+from fuzzytime.language.meaning.recurrences.delayed_recurrence import DelayedRecurrence
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement

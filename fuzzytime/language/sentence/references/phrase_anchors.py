@@ -6,11 +6,11 @@ from datetime import timedelta
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind
-from fuzzytime.language.meaning.distances import EARLIER, HALFWAY, INTO, LAST, LATER, LEFT
+from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Edge as Bound
 from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat, Said, TimeWord, Wall
-from fuzzytime.language.meaning.first_times import closing_of, opening_of
-from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.meaning.joined.distances import EARLIER, HALFWAY, INTO, LAST, LATER, LEFT
+from fuzzytime.language.meaning.joined.first_times import closing_of, opening_of
 from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.clauses.clause import Clause

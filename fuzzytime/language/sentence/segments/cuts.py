@@ -16,6 +16,8 @@ from fuzzytime.language.sentence.segments.orders_beside_times import is_order_be
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
 from fuzzytime.language.sentence.trees.tree import Node
+from fuzzytime.language.sentence.verbs.actions import action_of
+from fuzzytime.language.sentence.verbs.called import person_due
 from fuzzytime.language.sentence.verbs.statements import second_statement
 
 CHAIN = re.compile(r",?w(?:,w)*,?&")
@@ -100,7 +102,7 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     wishes = wishes_beside(one, part, lexicon)
     gaps = _gaps(one, part, lexicon)
     for start in (*sorted(wishes), *(start for start in starts if start not in gaps)):
-        pieces = _around(one, part, start)
+        pieces = _around(one, part, start, lexicon)
         if pieces:
             return [pieces[0], replace(pieces[1], borrowed=wishes.get(start, ()))]
     return []
@@ -109,18 +111,19 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
 def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     """Give the pieces of a segment around the first place where a verb is left out: "… and the dog at 9"."""
     for start in sorted(_gaps(one, part, lexicon)) if part.tree.nodes else ():
-        pieces = _around(one, part, start)
+        pieces = _around(one, part, start, lexicon)
         if pieces:
             whole = _begins_order(one, part, start) or _is_told(one, start, lexicon)
             return [pieces[0], replace(pieces[1], verbless=not whole and not _happens(part, lexicon))]
     return []
 
 
-def _around(one: Waiting, part: Part, start: int) -> list[Segment]:
+def _around(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> list[Segment]:
     """Give what stands before a place, without its joint, and what begins there."""
     first, last = one.segment.span
     end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
-    behind = Segment((start, last), addressee=one.segment.addressee)
+    addressee = one.segment.addressee or _due_too(part, start, lexicon)
+    behind = Segment((start, last), addressee=addressee)
     return [replace(one.segment, span=(first, end)), behind] if end > part.offset else []
 
 
@@ -145,6 +148,17 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> set[int]:
     others += [p for p in range(2, len(nodes)) if is_order_between_times(part.tree, p, timed, lexicon)]
     starts = {nodes[place].start + part.offset for place in others if place is not None}
     return set(verbs_left_out(one, part, lexicon)) - starts
+
+
+def _due_too(part: Part, start: int, lexicon: Lexicon) -> str | None:
+    """Give who must do this, too: "Tim has to wash the car and feed the dog"; None for nobody."""
+    action = action_of(part.tree, lexicon)
+    place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
+    if action is None or place is None or part.tree.nodes[place - 1].lower not in {"and", "&"}:
+        return None
+    node = part.tree.nodes[place]
+    joined = node.relation == "conj" and node.head == action.place and node.tag == "VB"
+    return person_due(part.tree, action.place, lexicon) if joined else None
 
 
 def _happens(part: Part, lexicon: Lexicon) -> bool:

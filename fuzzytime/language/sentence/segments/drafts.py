@@ -15,7 +15,12 @@ from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.events.in_between import said_apart
 from fuzzytime.language.sentence.segments.events.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.lists.dividers import divided
-from fuzzytime.language.sentence.segments.lists.hours_of_lines import are_times, hours_in
+from fuzzytime.language.sentence.segments.lists.hours_of_lines import (
+    Timed,
+    hours_in,
+    how_timed,
+    without_colons,
+)
 from fuzzytime.language.sentence.segments.lists.leading_tags import (
     leading_labels,
     leading_tags,
@@ -133,14 +138,17 @@ def drafted(
 ) -> list[Draft]:
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
     sources, steps, asides, several, messages, tags = [], [], [], [], [], []
-    timed = together and are_times([text for text, _ in texts], lexicon)
+    timed = how_timed([text for text, _ in texts], lexicon) if together else Timed.NO
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         tags.append(leading_tags(text))
-        plain = blanked(without_marks(text, marks), (*tags[-1], *leading_labels(text, lexicon)))
-        hours = hours_in(plain, lexicon) if timed or are_times([text], lexicon) else frozenset()
-        scanned = _in_entries(plain, hours, grammar, lexicon)
+        own = max(timed, how_timed([text], lexicon))
+        plain = blanked(without_marks(text, marks), tags[-1])
+        plain = without_colons(plain, lexicon, own) if own else plain
+        plain = blanked(plain, leading_labels(plain, lexicon))
+        hours = hours_in(plain, lexicon, own)
+        scanned = _in_entries(plain, hours, grammar, lexicon, listed=own is Timed.MOST)
         messages.append(messages_of(scanned, lexicon))
         told = (message.span for message in messages[-1])
         scanned = _again(scanned, blanked(scanned.text, told), grammar)
@@ -178,11 +186,14 @@ def drafted(
     ]
 
 
-def _in_entries(text: str, hours: frozenset[int], grammar: Grammar, lexicon: Lexicon) -> Scanned:
+def _in_entries(
+    text: str, hours: frozenset[int], grammar: Grammar, lexicon: Lexicon, *, listed: bool
+) -> Scanned:
     """Scan a text with a stop between each two entries of a line; ``hours`` are marked as such."""
     marked = "".join(MARKS.get(c, c) if place in hours else c for place, c in enumerate(text))
-    listed = switched_apart(run_apart(divided(marked, grammar, lexicon), lexicon), lexicon)
-    typed = "".join(text[place] if place in hours else c for place, c in enumerate(listed))
+    apart = divided(marked, grammar, lexicon, listed=listed)
+    apart = switched_apart(run_apart(apart, lexicon), lexicon)
+    typed = "".join(text[place] if place in hours else c for place, c in enumerate(apart))
     return Scanned.of(typed, grammar, lexicon, hours=hours)
 
 

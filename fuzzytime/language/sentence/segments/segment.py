@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.distances import LATER
 from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord
+from fuzzytime.language.meaning.joined.distances import LATER
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.events.behind_happenings import (

@@ -7,7 +7,6 @@ from fuzzytime.language.grammar.judging.proper_names import names_in
 from fuzzytime.language.grammar.judging.titles import written_out
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -15,6 +14,7 @@ from fuzzytime.language.meaning.expressions import (
     Phrase,
     Wall,
 )
+from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause

@@ -8,10 +8,10 @@ from dataclasses import replace
 from datetime import timedelta
 
 from fuzzytime.language.instruction import Remark, RemarkKind
-from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Phrase, Said, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_sides import FIRST
 from fuzzytime.language.sentence.references.anchors import Anchors

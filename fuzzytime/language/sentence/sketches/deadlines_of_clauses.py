@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.meaning.distances import later_by
 from fuzzytime.language.meaning.expressions import Coming, Duration, Edge, Offset, Phrase, Said
+from fuzzytime.language.meaning.joined.distances import later_by
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.requirement import Constraint
 

@@ -6,8 +6,8 @@ Such a distance counts from the clause or the time right in front of it, and not
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.meaning.distances import EARLIER, LATER, SIDES, far_off
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Said
+from fuzzytime.language.meaning.joined.distances import EARLIER, LATER, SIDES, far_off
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_sides import at_most_after
 

@@ -6,8 +6,8 @@ They say which is meant, and not when to do it.
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.instruction import Span
+from fuzzytime.language.meaning.days.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.expressions import Offset, Phrase, Range, Repeat, Wall
-from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.tree import Node
 from fuzzytime.language.sentence.verbs.actions import Action

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from fuzzytime.language.grammar.leftovers import not_understood
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
-from fuzzytime.language.meaning.beside import joined
+from fuzzytime.language.meaning.days.relations import days_away
 from fuzzytime.language.meaning.expressions import (
     Edge,
     Offset,
@@ -15,7 +15,7 @@ from fuzzytime.language.meaning.expressions import (
     Said,
     Wall,
 )
-from fuzzytime.language.meaning.relations import days_away
+from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.waiting import Part

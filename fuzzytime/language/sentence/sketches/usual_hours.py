@@ -8,7 +8,7 @@ from datetime import time
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.meaning.expressions import Offset, Range, Wall
-from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.language.sentence.segments.told.asides_of_hours import HOURS
 from fuzzytime.language.sentence.sketches.said_of_time import DATED

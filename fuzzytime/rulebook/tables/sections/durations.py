@@ -3,10 +3,10 @@
 from dataclasses import replace
 from types import MappingProxyType
 
+from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.rulebook.tables.durations import Begun, Durations, Key, OperationDuration
 from fuzzytime.rulebook.tables.sections.scope import Scope
 from fuzzytime.times import DAY
-from fuzzytime.yaml_nodes import Node, Reader
 
 _TIMES = ("hands_on", "elapsed")
 

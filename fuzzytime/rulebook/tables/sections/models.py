@@ -5,12 +5,12 @@ from collections.abc import Mapping
 from itertools import pairwise
 from types import MappingProxyType
 
+from fuzzytime.documents.nodes import Node, Scalar
 from fuzzytime.requirement import Constraint
 from fuzzytime.rulebook.tables.contents import BellForm, Corners, Model
 from fuzzytime.rulebook.tables.expression import Sum, SumError, parse_sum
 from fuzzytime.rulebook.tables.sections.scope import Scope
 from fuzzytime.rulebook.tables.vocabulary import CLAUSE_MODELS
-from fuzzytime.yaml_nodes import Node, Scalar
 
 FORMS = ("breakpoints", "bell")
 """The keys that state a model's form."""

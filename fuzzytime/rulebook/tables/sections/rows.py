@@ -4,6 +4,7 @@ from collections.abc import Collection, Mapping
 from enum import StrEnum
 from types import MappingProxyType
 
+from fuzzytime.documents.nodes import Node, Sequence
 from fuzzytime.requirement import Constraint, Reference, Unit
 from fuzzytime.rulebook.tables.contents import Entry, Hedge, Model, Row
 from fuzzytime.rulebook.tables.matching import KEYS, Match
@@ -11,7 +12,6 @@ from fuzzytime.rulebook.tables.sections.models import FORMS, read_form
 from fuzzytime.rulebook.tables.sections.scope import Scope
 from fuzzytime.rulebook.tables.sections.widths import LONGEST, MAX_FACTOR, read_factor
 from fuzzytime.rulebook.tables.vocabulary import CLAUSE_MODELS
-from fuzzytime.yaml_nodes import Node, Sequence
 
 _ROW = ("model", *FORMS, "begun", "dated", "t", "w", "reference", "hedge", "core", "fade")
 _TIMES = (("t", -LONGEST), ("w", 1e-3), ("core", 0.0), ("fade", 0.0))

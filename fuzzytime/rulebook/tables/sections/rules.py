@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from fuzzytime.documents.nodes import Mapping as MappingNode
+from fuzzytime.documents.nodes import Node, Scalar
 from fuzzytime.rulebook.logic.formula import Formula
 from fuzzytime.rulebook.logic.grammar import parse_condition
 from fuzzytime.rulebook.logic.norms import Norm
@@ -12,8 +14,6 @@ from fuzzytime.rulebook.tables.sections.rows import read_match
 from fuzzytime.rulebook.tables.sections.scope import Scope
 from fuzzytime.rulebook.tables.sections.widths import LONGEST, read_factor
 from fuzzytime.rulebook.tables.vocabulary import CLAUSE_MODELS
-from fuzzytime.yaml_nodes import Mapping as MappingNode
-from fuzzytime.yaml_nodes import Node, Scalar
 
 _TIMES = (("t", 0.0), ("w", 1e-3), ("core", 0.0), ("fade", 0.0))
 """Times that a rule may set, with the least value of each."""

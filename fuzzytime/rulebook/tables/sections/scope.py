@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.rulebook.tables.vocabulary import Vocabulary
-from fuzzytime.yaml_nodes import Node, Reader
 
 
 @dataclass(frozen=True, slots=True)

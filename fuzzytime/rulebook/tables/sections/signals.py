@@ -6,11 +6,11 @@ from types import MappingProxyType
 
 from fuzzytime.context.signals import LARGEST, Approach, Course, Hold, Linear, Signal
 from fuzzytime.context.units import UNITS, convert, misspelt, parse_quantity
+from fuzzytime.documents.nodes import Node, Scalar
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.rulebook.tables.sections.scope import Scope
 from fuzzytime.rulebook.tables.sections.widths import LONGEST
 from fuzzytime.times import DAY
-from fuzzytime.yaml_nodes import Node, Scalar
 
 _COURSES: Mapping[str, tuple[str, ...]] = {
     "hold": (),

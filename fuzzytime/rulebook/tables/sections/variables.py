@@ -5,13 +5,13 @@ from collections.abc import Mapping
 from itertools import pairwise
 from types import MappingProxyType
 
+from fuzzytime.documents.nodes import Node, Scalar
 from fuzzytime.rulebook.logic.grammar import KEYWORDS
 from fuzzytime.rulebook.tables.sections.scope import Scope
 from fuzzytime.rulebook.tables.sections.signals import read_per, read_value
 from fuzzytime.rulebook.tables.sections.widths import LONGEST
 from fuzzytime.rulebook.tables.variables import Source, Term, Variable
 from fuzzytime.spelling import suggestion
-from fuzzytime.yaml_nodes import Node, Scalar
 
 _SHAPES = {"trapezoid": 4, "triangle": 3, "rising": 2, "falling": 2}
 """The shapes of terms, and how many breakpoints each has."""

@@ -6,12 +6,12 @@ from enum import StrEnum
 from types import MappingProxyType
 from typing import TypeVar
 
+from fuzzytime.documents.nodes import Node
 from fuzzytime.requirement import Unit
 from fuzzytime.rulebook.tables.profile import Actor
 from fuzzytime.rulebook.tables.sections.scope import Scope
 from fuzzytime.rulebook.tables.width import Points, Roundness, Softness
 from fuzzytime.times import DAY, HOUR, parse_duration
-from fuzzytime.yaml_nodes import Node
 
 _E = TypeVar("_E", bound=StrEnum)
 _T = TypeVar("_T")

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER, COMPLEMENTS, binds, is_bare, is_order
-from fuzzytime.language.sentence.segments.further.orders_in_front import denied_from
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
+from fuzzytime.language.sentence.verbs.orders_before import denied_from
 
 LEAST = 2
 """Words of an order that another may stand behind, at least."""
@@ -214,7 +214,7 @@ def is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
     """Whether an order is said to its end, and is none that leads to what others do: "let the kids"."""
     # "Don't boil the milk just warm it"
     denied = denied_from(tree, tree.root) == 0
-    if not denied and (not is_order(tree) or not is_bare(tree.nodes[0], lexicon)):
+    if not is_order(tree) or not is_bare(tree.nodes[0], lexicon):
         return False
     verb = tree.root if denied else 0
     doing, lemma = lexicon.doing, tree.nodes[verb].lemma

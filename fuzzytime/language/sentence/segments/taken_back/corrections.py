@@ -8,7 +8,6 @@ from fuzzytime.language.grammar.lent import is_timed_entry
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark, RemarkKind
-from fuzzytime.language.meaning.beside import in_hour_of
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -21,8 +20,9 @@ from fuzzytime.language.meaning.expressions import (
     Time,
     Wall,
 )
+from fuzzytime.language.meaning.joined.beside import in_hour_of
+from fuzzytime.language.meaning.joined.weekdays_left_out import weekdays_in
 from fuzzytime.language.meaning.times_of_day import Clock
-from fuzzytime.language.meaning.weekdays_left_out import weekdays_in
 from fuzzytime.requirement import Constraint, Unit
 
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})

@@ -13,9 +13,9 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
-from fuzzytime.language.meaning.intervals_on_days import is_interval
+from fuzzytime.language.meaning.joined.intervals_on_days import is_interval
+from fuzzytime.language.meaning.joined.told_apart import ending_on
 from fuzzytime.language.meaning.phrases import is_window
-from fuzzytime.language.meaning.told_apart import ending_on
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
 from fuzzytime.language.sentence.segments.segment import JOINED

@@ -19,11 +19,11 @@ from fuzzytime.language.meaning.expressions import (
     Said,
     Wall,
 )
-from fuzzytime.language.meaning.intervals_on_days import is_interval, on_days
-from fuzzytime.language.meaning.repeats_beside import names_day_of, without_clocks
-from fuzzytime.language.meaning.throughout import each_day, is_clock_time, is_rest_of_days
+from fuzzytime.language.meaning.joined.intervals_on_days import is_interval, on_days
+from fuzzytime.language.meaning.joined.repeats_beside import names_day_of, without_clocks
+from fuzzytime.language.meaning.joined.throughout import each_day, is_clock_time, is_rest_of_days
+from fuzzytime.language.meaning.joined.told_apart import ending_on, told_apart
 from fuzzytime.language.meaning.times_of_day import Half, Part
-from fuzzytime.language.meaning.told_apart import ending_on, told_apart
 from fuzzytime.language.sentence.segments.drafts import Heading
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between

@@ -10,7 +10,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import Phrase, Repeat
-from fuzzytime.language.meaning.weekdays_left_out import weekdays_in, without_weekdays
+from fuzzytime.language.meaning.joined.weekdays_left_out import weekdays_in, without_weekdays
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
 DO = "do"

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Edge, Phrase, Repeat, Said, TimeWord, Wall
-from fuzzytime.language.meaning.first_times import STARTING, beginning
-from fuzzytime.language.meaning.throughout import in_part, in_parts_of_each_day, is_clock_time
+from fuzzytime.language.meaning.joined.first_times import STARTING, beginning
+from fuzzytime.language.meaning.joined.throughout import in_part, in_parts_of_each_day, is_clock_time
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Constraint

@@ -5,9 +5,9 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.days.relations import Away, Relative, days_onward
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
-from fuzzytime.language.meaning.relations import Away, Relative, days_onward
-from fuzzytime.language.meaning.repeats_beside import MOMENTS
+from fuzzytime.language.meaning.joined.repeats_beside import MOMENTS
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Constraint, Unit

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
-from fuzzytime.language.meaning.distances import HALFWAY, INTO, LATER
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord
+from fuzzytime.language.meaning.joined.distances import HALFWAY, INTO, LATER
 from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.lent.requested_too import requested_too

@@ -1,8 +1,8 @@
 """What tells what was, and whose times are over: "her last turn was at six"."""
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.days.relations import Deictic, Relative
 from fuzzytime.language.meaning.expressions import Coming, Offset, Said, Wall
-from fuzzytime.language.meaning.relations import Deictic, Relative
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree

@@ -6,8 +6,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.meaning.days.relations import Away
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Wall
-from fuzzytime.language.meaning.relations import Away
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint, Unit
 

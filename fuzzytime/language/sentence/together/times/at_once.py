@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 from fuzzytime.language.instruction import overlap
-from fuzzytime.language.meaning.distances import later_by
 from fuzzytime.language.meaning.expressions import Duration, Phrase, TimeWord
+from fuzzytime.language.meaning.joined.distances import later_by
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Unit

@@ -7,8 +7,8 @@ from itertools import pairwise
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.bounded_repeats import is_of_day
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
+from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
-from fuzzytime.language.meaning.first_times import (
+from fuzzytime.language.meaning.joined.first_times import (
     at_the_beginning,
     beginning,
     closing_of,
@@ -14,7 +14,7 @@ from fuzzytime.language.meaning.first_times import (
     is_release,
     opening_of,
 )
-from fuzzytime.language.meaning.repeats_beside import MOMENTS
+from fuzzytime.language.meaning.joined.repeats_beside import MOMENTS
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 

@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
+from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Said, Wall
-from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.meaning.times_of_day import NOON, Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 

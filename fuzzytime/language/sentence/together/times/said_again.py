@@ -7,8 +7,8 @@ from itertools import pairwise
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
-from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.sentence.segments.events.instances import Instances
 from fuzzytime.language.sentence.sketches.sketch import Sketch

@@ -7,7 +7,7 @@ from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat
-from fuzzytime.language.meaning.first_times import ending_with
+from fuzzytime.language.meaning.joined.first_times import ending_with
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.times.said_again import ONE_OF, SEVERAL
 from fuzzytime.requirement import Constraint

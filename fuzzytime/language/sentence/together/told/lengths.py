@@ -7,8 +7,8 @@ from fuzzytime.language.finding import ground_all
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Instruction, Operation, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import Duration
-from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.meaning.requirements import Grounded
+from fuzzytime.language.meaning.grounded.moment import Moment
+from fuzzytime.language.meaning.required.requirements import Grounded
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.segments.told.asides import Aside

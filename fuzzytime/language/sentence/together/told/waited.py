@@ -5,8 +5,8 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.distances import later_by
 from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.meaning.joined.distances import later_by
 from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 

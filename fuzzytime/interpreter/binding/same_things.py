@@ -1,0 +1,56 @@
+"""What is done with one thing is done in the order said: "peel the potatoes", then "boil the potatoes"."""
+
+from collections.abc import Iterator, Sequence
+
+from fuzzytime.interpreter.binding.steps import OWN_TIME, Step, is_anchored, is_asked
+from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.language import content_words
+from fuzzytime.requirement import Constraint
+from fuzzytime.skills import Precedence
+
+LEAVES_OPEN = frozenset({Constraint.VAGUE, Constraint.BEFORE, Constraint.WHEN})
+"""What a step may say of its time, and still be meant before what is said next of its thing."""
+
+LEADS = OWN_TIME | {Constraint.BEFORE}
+"""What says of a step when it is, whatever was said before it."""
+
+
+def of_things(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
+    """Give the order of what is done with the same thing, where no words say when.
+
+    A time of its own says more than the order: "serve the soup at seven", "heat the soup".
+    """
+    worked_on: dict[str, list[tuple[frozenset[str], Step]]] = {}
+    for position, one in enumerate(skills):
+        thing = _thing_of(one)
+        if not thing:
+            continue
+        step = Step(position, one)
+        rarest = min((worked_on.setdefault(word, []) for word in thing), key=len)
+        # "Pick the first tray", "inspect the tray"
+        before = next((earlier for named, earlier in reversed(rarest) if thing <= named), None)
+        if before is not None and _leaves_open(before) and _is_open(step):
+            yield before.precedence(step)
+        for word in thing:
+            worked_on[word].append((thing, step))
+
+
+def _thing_of(one: Interpreted) -> frozenset[str]:
+    """Give the words of what something is done with, once and by request; none where that is not so."""
+    asked = one.operation is not None and one.operation.is_asked and is_asked(one)
+    return content_words(one.operation.object) if asked and one.operation is not None else frozenset()
+
+
+def _leaves_open(step: Step) -> bool:
+    """Whether nothing names a time of a step: behind another it is still meant before what is said next."""
+    return all(
+        part.constraint in LEAVES_OPEN
+        if part.anchor is None
+        else part.constraint is Constraint.AFTER and not part.anchor.exact
+        for part in step.interpreted.requirements
+    )
+
+
+def _is_open(step: Step) -> bool:
+    said = step.interpreted.requirements
+    return not any(part.constraint in LEADS or is_anchored(part) for part in said)

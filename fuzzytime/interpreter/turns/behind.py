@@ -1,0 +1,68 @@
+"""Turns that count from what comes before them: "stain it for 20 minutes, then rinse it three times"."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from fuzzytime.interpreter.in_other_words.retold import turn
+from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.language import Instruction
+from fuzzytime.requirement import Constraint, Edge, Recurrence, TimeRequirement
+
+
+@dataclass(frozen=True, slots=True)
+class Behind:
+    """The instruction, by its position among all, behind which turns begin."""
+
+    target: int
+
+    def times(
+        self, repeated: TimeRequirement, recurrence: Recurrence, until: float
+    ) -> Iterator[tuple[TimeRequirement]]:
+        """Give the turns' times, each at its distance from the end of what is before them."""
+        for start, _ in recurrence.windows(until):
+            yield (turn(repeated, self.target, Edge.END, start),)
+
+
+def behind_of(
+    instruction: Instruction,
+    before: Sequence[range],
+    skills: Sequence[Interpreted],
+) -> Behind | None:
+    """Give what turns come behind; None where they have a time of their own, or follow nothing.
+
+    It is what words name ("then"), or the latest that was asked for of the same thing: "fold it four times".
+    ``before`` are the positions of the skills of all instructions so far.
+    """
+    repeated = next((part for part in instruction.requirements if part.recurrence is not None), None)
+    recurrence = None if repeated is None else repeated.recurrence
+    if recurrence is None or recurrence.interval is None:
+        return None
+    counted = not recurrence.endless
+    # What is counted begins at once, and all else so long behind: "every hour after the meeting".
+    begin = 0.0 if counted else recurrence.interval
+    if recurrence.windows(recurrence.interval)[:1] != ((begin, begin),):
+        return None
+    operation = instruction.operation
+    target = next((p.anchor.target for p in instruction.requirements if _follows(p) and p.anchor), None)
+    if target is None and counted and operation is not None and operation.again:
+        target = _about(operation.object, before, skills)
+    if target is None or not 0 <= target < len(before) or len(before[target]) != 1:
+        return None
+    one = skills[before[target][0]]
+    return None if one.operation is None or (counted and one.stated) else Behind(target)
+
+
+def _about(thing: str | None, before: Sequence[range], skills: Sequence[Interpreted]) -> int | None:
+    """Give the latest instruction that asks for something to be done with a thing."""
+    for target in range(len(before) - 1, -1, -1):
+        operations = [skills[place].operation for place in before[target]]
+        if any(one is not None and not one.stated and one.object == thing for one in operations):
+            return target
+    return None
+
+
+def _follows(part: TimeRequirement) -> bool:
+    """Whether it says that something is done once another is: "then"."""
+    anchor = part.anchor
+    behind = anchor is not None and anchor.target is not None and anchor.edge is Edge.END
+    return behind and part.constraint is Constraint.AFTER and anchor is not None and not anchor.lag

@@ -1,0 +1,77 @@
+"""Bounds a little off a time: "by just before noon", "from just after 3 to just before 5"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.english.bounded.bounds import deadline, release
+from fuzzytime.language.english.intervals.ranges import between
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.expressions import Edge, Ending, Goal, Said, Wall
+from fuzzytime.requirement import Constraint
+
+grammar = Grammar()
+
+UNBOUND = frozenset({"from", "until", "since"})
+"""Bounds that nothing is made for."""
+
+
+@grammar.rule("goal off", "<beside> the? <goal>", weight=0.4)
+def goal_off(hedge: str, goal: Goal) -> Goal | None:
+    """(by) just before noon."""
+    return replace(goal, hedges=(hedge, *goal.hedges)) if isinstance(goal.time, (Wall, Ending)) else None
+
+
+@grammar.rule("said", "<preposition_before> <goal off>", weight=0.6)
+def deadline_off(preposition: Preposition, goal: Goal) -> Said | None:
+    """By just before noon, until shortly after lunch."""
+    said = deadline(preposition, goal)
+    return None if said is None else replace(said, edge=_edge_of(goal))
+
+
+@grammar.rule("said", "<preposition_after> <goal off>", weight=0.6)
+def release_off(preposition: Preposition, goal: Goal) -> Said | None:
+    """From just after three, not before a bit after five."""
+    said = release(preposition, goal)
+    return None if said is None else replace(said, edge=_edge_of(goal))
+
+
+def _edge_of(goal: Goal) -> Edge:
+    """Give which edge of a time is meant: before it its start, after it its end."""
+    return Edge.END if goal.hedges[0].endswith("after") else Edge.START
+
+
+@grammar.rule("said", "for <preposition_before>|<preposition_after> <goal>", weight=0.3)
+def for_bound(preposition: Preposition, goal: Goal) -> Said | None:
+    """(an alarm) for no later than eight: made for a time that is a bound; but "for after lunch"."""
+    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
+    if not clocked or preposition.name in UNBOUND:
+        return None
+    side = deadline if preposition.constraint is Constraint.BEFORE else release
+    return side(preposition, goal)
+
+
+@grammar.rule("said", "for between <goal> and <goal>", weight=1.2)
+def for_between(first: Goal, last: Goal) -> Said | None:
+    """(a table) for between seven and eight."""
+    clocked = all(isinstance(goal.time, Wall) and goal.time.clock is not None for goal in (first, last))
+    return between(first, last) if clocked else None
+
+
+@grammar.rule("said", "for <goal off>", weight=0.3)
+def for_off(goal: Goal) -> Said | None:
+    """(an alarm) for just before eight."""
+    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
+    return Said(goal.time, None, None, goal.hedges, _edge_of(goal), beside=True) if clocked else None
+
+
+@grammar.rule(
+    "said",
+    "between <goal off> and <goal>|<goal off>",
+    "between the? <goal> and <goal off>",
+    "from <goal off> to|-|until|till|til <goal>|<goal off>",
+    "from the? <goal> to|-|until|till|til <goal off>",
+    weight=1.1,
+)
+def between_off(first: Goal, last: Goal) -> Said | None:
+    """From just after three to just before five, between noon and shortly after one."""
+    return between(first, last)

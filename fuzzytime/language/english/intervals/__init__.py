@@ -1,0 +1,9 @@
+"""From one time to another.
+
+``ranges`` as they are said, ``ranges_of_minutes`` and ``hours_open`` of one hour, ``typed_intervals``.
+"""
+
+from fuzzytime.language.english.intervals import hours_open, ranges, ranges_of_minutes, typed_intervals
+from fuzzytime.language.grammar.chart import Grammar
+
+grammar = Grammar.of(ranges.grammar, ranges_of_minutes.grammar, hours_open.grammar, typed_intervals.grammar)

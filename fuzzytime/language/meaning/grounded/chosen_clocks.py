@@ -1,0 +1,229 @@
+"""Which of the moments is meant that a clock time without am or pm, or without a day, may be."""
+
+from collections.abc import Sequence
+from datetime import datetime, time, timedelta
+
+from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.grounded.standpoint import Standpoint
+from fuzzytime.language.meaning.instants import Instants, midnight
+from fuzzytime.language.meaning.times_of_day import Clock, Half
+
+NOON = 12
+FOLLOWING = timedelta(hours=6)
+"""How long after a clock time the next one of a text, without am or pm, hardly is before it."""
+
+CLOSE = timedelta(hours=3)
+"""The same where another text said that clock time, as lines need not be in the order of the day."""
+
+EVENING = time(19)
+"""From here on, what lines say goes on into the night."""
+
+NIGHT = time(21)
+OVERNIGHT = timedelta(hours=5)
+"""What lines say from then on may lie behind midnight, so long after."""
+
+EARLY = time(4)
+"""From here on, who speaks is up early, not late."""
+
+
+def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
+    """Choose among the moments that a clock time may mean, in ascending order."""
+    named = wall.days is not None
+    plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=named or here.early)]
+    chosen = (plausible or moments)[0]
+    if here.ends and not named and not here.usual and here.now.time() >= EARLY:
+        # "Until ten", said at eight in the evening: what can still be kept today.
+        chosen = next((moment for moment in moments if moment.date() == here.now.date()), chosen)
+    if here.leads is not None and not named and not here.usual:
+        # "Unlock it at 7:45 and lock it at 18:10": the 7:45 that is before.
+        leading = (moment for moment in plausible if _leads(here, moment, here.leads))
+        chosen = next(leading, chosen)
+    if here.leads is not None and not here.leads.is_open and moments[0].date() == moments[-1].date():
+        # "Milk them tomorrow at five and again at half past four pm": the first, however early that is.
+        chosen = next((moment for moment in moments if _leads(here, moment, here.leads)), chosen)
+    told = _at_same_hour(here, moments) or _of_night(here, moments)
+    if told is not None:
+        choices = tuple(moments) if told in moments else ()
+        return Instants(told, told, clock.grain, choices, wall.zone)
+    morning = _of_morning(here, moments, clock, named=named)
+    if morning is not None and (not here.usual or morning in plausible):
+        chosen = morning
+    elif here.since is not None and not here.usual and _is_late(here, here.since, moments):
+        # "The interval is at 20:35", "strike the set at ten": that evening, however late.
+        chosen = next(moment for moment in moments if here.since < moment)
+    elif here.since is not None and chosen < here.since:
+        chosen = _following(here, moments, plausible, wall) or _in_day(here, moments, plausible, chosen)
+    if here.night is not None and not named and not here.usual:
+        # The shift is from 19:30 to 07:30: "handover at quarter past seven" is where it ends.
+        first, last = here.night
+        chosen = next((moment for moment in moments if first <= moment <= last), chosen)
+    choices = tuple(moments) if len(moments) > 1 and chosen in moments else ()
+    return Instants(chosen, chosen, clock.grain, choices, wall.zone)
+
+
+def _following(
+    here: Standpoint, moments: Sequence[datetime], plausible: Sequence[datetime], wall: Wall
+) -> datetime | None:
+    """Give the moment that follows what was said before: "open it at eight and close it at nine"."""
+    since = here.since
+    if since is None:
+        return None
+    # Of "at eight, twelve and five", none is at night only because another is in the evening, and nobody
+    # has lunch at midnight.
+    known = plausible if here.listed or here.carried or here.usual else moments
+    within = CLOSE if here.carried and not here.in_order else FOLLOWING
+    follows = [moment for moment in known if since < moment <= since + within]
+    if wall.days is not None and not here.carried:
+        # "On friday mow at ten and rake at six": the six of that day that follows, however late.
+        follows += [moment for moment in plausible if since < moment]
+    if not follows and here.onto and not here.carried:
+        # "Open it at noon and close it at ten", however late that is.
+        follows = [moment for moment in moments if since < moment]
+    if not follows and not here.carried:
+        # "Dinner is at seven, lay the table at half six", said early in the day
+        follows = [moment for moment in plausible[::-1] if since - CLOSE <= moment < since]
+    return next(iter(follows), None)
+
+
+def _in_day(
+    here: Standpoint, moments: Sequence[datetime], plausible: Sequence[datetime], chosen: datetime
+) -> datetime:
+    """Give the moment that is not before the day of the lines begins, if one is.
+
+    "Hall open from 1.30", "tea at 5", "tuner at noon", then "doors 6.45".
+    """
+    if here.opened is None or here.opened <= chosen:
+        return chosen
+    known = moments if here.opened.hour >= NOON else plausible
+    later = (moment for moment in known if here.opened < moment and moment.date() == chosen.date())
+    return next(later, chosen)
+
+
+def _at_same_hour(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:
+    """Give the moment in the half of the day that the same number was in before, of the same thing.
+
+    "At six on wednesday, thursday and friday": all in the evening, or none.
+    """
+    since = here.since
+    if since is None or not here.listed or len({moment.date() for moment in moments}) > 1 or len(moments) < 2:
+        return None
+    days_apart = since.date() != moments[0].date()
+    return next((moment for moment in moments if days_apart and moment.time() == since.time()), None)
+
+
+def _of_night(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:
+    """Give the evening, or the morning behind it: "close it at eight and open it at seven"."""
+    if here.overnight is None:
+        return None
+    if here.overnight is Half.EVENING:
+        return next((moment for moment in moments if moment.hour >= NOON), None)
+    mornings = [moment for moment in moments if moment.hour < NOON]
+    since = here.since or here.now
+    return next((m + timedelta(days=m <= since) for m in mornings), None)
+
+
+def _of_morning(
+    here: Standpoint, moments: Sequence[datetime], clock: Clock, *, named: bool
+) -> datetime | None:
+    """Give the moment in which a night ends that was said before: people are up early then."""
+    since = here.since
+    if since is None:
+        return None
+    if here.ends and here.follows and not named and since.time() >= EVENING:
+        # "Charge it overnight so it's ready by six"
+        days = (midnight(since.date()) + timedelta(days=later) for later in (0, 1))
+        there = (day + timedelta(seconds=seconds) for day in days for seconds in clock.candidates())
+        return min(moment for moment in there if moment > since)
+    if since.time() < here.policy.plausible_from:
+        # "Leave it on overnight and switch it off at six"
+        return next((moment for moment in moments if since <= moment <= since + CLOSE), None)
+    return None
+
+
+def _is_late(here: Standpoint, since: datetime, moments: Sequence[datetime]) -> bool:
+    """Whether one of some moments follows what was said of an evening on a line before."""
+    if not here.carried or since.time() < EVENING:
+        return False
+    if since.time() >= NIGHT:
+        # Who drains it at 22:00 puts it back by 1:30 that night.
+        return any(since < moment <= since + OVERNIGHT for moment in moments)
+    return any(since < moment <= since + CLOSE and moment.date() == since.date() for moment in moments)
+
+
+def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
+    """Whether people are up, for as long as what is asked for is said to last.
+
+    On a day to come that is named they may be up earlier.
+    """
+    first, last = here.policy.plausible_from, here.policy.plausible_to
+    if not (here.usual or ahead) and _is_soon(here, moment):
+        return True
+    if not here.usual and EARLY <= here.now.time() < first <= last and moment.date() == here.now.date():
+        # Who speaks at five is up at half past; dinner is in the evening all the same.
+        first = here.now.time()
+    if ahead and moment.date() > here.now.date() and (here.early or not here.ends):
+        # Nothing is over by six in the morning but what people do that early.
+        first = min(first, here.policy.ahead_from)
+    # "Stay up until three": the end of usual hours is one of them.
+    closes = here.usual and moment.time() == last
+    if first > last:
+        return moment.time() >= first or moment.time() < last or closes
+    end = moment + timedelta(seconds=here.lasting)
+    return (first <= moment.time() < last or closes) and (
+        not here.lasting or (end.date() == moment.date() and end.time() <= last)
+    )
+
+
+def is_unusual(here: Standpoint, moments: Sequence[datetime]) -> bool:
+    """Whether people do what is asked for at none of some moments, as far as its usual hours are known."""
+    return here.usual and not any(_is_plausible(here, moment, ahead=True) for moment in moments)
+
+
+def _is_soon(here: Standpoint, moment: datetime) -> bool:
+    """Whether a moment is so soon that it is meant at any hour: "at three", said at ten to two at night."""
+    policy, now = here.policy, here.now.time()
+    if now == time():
+        # The moment is given as a day.
+        return False
+    at_night = now >= policy.night_from or now < policy.night_to
+    hours = policy.night_hours if at_night else policy.soon_hours
+    return timedelta(0) <= moment - here.now <= timedelta(hours=hours)
+
+
+def _leads(here: Standpoint, moment: datetime, clock: Clock) -> bool:
+    """Whether a clock time follows on the same day, while people are up where its half is not said."""
+    there = (midnight(moment.date()) + timedelta(seconds=seconds) for seconds in clock.candidates())
+    return any(m > moment and (not clock.is_open or _is_plausible(here, m, ahead=True)) for m in there)
+
+
+def same_day_after(here: Standpoint, clock: Clock) -> list[datetime]:
+    """Give the moments of a clock time on the day of what it follows with the same thing."""
+    if not here.onto or here.since is None or here.since.date() <= here.now.date():
+        return []
+    if here.since.time() < EARLY:
+        # "Run it at midnight and report by six": the morning that follows.
+        return []
+    there = (midnight(here.since.date()) + timedelta(seconds=seconds) for seconds in clock.candidates())
+    return sorted(moment for moment in there if moment >= here.since)
+
+
+def within_window(here: Standpoint, clock: Clock) -> list[datetime]:
+    """Give the moments of a clock time in the hours that a line above names; none where none is in them."""
+    if here.window is None:
+        return []
+    first, last = here.window
+    days = {midnight(end.date()) for end in here.window}
+    there = (day + timedelta(seconds=seconds) for day in days for seconds in clock.candidates())
+    return sorted(moment for moment in there if first <= moment <= last)
+
+
+def before_due(here: Standpoint, clock: Clock) -> list[datetime]:
+    """Give the last of a clock time's moments before what is prepared; none where that is far from it."""
+    if here.due is None:
+        return []
+    days = (midnight(here.due.date()) - timedelta(days=back) for back in (0, 1))
+    moments = [day + timedelta(seconds=seconds) for day in days for seconds in clock.candidates()]
+    last = max(moment for moment in moments if moment <= here.due)
+    # "My shift starts at nine, leave at five" is behind it.
+    early = not here.ends and not _is_plausible(here, last, ahead=True)
+    return [last] if last > here.now and here.due - last <= FOLLOWING and not early else []

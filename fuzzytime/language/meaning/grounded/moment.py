@@ -1,0 +1,146 @@
+"""When an instruction was given, and how far wall-clock times are from then: zones and changes of clocks."""
+
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta, timezone, tzinfo
+
+from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.meaning.grounded.grounding import Grounding
+from fuzzytime.language.meaning.instants import CALENDAR_UNITS, SUB_DAY, shifted
+from fuzzytime.language.meaning.times_of_day import Clock, Half
+from fuzzytime.language.meaning.ungrounded import UngroundedError
+from fuzzytime.language.policy import Policy
+from fuzzytime.times import parse_clock, parse_zone, seconds_between
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """When an instruction was given: with a zone, without, or not known.
+
+    ``since`` is the time in seconds that was said before in the same text, ``day`` the day, ``listed``
+    whether for the same thing to be done: "at eight and nine", ``follows`` whether what is asked for comes
+    after it, ``carried`` whether another text said it, given at the same time: the line before;
+    ``in_order`` whether the lines so far go through a day in its order, ``opened`` the earliest time that
+    several of them said. ``due`` is
+    when in seconds that happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
+    ``leads`` is the clock time of what follows in the same sentence with the same thing, and ``onto`` says
+    that this is what follows: "open it at eight and close it at six". ``overnight`` says that it is
+    the evening, or the morning that follows, of what is so overnight: "close it at eight, open it at seven".
+    ``past`` says that it is over: "her last turn was at six"; ``night`` is from when to when, in seconds, a
+    line said that a shift goes on over midnight, ``window`` from when to when a line above says that all is.
+    ``usual`` says that the hours of the policy are those at which people do what is asked for, ``early`` that
+    this is so of those on days to come.
+    """
+
+    now: datetime | None
+    policy: Policy
+    since: float | None = None
+    day: float | None = None
+    listed: bool = False
+    follows: bool = False
+    carried: bool = False
+    in_order: bool = False
+    opened: float | None = None
+    due: float | None = None
+    usual: bool = False
+    early: bool = False
+    leads: Clock | None = None
+    onto: bool = False
+    overnight: Half | None = None
+    past: bool = False
+    night: tuple[float, float] | None = None
+    window: tuple[float, float] | None = None
+
+    def grounding(self, zone: str | None = None) -> Grounding:
+        """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
+
+        Raises
+        ------
+        UngroundedError
+            If no clock is known.
+        """
+        if self.now is None:
+            raise UngroundedError("a time of day needs a clock: say what time it is now")
+        if zone is not None and self.now.tzinfo is not None:
+            return Grounding(self.now.astimezone(zone_of(zone)).replace(tzinfo=None), self.policy)
+        here = self.now.replace(tzinfo=None)
+        since = None if self.since is None else here + timedelta(seconds=self.since)
+        return Grounding(
+            here,
+            self.policy,
+            since=since,
+            day=None if self.day is None else here + timedelta(seconds=self.day),
+            listed=self.listed,
+            follows=self.follows,
+            carried=self.carried,
+            in_order=self.in_order,
+            opened=None if self.opened is None else here + timedelta(seconds=self.opened),
+            due=None if self.due is None else here + timedelta(seconds=self.due),
+            usual=self.usual,
+            early=self.early,
+            leads=self.leads,
+            onto=self.onto,
+            overnight=self.overnight,
+            past=self.past,
+            night=_from_to(here, self.night),
+            window=_from_to(here, self.window),
+        )
+
+    def seconds(self, wall: datetime, zone: str | None = None) -> float:
+        """Give the seconds from now to a wall-clock time, in our zone or another.
+
+        A wall-clock time that a change of clocks skips is the moment that long after the change; of one
+        that comes twice, it is the first.
+        """
+        if self.now is None:
+            raise UngroundedError("a time of day needs a clock: say what time it is now")
+        if self.now.tzinfo is None:
+            return seconds_between(self.now, wall)
+        there = zone_of(zone) if zone is not None else self.now.tzinfo
+        try:
+            return seconds_between(self.now, wall.replace(tzinfo=there, fold=self._fold(wall, there)))
+        except (OverflowError, ValueError) as error:
+            raise UngroundedError("a time must lie in the years 1 to 9999") from error
+
+    def skips(self, wall: datetime, zone: str | None) -> bool:
+        """Whether a change of clocks skips a wall-clock time."""
+        if self.now is None or self.now.tzinfo is None:
+            return False
+        there = wall.replace(tzinfo=zone_of(zone) if zone is not None else self.now.tzinfo)
+        return there.astimezone(UTC).astimezone(there.tzinfo).replace(tzinfo=None) != wall
+
+    def _fold(self, wall: datetime, zone: tzinfo) -> int:
+        """Give the second of two equal wall-clock times, where the first is over."""
+        if self.now is None or self.now.tzinfo is None:
+            return 0
+        first, second = (wall.replace(tzinfo=zone, fold=fold).astimezone(UTC) for fold in (0, 1))
+        return 1 if first < self.now.astimezone(UTC) <= second else 0
+
+    def later(self, duration: Duration, direction: int = 1) -> float:
+        """Give the seconds to a duration from now: days and longer by the wall clock, the rest as elapsed."""
+        days = tuple(term for term in duration.terms if term[1] not in SUB_DAY)
+        rest = sum(Duration((term,)).seconds for term in duration.terms if term[1] in SUB_DAY)
+        if not days or (self.now is None and not any(unit in CALENDAR_UNITS for _, unit in days)):
+            return direction * duration.seconds
+        try:
+            wall = shifted(self.grounding().now, Duration(days), direction)
+            return self.seconds(wall) + direction * rest
+        except (OverflowError, ValueError) as error:
+            raise UngroundedError("a time must lie in the years 1 to 9999") from error
+
+
+def _from_to(here: datetime, seconds: tuple[float, float] | None) -> tuple[datetime, datetime] | None:
+    """Give the ends of a stretch of time on the wall clock."""
+    return (
+        None
+        if seconds is None
+        else (here + timedelta(seconds=seconds[0]), here + timedelta(seconds=seconds[1]))
+    )
+
+
+def zone_of(name: str) -> tzinfo:
+    """Give the zone of a name from the word tables: an IANA name or an offset."""
+    if name[0] in "+-":
+        offset = parse_clock(name[1:])
+        minutes = (offset.hour * 60 + offset.minute) * (-1 if name[0] == "-" else 1)
+        return timezone(timedelta(minutes=minutes))
+    return parse_zone(name)

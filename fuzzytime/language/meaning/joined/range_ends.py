@@ -1,0 +1,83 @@
+"""What the two ends of a range lend each other: "from 5 to 6 pm", "monday 9 to 5"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.days.relations import Deictic
+from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.requirement import Unit
+
+
+def closes(wall: Wall) -> bool:
+    """Whether it is "close", which may be a hedge: "close to noon"."""
+    return wall.weak and wall.part is not None and wall.part.is_point
+
+
+def is_meal(wall: Wall) -> bool:
+    """Whether it is a meal of a day that is not said, or may be none."""
+    return wall.part is not None and (wall.weak or (wall.part.meal and wall.days is None))
+
+
+def is_one(first: Wall, last: Wall) -> bool:
+    """Whether a dash stands between parts of one time: "friday - june 19", "6 january - 6:30".
+
+    A number behind a date is a day: "march 10 - 17".
+    """
+    if first.days is None and last.days is not None and last.clock is None and last.part is None:
+        # As in "10:00 - march 5".
+        return first.clock is not None and last.days.grain is Unit.DAY and not _is_ordinal(first, last)
+    if first.days is None or first.clock is not None:
+        return False
+    if first.days.grain is not Unit.DAY:
+        # "Next week - friday 5 pm"
+        return first.days.grain is Unit.WEEK and isinstance(last.days, Fields) and last.days.weekly
+    if last.days is None:
+        return not _is_ordinal(last, first)
+    if first.part is not None or last.part is not None or last.clock is not None:
+        return False
+    return _says_again(first.days, last.days) or _says_again(last.days, first.days)
+
+
+def _is_ordinal(number: Wall, day: Wall) -> bool:
+    """Whether a number beside a date, or beside another number, is a day of the month."""
+    return number.bare and (day.bare or (isinstance(day.days, Fields) and day.days.day is not None))
+
+
+def _says_again(weekday: Calendar, day: Calendar) -> bool:
+    """Whether one is a weekday, and the other a date without one."""
+    named = weekday.of if isinstance(weekday, Deictic) else weekday
+    dated = isinstance(day, Fields) and day.day is not None and day.weekday is None
+    return isinstance(named, Fields) and named.weekly and dated
+
+
+def comparable(first: Wall, last: Wall) -> bool:
+    """Whether two can be the ends of one range: a year and a clock time cannot."""
+    for one, other in ((first, last), (last, first)):
+        coarse = one.days is not None and one.days.grain is not Unit.DAY and one.clock is None
+        if coarse and other.clock is not None and other.days is None:
+            return False
+    return True
+
+
+def lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
+    """Lend each end what only the other says: "july 13 to 15", "from 5 to 6pm tomorrow"."""
+    if (first.clock is None) != (last.clock is None):
+        bare = first if first.clock is not None else last
+        other = last if first.clock is not None else first
+        if bare.bare and isinstance(other.days, Fields) and other.days.day is not None:
+            # A number beside a date is a day of the month.
+            day = Fields(day=bare.clock.hour) if bare.clock is not None else None
+            if day is None or not 1 <= (day.day or 0) <= 31:
+                return None
+            dated = Wall(day, weak=other.weak)
+            first, last = (dated, last) if bare is first else (first, dated)
+    if first.clock is not None and last.clock is not None:
+        days = first.days or last.days
+        zone = first.zone or last.zone
+        part = None if first.days and last.days else first.part or last.part
+        # The other end's day, where it says one itself, is its own.
+        first = replace(first, days=first.days or days, zone=zone, part=first.part or part)
+        last = replace(last, zone=zone, part=last.part or part)
+        if last.days == first.days:
+            last = replace(last, days=None)
+    return first, last

@@ -1,0 +1,63 @@
+"""Repetitions that lie so long behind others: "each evening lock up and set the alarm an hour later"."""
+
+from dataclasses import dataclass, replace
+from typing import Self
+
+from fuzzytime.requirement import Recurrence
+
+
+@dataclass(frozen=True, slots=True)
+class DelayedRecurrence:
+    """Each occurrence of another repetition, so many seconds later.
+
+    >>> from fuzzytime.language.meaning.recurrences.recurrence import EvenRecurrence
+    >>> DelayedRecurrence(EvenRecurrence(step=3600, first=3600), 600).occurrences(7800)
+    (4200, 7800)
+    """
+
+    of: Recurrence
+    by: float
+
+    @property
+    def interval(self) -> float | None:
+        """Seconds between occurrences, None where they are not evenly spaced."""
+        return self.of.interval
+
+    @property
+    def endless(self) -> bool:
+        """Whether no end of the repetition is named."""
+        return self.of.endless
+
+    @property
+    def closing(self) -> float | None:
+        """Seconds at the end of what goes on in which it lies."""
+        return self.of.closing
+
+    @property
+    def spans(self) -> bool:
+        """Whether words say where each occurrence begins and where it is over."""
+        return self.of.spans
+
+    @property
+    def all_day(self) -> bool:
+        """Whether nothing but a day bounds it."""
+        return self.of.all_day
+
+    def occurrences(self, until: float) -> tuple[float, ...]:
+        """Give the times from 0 to ``until``, in seconds from when the instruction was given."""
+        return tuple(time + self.by for time in self.of.occurrences(until - self.by))
+
+    def spaced(self, length: float) -> Self:
+        """Give the same for what goes on that many seconds."""
+        return replace(self, of=self.of.spaced(length))
+
+    def windows(self, until: float) -> tuple[tuple[float, float], ...]:
+        """Give the same with their ends."""
+        return self._delayed(self.of.windows(until - self.by))
+
+    def coming(self, count: int) -> tuple[tuple[float, float], ...]:
+        """Give the next occurrences, at most so many."""
+        return self._delayed(self.of.coming(count))
+
+    def _delayed(self, windows: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
+        return tuple((begin + self.by, end + self.by) for begin, end in windows)
