@@ -78,7 +78,8 @@ def fronts_of(
     led: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
         order = carried.without_carrier(CARRIER, attempt.order, 0)
-        if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and is_order(order):
+        asks = is_order(order) or bool(order.nodes and _is_wish(order, 0, lexicon))
+        if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and asks:
             led[attempt.one] = attempt.front
     return led
 
@@ -92,7 +93,8 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     first, end = words[marker.end].start, one.segment.span[1]
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
-        if start <= first or here == 0 or not _may_be_done(tree, here, lexicon):
+        opens = _may_be_done(tree, here, lexicon) or _is_wish(tree, here, lexicon)
+        if start <= first or here == 0 or not opens:
             continue
         timed = one.timed(tree)
         if here in timed or _is_counted(tree, here, lexicon) or binds(tree, here - 1, lexicon):
@@ -144,6 +146,15 @@ def _may_be_done(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     becomes = node.tag in {"JJ", "RB"} and tree.nodes[place - 1].lemma in lexicon.doing.being
     becomes = becomes and not (led and node.lower in lexicon.orders)
     return (known or led) and is_bare(node, lexicon) and not becomes
+
+
+def _is_wish(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether somebody begins to say what is to be done: "when it is dark | I want to lock up"."""
+    behind = tree.nodes[place + 1 : place + 3]
+    asks = any(node.tag == "MD" or node.lemma in lexicon.wanting for node in behind[:1])
+    # "If it rains I have to bring in the washing"
+    asks = asks or [node.lemma for node in behind] == ["have", "to"]
+    return asks and tree.nodes[place].lower in lexicon.closed.first_and_second_person
 
 
 def _is_event_before_order(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -93,7 +93,6 @@ def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
     leads = (
         lemma in lexicon.forgetting
         or lemma in lexicon.wanting
-        or (lemma in lexicon.doing.remembering and _has_to(tree, below))
         or (lemma in lexicon.indicators and not _is_left(tree, root, below, lexicon))
         or _is_going_to(tree, root)
         or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root, lexicon)))
