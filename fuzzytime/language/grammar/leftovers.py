@@ -46,6 +46,8 @@ TYPED = ("n/n", "n/y", "y/n")
 DAY = "day"
 """What words of days end in: "holidays", "match days", "birthday"."""
 
+ON, HOLIDAY = "on", "holiday"
+
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
 
@@ -89,6 +91,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     yield from _ones(scanned, explained, around)
     yield from _moments(scanned, explained, around)
     yield from _typed(scanned, explained, around)
+    yield from _unknown_days(scanned, explained, around)
     yield from _left_out(scanned, explained, around)
     for start, cell in enumerate(scanned.cells):
         for category in TELLING & cell.keys():
@@ -216,6 +219,25 @@ def _moments(scanned: Scanned, explained: Sequence[Span], around: Surroundings) 
                 break
 
 
+def _unknown_days(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of days that are not known: "on my birthday", "on payday"; but not "on holiday"."""
+    texts, function_words = around.texts, around.lexicon.function_words
+    for place in range(1, len(texts)):
+        word, behind = scanned.words[place], "".join(texts[place + 1 : place + 2])
+        known = not word.text.endswith(DAY) or any(around.pieces(place)) or _meets(explained, word, word)
+        if known:
+            continue
+        led = place - 1
+        while led > max(0, place - LONGEST_MOMENT) and texts[led] != ON and texts[led].isalpha():
+            led -= 1
+        if behind.isalpha() and behind not in function_words and not around.opens(led):
+            # "Write it on my birthday card"
+            continue
+        alone = led == place - 1 and word.text != HOLIDAY
+        if texts[led] == ON and (alone or texts[led + 1] in around.closed.noun_openers):
+            yield from range(led, place + 1)
+
+
 def _typed(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
     """Give the places of two numbers that end what is asked for: "dentist 3/15", "book the court 12-2"."""
     lexicon = around.lexicon
@@ -223,9 +245,10 @@ def _typed(scanned: Scanned, explained: Sequence[Span], around: Surroundings) ->
     counted = numbered | lexicon.no_times.set_to | lexicon.function_words
     for piece in (piece for shape in TYPED for piece in scanned.pieces(shape)):
         first, last = scanned.words[piece.start], scanned.words[piece.end - 1]
-        before = around.before(piece)
+        comma = around.before(piece) == "," and piece.start > 1
+        before = around.texts[piece.start - 2] if comma else around.before(piece)
         named = before.isalpha() and counted.isdisjoint({before, before.removesuffix("s")})
-        ends = around.follower(piece) in around.beside.polite_ends | {""}
+        ends = around.follower(piece) in around.beside.polite_ends | around.closed.coordinators_of_days | {""}
         if named and ends and not first.glued and not _meets(explained, first, last):
             yield from range(piece.start, piece.end)
 

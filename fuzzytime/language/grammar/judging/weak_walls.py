@@ -63,8 +63,10 @@ class WeakWalls(Standing):
         return ends and before not in self.lexicon.function_words | self.lexicon.called_by_number
 
     def _begins_at_meal(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        """Whether more than "from" makes a meal a start: "any time from lunch", not "dishes from lunch"."""
-        led = said.constraint is Constraint.AFTER and self.texts[piece.start] != said.preposition
+        """Whether more than "from" makes a meal a start: "starting from lunch", not "dishes from lunch"."""
+        first, second = self.texts[piece.start], {*self.texts[piece.start + 1 : piece.end]}
+        more = first != said.preposition or not second.isdisjoint(self.beside.binding_ranges)
+        led = said.constraint is Constraint.AFTER and more
         return led and wall.part is not None and not wall.part.place
 
     def _is_left_out(self, piece: Piece) -> bool:
