@@ -24,7 +24,7 @@ TELLING = frozenset(
 )
 """Categories of pieces that look like time."""
 
-WEEKEND = "weekend"
+WEEKEND, IN = "weekend", "in"
 
 LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
@@ -88,6 +88,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     yield from _halves(scanned, explained, lexicon)
     yield from _ones(scanned, explained, around)
     yield from _moments(scanned, explained, around)
+    yield from _untold(scanned, explained, around)
     yield from _typed(scanned, explained, around)
     yield from _left_out(scanned, explained, around)
     for start, cell in enumerate(scanned.cells):
@@ -214,6 +215,19 @@ def _moments(scanned: Scanned, explained: Sequence[Span], around: Surroundings) 
             if binds and described and all(text.isalpha() for text in around.texts[led:place]):
                 yield from range(led, place + 1)
                 break
+
+
+def _untold(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of days of which nobody said when they are: "on his birthday", "over half term"."""
+    beside, texts = around.beside, around.texts
+    binding = beside.before_weekends - around.closed.prepositions_of_recipients | {IN}
+    for place, word in enumerate(scanned.words):
+        first = place - (" ".join(texts[max(0, place - 1) : place + 1]) in beside.untold_days)
+        if " ".join(texts[first : place + 1]) not in beside.untold_days or _meets(explained, word, word):
+            continue
+        led = next((p for p in range(first - 1, first - LONGEST_MOMENT, -1) if texts[max(0, p)] in binding), -1)
+        if led >= 0:
+            yield from range(led, place + 1)
 
 
 def _typed(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
