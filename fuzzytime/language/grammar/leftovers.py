@@ -225,7 +225,9 @@ def _untold(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -
         first = place - (" ".join(texts[max(0, place - 1) : place + 1]) in beside.untold_days)
         if " ".join(texts[first : place + 1]) not in beside.untold_days or _meets(explained, word, word):
             continue
-        led = next((p for p in range(first - 1, first - LONGEST_MOMENT, -1) if texts[max(0, p)] in binding), -1)
+        led = next(
+            (p for p in range(first - 1, first - LONGEST_MOMENT, -1) if texts[max(0, p)] in binding), -1
+        )
         if led >= 0:
             yield from range(led, place + 1)
 
