@@ -299,6 +299,7 @@ class NoTimes:
     spelling: Words
     writing: Words
     speaking: Words
+    sending: Words
     works: Words
     naming: Words
     meaning: Words
