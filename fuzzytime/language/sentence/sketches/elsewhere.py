@@ -43,7 +43,7 @@ def elsewhere(
     own = said is not None and any(place is None or place < said for place in starts.values())
     if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
         said = recalled_from(part, action)
-    found = _of_moved(part, phrases, action, lexicon) + _of_reminded(part, phrases, action, lexicon)
+    found = _of_moved(part, phrases, action, lexicon) + _of_aim(part, phrases, action)
     found += _of_prepared(part, [phrase for phrase in phrases if phrase not in found], action)
     found += _of_inner(part, phrases) + _of_subject(part, phrases, action, told=told)
     past: int | None = None
@@ -153,12 +153,9 @@ def _of_moved(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
     return [phrase for phrase in phrases if behind <= phrase.span[0] <= behind + 1]
 
 
-def _of_reminded(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Lexicon) -> list[Phrase]:
-    """Give when that is of which one is reminded earlier: "remind me tonight to call Bob tomorrow"."""
-    nodes, known = part.tree.nodes, lexicon.doing.labels | lexicon.appointing
-    named = any(nodes[p].lower in known for p in part.tree.children(action.place, "dobj"))
-    if not named and nodes[action.place].lemma not in lexicon.doing.recalling:
-        return []
+def _of_aim(part: Part, phrases: Sequence[Phrase], action: Action) -> list[Phrase]:
+    """Give when that is which something else is for: "remind me tonight to call Bob tomorrow"."""
+    nodes = part.tree.nodes
     aims = (
         p for p in range(action.place + 2, len(nodes) - 1) if nodes[p].lower == TO and nodes[p + 1].is_bare
     )
