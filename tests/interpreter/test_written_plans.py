@@ -182,5 +182,5 @@ def test_what_lines_say_is_hardly_before_the_day_of_those_above_begins() -> None
 
 @pytest.mark.parametrize("line", ["Fish delivered 10.30", "Bread picked up at 10.30", "Noah collected 10.30"])
 def test_what_is_done_with_things_among_lines_with_times_is_to_come(line: str) -> None:
-    assert starts(told(["Open the hall at 9", "Tea 9.45", line, "Lunch 12"]))["s3"] == "10:30"
+    assert starts(told(["Open the hall at 9", "Tea at 9.45", line, "Lunch 12"]))["s3"] == "10:30"
     assert "10:30" not in starts(told([line])).values()
