@@ -15,7 +15,7 @@ from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_le
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node
 from fuzzytime.language.sentence.verbs.statements import second_statement
 
@@ -124,6 +124,7 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         if end > part.offset:
             yield replace(one.segment, span=(first, end))
             whole = _begins_order(one, part, start) or _is_told(one, start, lexicon)
+            whole = whole or _is_back(one, part, start, lexicon)
             borrowed = wishes.get(start, ())
             verbless = start in gaps and not whole and not borrowed and not _happens(part, lexicon)
             addressee = one.segment.addressee
@@ -177,6 +178,15 @@ def _is_told(one: Waiting, start: int, lexicon: Lexicon) -> bool:
     before = [p.first for p in one.source.phrases if p.span[0] > start and p.first]
     last = one.source.scanned.words[min(before) - 1] if before else None
     return last is not None and last.start > start and last.text in lexicon.doing.timed
+
+
+def _is_back(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:
+    """Whether somebody is somewhere again, and nothing is put there: "leave at eight, back about noon"."""
+    again = lexicon.closed.adverbs_of_repetition & lexicon.particles.keys()
+    root = part.tree.root
+    acts_on = part.tree.children(root, "dobj") and not part.tree.children(root, *SUBJECTS)
+    back = any(word.start == start and word.text in again for word in one.source.scanned.words)
+    return back and not acts_on
 
 
 def _denied_list(one: Waiting, starts: Sequence[int], lexicon: Lexicon) -> list[Segment]:
