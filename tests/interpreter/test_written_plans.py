@@ -147,6 +147,8 @@ def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
         ("Sweep the yard 11", ["11:00"]),
         ("Phones on 11.30", ["11:30"]),
         ("Milk round 11", ["11:00"]),
+        ("Make-up: Ana 11.10, Tom 11.40", ["11:10", "11:40"]),
+        ("Bread: mix 11, bake 1.15, 30 min", ["11:00", "13:15"]),
         ("Evening guests from 7 pm, first dance 7.30", ["19:00", "19:30"]),
     ],
 )
