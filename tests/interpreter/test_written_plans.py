@@ -146,6 +146,7 @@ def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
         ("Wool dyeing: 11.20", ["11:20"]),
         ("Sweep the yard 11", ["11:00"]),
         ("Phones on 11.30", ["11:30"]),
+        ("Lunch rush 12-2 no deliveries", ["12:00"]),
         ("Milk round 11", ["11:00"]),
         ("Make-up: Ana 11.10, Tom 11.40", ["11:10", "11:40"]),
         ("Bread: mix 11, bake 1.15, 30 min", ["11:00", "13:15"]),
@@ -180,6 +181,11 @@ def test_what_lines_say_is_hardly_before_the_day_of_those_above_begins() -> None
     found = starts(told([*lines, "Doors 6.45, concert 7.30"]))
     assert [found["s5"], found["s5.2"]] == ["18:45", "19:30"]
     assert "08:15" in starts(told([*lines[:2], "Doors 8.15"])).values()
+
+
+def test_what_a_line_below_a_day_says_next_may_be_shortly_before() -> None:
+    found = starts(told(["Thursday", "Open 9, lights on 8.45", "Towels at 9.30", "Perm at 11.30"]))
+    assert list(found.values()) == ["09:00", "08:45", "09:30", "11:30"]
 
 
 @pytest.mark.parametrize("line", ["Fish delivered 10.30", "Bread picked up at 10.30", "Noah collected 10.30"])
