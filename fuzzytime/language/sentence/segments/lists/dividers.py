@@ -217,7 +217,11 @@ def _timed_items(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> se
     goes_on = any(one.words and one.words[0].text in doing.timed for one in others)
     if ordered or goes_on or not first.ends_timed:
         return set()
-    return {place for place, one in enumerate(others, 1) if one.ends_timed}
+    timed = {place for place, one in enumerate(others, 1) if one.ends_timed}
+    # "Party of 14 at 7.30, canapes ten minutes after they sit down"
+    named = others[0].named[:1] == (0,)
+    apart = named and (others[0].words[0].text in verbs | lexicon.letting or others[0].bound)
+    return timed | {1} if apart else timed
 
 
 BY_COMMAS = (_head_entries, headed, _last_so_long, _each_is_timed)
