@@ -259,6 +259,7 @@ class BesideTimes:
     listing: Words
     lists: Words
     open_things: Words
+    awaited_in_a_stretch: Words
     sites: Words
     things_in_days: Words
     turnings: Words
