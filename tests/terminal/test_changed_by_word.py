@@ -221,14 +221,20 @@ def test_a_change_that_would_lose_one_of_several_changes_nothing() -> None:
 def test_what_is_said_to_be_cut_is_done(line: str) -> None:
     talk = talk_of("cut the boards at ten", "take the bins out at noon")
     assert "done: cut the boards" in talk.say(line)
-    assert talk.entries == ["take the bins out at noon"]
+    assert talk.left == ["take the bins out at noon"]
 
 
 @pytest.mark.parametrize(("line", "left"), [("the bins are out", 0), ("the bins aren't out", 1)])
 def test_what_is_said_to_be_out_was_taken_out(line: str, left: int) -> None:
     talk = talk_of("take the bins out at noon")
     talk.say(line)
-    assert len(talk.entries) == left
+    assert len(talk.left) == left
+
+
+def test_what_follows_something_done_before_its_time_still_does() -> None:
+    talk = talk_of("cut the boards at ten", "then plane them")
+    assert "plane the boards" in talk.say("the boards are cut")
+    assert talk.left == ["then plane them"]
 
 
 @pytest.mark.parametrize("line", ["mum called", "the bank just phoned", "Ann texted"])

@@ -172,21 +172,12 @@ def done(scene: Scene, text: str) -> Reply:
         return Reply((Text(f"done: {plain(running[wanted].name)}"),), changed=True)
     position = position_of(scene, wanted)
     skill = scene.plan.everything[position]
-    number = number_of(skill.identifier)
-    name = Text(f"done: {plain(skill.skill.name)}")
-    happens = skill.stated
-    others = any(
-        number_of(other.identifier) == number for other in scene.plan.everything if other is not skill
-    )
-    if happens or others:
-        # The others that the instruction asks for stay, and may refer to this one; what others are tied to
-        # has happened.
-        agent = scene.plan.schedule.skills[position].agent
-        now, satisfaction = scene.now, scene.plan.schedule.satisfactions[position]
-        begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction, happens)
-        scene.conversation.store.note_over(scene.conversation.name, begun)
-        return Reply((name,), changed=True)
-    return replace(step(scene, f":done {number}", lambda state: state.without(number)), lines=(name,))
+    # It stays known: others may refer to it, and what they are tied to has happened.
+    agent = scene.plan.schedule.skills[position].agent
+    now, satisfaction = scene.now, scene.plan.schedule.satisfactions[position]
+    begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction, skill.stated)
+    scene.conversation.store.note_over(scene.conversation.name, begun)
+    return Reply((Text(f"done: {plain(skill.skill.name)}"),), changed=True)
 
 
 def more(scene: Scene, text: str) -> Reply:

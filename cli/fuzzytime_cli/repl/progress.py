@@ -75,10 +75,9 @@ def unstarted(scene: Scene, about: About) -> str:
     FuzzytimeError
         If nothing that is meant has started, or which of several is not said.
     """
-    known = {entry.number for entry in scene.conversation.state.entries}
     done = scene.taken is not None and scene.taken.kind is AboutKind.DONE
-    if about.text and done and scene.focus is not None and scene.focus not in known:
-        # What was taken to be done is not asked for any more.
+    if about.text and done and scene.focus is not None and called(scene, scene.focus) is None:
+        # What was taken to be done is not planned any more.
         return ":undo"
     last = entry_of(scene, frozenset()) if about.text else None
     if last is not None:
