@@ -202,3 +202,22 @@ def test_what_happens_keeps_its_place_when_it_takes_longer() -> None:
     talk = Talk()
     talk.say("meeting at four")
     assert "16:00 17:30 meeting" in talk.say("make it half an hour longer")
+
+
+@pytest.mark.model
+@pytest.mark.parametrize("counted", ["ten minutes after that", "in ten minutes", "ten minutes before that"])
+def test_what_counted_from_now_or_another_does_so_no_more_when_it_moves_to_a_day(counted: str) -> None:
+    talk = Talk()
+    talk.say("stir the soup at noon")
+    talk.say(f"serve it {counted}")
+    talk.say("make it tomorrow")
+    assert talk.entries[-1] == "serve it tomorrow"
+
+
+@pytest.mark.model
+def test_what_waited_and_is_done_is_over() -> None:
+    talk = Talk()
+    talk.say("serve the soup when the guests sit down")
+    talk.say("then clear the table")
+    assert "found a place: s2 clear the table" in talk.say("the soup is served")
+    assert "the soup waits" in talk.say("undo")

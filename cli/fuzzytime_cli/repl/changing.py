@@ -171,11 +171,12 @@ def done(scene: Scene, text: str) -> Reply:
         scene.conversation.store.note_done(scene.conversation.name, wanted, scene.now)
         return Reply((Text(f"done: {plain(running[wanted].name)}"),), changed=True)
     position = position_of(scene, wanted)
-    skill = scene.plan.everything[position]
+    skill, now, schedule = scene.plan.everything[position], scene.now, scene.plan.schedule
     # It stays known: others may refer to it, and what they are tied to has happened.
-    agent = scene.plan.schedule.skills[position].agent
-    now, satisfaction = scene.now, scene.plan.schedule.satisfactions[position]
-    begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction, skill.stated)
+    begun = Started(skill.identifier, skill.skill.name, now, now, now, happens=skill.stated)
+    if scene.plan.has_time(position):
+        agent, satisfaction = schedule.skills[position].agent, schedule.satisfactions[position]
+        begun = replace(begun, agent=agent, satisfaction=satisfaction)
     scene.conversation.store.note_over(scene.conversation.name, begun)
     return Reply((Text(f"done: {plain(skill.skill.name)}"),), changed=True)
 

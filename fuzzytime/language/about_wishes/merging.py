@@ -33,7 +33,10 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
     """
     new = _past_hour_said(new, old, said, now, lexicon)
     other = one_time(new, now, lexicon)
-    if other is None:
+    before = one_time(old, said, lexicon)
+    counted = before is not None and before.unit is not None and before.preposition is not None
+    if other is None or counted:
+        # What was to be in ten minutes, or ten minutes after that, and is tomorrow, leaves no hour open.
         return new
     times = {piece: time for piece in _pieces(old) if (time := one_time(piece, said, lexicon)) is not None}
     days = [piece for piece, time in times.items() if is_of_days(time)]
