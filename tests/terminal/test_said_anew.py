@@ -205,6 +205,16 @@ def test_what_happens_keeps_its_place_when_it_takes_longer() -> None:
 
 
 @pytest.mark.model
+@pytest.mark.parametrize("day", ["on friday", "on friday at six", "tomorrow morning"])
+@pytest.mark.parametrize("part", ["tonight", "this evening"])
+def test_a_part_of_today_leaves_no_other_day(day: str, part: str) -> None:
+    talk = Talk()
+    talk.say(f"paint the fence {day}")
+    talk.say(f"no, {part}")
+    assert talk.entries == [f"paint the fence {part}"]
+
+
+@pytest.mark.model
 @pytest.mark.parametrize("counted", ["ten minutes after that", "in ten minutes", "ten minutes before that"])
 def test_what_counted_from_now_or_another_does_so_no_more_when_it_moves_to_a_day(counted: str) -> None:
     talk = Talk()

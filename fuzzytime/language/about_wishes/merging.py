@@ -40,8 +40,10 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
         return new
     times = {piece: time for piece in _pieces(old) if (time := one_time(piece, said, lexicon)) is not None}
     days = [piece for piece, time in times.items() if is_of_days(time)]
-    dated = not is_of_days(other) and any(
-        is_of_days(time) for piece in _pieces(new) if (time := one_time(piece, now, lexicon)) is not None
+    dated = not is_of_days(other) and (
+        # "Tonight", "this evening"
+        lexicon.means(new.split()[0].lower(), "day_part", "deictic")
+        or any(is_of_days(time) for piece in _pieces(new) if (time := one_time(piece, now, lexicon)))
     )
     for piece, told in times.items():
         if dated and is_of_days(told):
