@@ -9,6 +9,7 @@ from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown
 from fuzzytime_cli.repl.retiming import some_time, without_thing
 from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting
+from fuzzytime_cli.repl.which import alike
 
 
 def progress(scene: Scene, about: About) -> str | None:
@@ -44,7 +45,8 @@ def progress(scene: Scene, about: About) -> str | None:
     if not about.names:
         told = "" if last is None else f"; the last, {last.name}, was done at {over}"
         raise FuzzytimeError(f"nothing is running{told}: say what, such as: the soup is done")
-    entry = entry_of(scene, about.names)
+    # Of what is called alike the next one is done.
+    entry = next(iter(alike(scene, about.names)), None) or entry_of(scene, about.names)
     planned = None
     if entry is not None:
         planned = part_meant(scene, entry.number, about.names) or called(scene, entry.number)
