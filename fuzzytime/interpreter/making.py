@@ -298,5 +298,6 @@ def _parameters(operation: Operation | None) -> dict[str, str]:
         "object": operation.object,
         "place": operation.place,
         "manner": operation.manner,
+        "purpose": operation.purpose,
     }
     return {name: words for name, words in parts.items() if words}

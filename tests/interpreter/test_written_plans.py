@@ -136,6 +136,31 @@ def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
     assert starts(made)["s2"] < "09:00"
 
 
+@pytest.mark.parametrize(
+    ("line", "hours"),
+    [
+        ("Wrap 6", ["18:00"]),
+        ("Second milking 4, then bed the calves", ["16:00"]),
+        ("Consults 11-1", ["11:00"]),
+        ("Bottles 11, 1 and 3", ["11:00", "13:00", "15:00"]),
+        ("Wool dyeing: 11.20", ["11:20"]),
+        ("Sweep the yard 11", ["11:00"]),
+        ("Phones on 11.30", ["11:30"]),
+        ("Milk round 11", ["11:00"]),
+        ("Evening guests from 7 pm, first dance 7.30", ["19:00", "19:30"]),
+    ],
+)
+def test_a_number_alone_is_an_hour_where_most_lines_say_when(line: str, hours: list[str]) -> None:
+    made = starts(told(["Open the hall at 9", "Rehearsal 10.15", "Tea at 10.45", line]))
+    assert [made[name] for name in made if name.startswith("s4")][: len(hours)] == hours
+
+
+@pytest.mark.parametrize("line", ["Stall 4", "Guests: 12", "Simmer 10", "Tables 5 and 6"])
+def test_what_is_called_or_counted_is_no_hour_beside_them(line: str) -> None:
+    made = told(["Open the hall at 9", "Rehearsal 10.15", "Tea at 10.45", line])
+    assert not [time for one in made.skills[3:] for time in one.requirements if time.constraint == "at"]
+
+
 @pytest.mark.parametrize("way", ["hour and a quarter drive", "75 minutes' drive", "an hour's drive"])
 def test_how_long_one_drives_may_be_said_behind_a_comma(way: str) -> None:
     (leaving,) = told([f"Leave at 2, {way}"]).skills
@@ -146,3 +171,10 @@ def test_lines_that_go_through_a_day_in_order_go_on_further() -> None:
     lines = ["Open the hall at 8", "Sweep it at 10", "Lunch at 1.30", "Count the tickets at 7.15"]
     assert starts(told(lines))["s4"] == "19:15"
     assert starts(told(lines[2:]))["s2"] == "07:15"
+
+
+def test_what_lines_say_is_hardly_before_the_day_of_those_above_begins() -> None:
+    lines = ["Hall open from 1.30", "Staging 2.30", "Full rehearsal at 4.30", "Piano tuner 12 noon"]
+    found = starts(told([*lines, "Doors 6.45, concert 7.30"]))
+    assert [found["s5"], found["s5.2"]] == ["18:45", "19:30"]
+    assert "08:15" in starts(told([*lines[:2], "Doors 8.15"])).values()

@@ -148,6 +148,7 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
             found += [replace(word, text=owner, end=middle), Word("'s", middle, word.end, glued=True)]
         elif (
             base != word.text
+            and len(base) > 1  # "dish" is no day
             and (base in lexicon.numbers or base in lexicon.entries)
             and word.text not in lexicon.entries
         ):

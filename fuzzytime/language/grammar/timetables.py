@@ -209,7 +209,8 @@ def counts_nothing(words: Sequence[Word], place: int, lexicon: Lexicon, *, plura
         # "1215 Pine Street"
         return False
     several = looks_plural(text) and not has_time(text, lexicon)
-    inside = text in lexicon.function_words or text in lexicon.measure_nouns or len(text) == 1
+    measured = text in lexicon.measure_nouns or text in lexicon.no_times.measured_in
+    inside = text in lexicon.function_words or measured or len(text) == 1
     return not ((several and not plural) or inside or lexicon.means(text, "unit"))
 
 

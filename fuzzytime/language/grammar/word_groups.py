@@ -121,6 +121,7 @@ class ClosedClasses:
     end_of_a_gap: Words
     before_connectives: Words
     prepositions_of_recipients: Words
+    prepositions_of_company: Words
     prepositions_of_nouns: Words
     prepositions_behind_times: Words
     prepositions_of_duration: Words

@@ -100,6 +100,7 @@ class _Composer:
             since=since.clock,
             carried=since.clock is not None,
             in_order=since.in_order,
+            opened=since.opened,
             day=since.day,
             night=since.night,
             window=_window_of(draft, lexicon),

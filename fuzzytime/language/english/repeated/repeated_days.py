@@ -237,6 +237,19 @@ def every_month(number: int) -> Repeat:
     return Repeat(walls=(Wall(Fields(month=number)),))
 
 
+@grammar.rule("repeat", "<repeat> ,|and|& <month>|<season>", "<repeat> , and <month>|<season>", weight=0.3)
+def more_months(repeat: Repeat, days: int | Calendar) -> Repeat | None:
+    """Every april and october, every spring and autumn."""
+    told = Fields(month=days) if isinstance(days, int) else days
+    alike = (type(wall.days) is type(told) and wall == Wall(wall.days) for wall in repeat.walls)
+    months = told.grain is not Unit.MONTH or all(
+        wall.days.grain is Unit.MONTH for wall in repeat.walls if wall.days
+    )
+    return (
+        replace(repeat, walls=(*repeat.walls, Wall(told))) if repeat.walls and months and all(alike) else None
+    )
+
+
 @grammar.rule(
     "repeat",
     "<repeat> ,? except|but|excluding|bar|save for|not? on|at? <weekday list>|<weekdays>|<off>",

@@ -11,7 +11,7 @@ from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.judging.weak_walls import WeakWalls
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings import THING, Surroundings
 from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Cycle, Fields
@@ -28,9 +28,6 @@ SHORT_YEAR = 2
 
 ONE = "one"
 """What stands for a thing behind a word for which: "a new one"."""
-
-THING = "thing"
-"""The last word of a time that may be any thing: "first thing"."""
 
 
 class Walls(Standing):

@@ -52,28 +52,51 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         # "The interval is at 20:35", "strike the set at ten": that evening, however late.
         chosen = next(moment for moment in moments if here.since < moment)
     elif here.since is not None and chosen < here.since:
-        # "Open it at eight and close it at nine": the nine that follows.
-        # Of "at eight, twelve and five", none is at night only because another is in the evening, and nobody
-        # has lunch at midnight.
-        known = plausible if here.listed or here.carried or here.usual else moments
-        within = CLOSE if here.carried and not here.in_order else FOLLOWING
-        follows = [moment for moment in known if here.since < moment <= here.since + within]
-        if wall.days is not None and not here.carried:
-            # "On friday mow at ten and rake at six": the six of that day that follows, however late.
-            follows += [moment for moment in plausible if here.since < moment]
-        if not follows and here.onto and not here.carried:
-            # "Open it at noon and close it at ten", however late that is.
-            follows = [moment for moment in moments if here.since < moment]
-        if not follows and not here.carried:
-            # "Dinner is at seven, lay the table at half six", said early in the day
-            follows = [moment for moment in plausible[::-1] if here.since - CLOSE <= moment < here.since]
-        chosen = next(iter(follows), chosen)
+        chosen = _following(here, moments, plausible, wall) or _in_day(here, moments, plausible, chosen)
     if here.night is not None and not named and not here.usual:
         # The shift is from 19:30 to 07:30: "handover at quarter past seven" is where it ends.
         first, last = here.night
         chosen = next((moment for moment in moments if first <= moment <= last), chosen)
     choices = tuple(moments) if len(moments) > 1 and chosen in moments else ()
     return Instants(chosen, chosen, clock.grain, choices, wall.zone)
+
+
+def _following(
+    here: Standpoint, moments: Sequence[datetime], plausible: Sequence[datetime], wall: Wall
+) -> datetime | None:
+    """Give the moment that follows what was said before: "open it at eight and close it at nine"."""
+    since = here.since
+    if since is None:
+        return None
+    # Of "at eight, twelve and five", none is at night only because another is in the evening, and nobody
+    # has lunch at midnight.
+    known = plausible if here.listed or here.carried or here.usual else moments
+    within = CLOSE if here.carried and not here.in_order else FOLLOWING
+    follows = [moment for moment in known if since < moment <= since + within]
+    if wall.days is not None and not here.carried:
+        # "On friday mow at ten and rake at six": the six of that day that follows, however late.
+        follows += [moment for moment in plausible if since < moment]
+    if not follows and here.onto and not here.carried:
+        # "Open it at noon and close it at ten", however late that is.
+        follows = [moment for moment in moments if since < moment]
+    if not follows and not here.carried:
+        # "Dinner is at seven, lay the table at half six", said early in the day
+        follows = [moment for moment in plausible[::-1] if since - CLOSE <= moment < since]
+    return next(iter(follows), None)
+
+
+def _in_day(
+    here: Standpoint, moments: Sequence[datetime], plausible: Sequence[datetime], chosen: datetime
+) -> datetime:
+    """Give the moment that is not before the day of the lines begins, if one is.
+
+    "Hall open from 1.30", "tea at 5", "tuner at noon", then "doors 6.45".
+    """
+    if here.opened is None or here.opened <= chosen:
+        return chosen
+    known = moments if here.opened.hour >= NOON else plausible
+    later = (moment for moment in known if here.opened < moment and moment.date() == chosen.date())
+    return next(later, chosen)
 
 
 def _at_same_hour(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:

@@ -19,7 +19,8 @@ class Moment:
     ``since`` is the time in seconds that was said before in the same text, ``day`` the day, ``listed``
     whether for the same thing to be done: "at eight and nine", ``follows`` whether what is asked for comes
     after it, ``carried`` whether another text said it, given at the same time: the line before;
-    ``in_order`` whether the lines so far go through a day in its order. ``due`` is
+    ``in_order`` whether the lines so far go through a day in its order, ``opened`` the earliest time that
+    several of them said. ``due`` is
     when in seconds that happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
     ``leads`` is the clock time of what follows in the same sentence with the same thing, and ``onto`` says
     that this is what follows: "open it at eight and close it at six". ``overnight`` says that it is
@@ -38,6 +39,7 @@ class Moment:
     follows: bool = False
     carried: bool = False
     in_order: bool = False
+    opened: float | None = None
     due: float | None = None
     usual: bool = False
     early: bool = False
@@ -71,6 +73,7 @@ class Moment:
             follows=self.follows,
             carried=self.carried,
             in_order=self.in_order,
+            opened=None if self.opened is None else here + timedelta(seconds=self.opened),
             due=None if self.due is None else here + timedelta(seconds=self.due),
             usual=self.usual,
             early=self.early,

@@ -35,6 +35,8 @@ class Standpoint(ABC):
         Whether another text said it.
     in_order : bool
         Whether the texts so far go through a day in its order.
+    opened : datetime, optional
+        The earliest clock time of several texts so far.
     ends : bool
         Whether it is a deadline, which is not now: nothing can be done by then.
     opens : bool
@@ -68,6 +70,7 @@ class Standpoint(ABC):
     follows: bool = False
     carried: bool = False
     in_order: bool = False
+    opened: datetime | None = None
     ends: bool = False
     opens: bool = False
     due: datetime | None = None

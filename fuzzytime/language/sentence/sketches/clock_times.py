@@ -14,6 +14,9 @@ A_DAY = 86400.0
 A_WEEK = 7 * A_DAY
 """Seconds of a day and of a week; what is longer names no day."""
 
+BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
+"""How clock times bind that bound what is done: "guests from 7 pm"."""
+
 NIGHT_SECONDS = A_DAY / 2 + 1
 """What goes on over midnight for longer leaves open which half of the day is meant."""
 
@@ -23,28 +26,41 @@ class LastSaid:
     """The clock time, and the day, that were said last, in seconds from now; None where none was.
 
     ``night`` is from when to when something goes on over midnight, as was told; ``forward`` is how many clock
-    times in a row came later than the one before, on lines before this.
+    times in a row came later than the one before, on ``lines`` before this, and ``earliest`` the earliest of
+    all.
     """
 
     clock: float | None = None
     day: float | None = None
     night: tuple[float, float] | None = None
     forward: int = 0
+    lines: int = 0
+    earliest: float | None = None
 
     @property
     def in_order(self) -> bool:
         """Whether lines go through a day in its order, as far as is known."""
         return self.forward >= IN_ORDER
 
+    @property
+    def opened(self) -> float | None:
+        """The earliest clock time of enough lines, before which another is hardly meant."""
+        return self.earliest if self.lines >= SEVERAL else None
+
     def behind(self, before: "LastSaid") -> "LastSaid":
         """Give the same, with how far lines have gone on from what was said before."""
         if before.clock is None or self.clock is None or self.clock == before.clock:
-            return replace(self, forward=before.forward)
-        return replace(self, forward=before.forward + 1 if self.clock > before.clock else 0)
+            return replace(self, forward=before.forward, lines=before.lines, earliest=before.earliest)
+        forward = before.forward + 1 if self.clock > before.clock else 0
+        earliest = min(self.clock, before.clock if before.earliest is None else before.earliest)
+        return replace(self, forward=forward, lines=before.lines + 1, earliest=earliest)
 
 
 IN_ORDER = 2
 """Times in a row that come later than the one before, from which on lines go through a day in its order."""
+
+SEVERAL = 3
+"""Lines with another clock time than the one before, from which on the earliest is where a day begins."""
 
 NOTHING = LastSaid()
 
@@ -58,7 +74,7 @@ def last_said(requirements: Iterable[TimeRequirement], before: LastSaid) -> Last
             # Of a weekend, its last day.
             named = requirement.grain in {*SUB_DAY, Unit.DAY} or length > A_DAY
             before = replace(before, day=begin + max(0.0, length - A_DAY)) if named else before
-        if requirement.constraint in SAID_WHEN | {Constraint.BEFORE} and requirement.grain in SUB_DAY:
+        if requirement.constraint in SAID_WHEN | BOUNDS and requirement.grain in SUB_DAY:
             if latest is not None and (begin is None or latest - begin > FOLLOWING.total_seconds()):
                 # "Charge overnight and be ready at seven"
                 begin = latest

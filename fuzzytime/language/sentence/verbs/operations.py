@@ -13,6 +13,7 @@ from fuzzytime.language.sentence.verbs.small_clauses import SmallClause, small_c
 from fuzzytime.language.sentence.verbs.statements import others_do
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
+AIMS = ("advcl", "xcomp", "acl", "relcl")
 NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
 
@@ -46,6 +47,7 @@ class Reader(Particles):
             direct, particle = self.said(taken), None if particle in taken else particle
         whole_verb = self._whole_verb(verb)
         places += whole_verb[:-1]
+        purpose = [] if stated else self._purpose(verb, [*whole, *places, *where])
         return Operation(
             # "Robot 2 cleans the tank" asks it to clean the tank.
             verb=" ".join(self.tree.nodes[p].lower for p in whole_verb) if doer is None else node.lemma,
@@ -55,7 +57,10 @@ class Reader(Particles):
             place=self._within_sentence(where),
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=complement,
-            manner=None if stated and node.lemma == "be" else self._how(verb, [*whole, *places, *where]),
+            manner=None
+            if stated and node.lemma == "be"
+            else self._how(verb, [*whole, *places, *where, *purpose]),
+            purpose=self.said(purpose),
             addressee=doer,
             due=None if stated or subject is None or direct != subject else self._must(verb),
             negated=action.negated,
@@ -89,6 +94,18 @@ class Reader(Particles):
     def _how(self, verb: int, taken: list[int]) -> str | None:
         """Give how it is done: "quickly wash the car"."""
         return self._within_sentence(self.manner(verb, taken))
+
+    def _purpose(self, verb: int, taken: list[int]) -> list[int]:
+        """Give what it is done for: "go to the shop at six to buy milk"."""
+        asked = [p for p in self.tree.children(verb, "xcomp", "ccomp", "dobj") if p > verb]
+        # "Set a reminder for six to feed the cat": a tree may hang it on the time.
+        over = [verb, *asked, *(p for p in self.tree.below(verb) if self.timed(p))]
+        for aim in sorted(p for place in over for p in self.tree.children(place, *AIMS)):
+            to = next((p for p in self.tree.children(aim, "aux") if self.tree.nodes[p].lower == "to"), aim)
+            said = self.words([aim], to - 1)
+            if self.has_to(aim) and not self.timed(aim) and set(taken).isdisjoint(said):
+                return said
+        return []
 
     def _within_sentence(self, words: list[int]) -> str | None:
         """Give words without the capital that begins a sentence."""
@@ -129,6 +146,7 @@ class Reader(Particles):
         found = (*self.tree.children(verb, *OBJECTS), *self._asked(verb))
         level = [*level, *self._let(verb)]
         direct = [p for p in found if p > verb and p not in level and not self._is_apart(p)]
+        direct = [p for p in direct if not self.names_company(p)]
         yield self.words([p for p in direct if not self.timed(p) or self._is_joined(p)], verb)
         yield self._inquired(verb)
         # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.

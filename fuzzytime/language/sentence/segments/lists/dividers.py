@@ -62,8 +62,11 @@ BRACKETS = (("(", ")"), ("[", "]"))
 """Marks that open, and that close."""
 
 
-def divided(text: str, grammar: Grammar, lexicon: Lexicon) -> str:
-    """Give a text of the same length with a stop in place of each mark between entries."""
+def divided(text: str, grammar: Grammar, lexicon: Lexicon, *, listed: bool = False) -> str:
+    """Give a text of the same length with a stop in place of each mark between entries.
+
+    It may be one of the lines that together are ``listed`` with their times.
+    """
     text = LEADING.sub(lambda found: " " * len(found[0]), text)
     for line in LINE.finditer(text):
         bullets = _found(BULLET, text, line)
@@ -71,7 +74,8 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon) -> str:
             text = _with_stops(text, bullets)
         commas = _found(COMMA, text, line)
         items = _between(text, line, commas)
-        if commas and any(told(items, grammar, lexicon) for told in BY_COMMAS):
+        kinds = (*BY_COMMAS, _each_ends_timed) if listed else BY_COMMAS
+        if commas and any(told(items, grammar, lexicon) for told in kinds):
             text = _with_stops(text, commas)
         for kind in MARKS:
             marks = _found(kind, text, line)
@@ -184,7 +188,9 @@ def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> 
         return all(entry.begins_with_stretch for entry in others)
     # "Croissants out at 6, baguettes at 7"
     named = [p for p in first.named if not p or first.words[p].text not in lexicon.beside.states]
-    if len(named) != 1 or not (first.clocked or first.bounded):
+    # "Remind me thursday, july 9 to call mum" is no thing with its time.
+    asked = not lexicon.closed.object_pronouns.isdisjoint(word.text for word in first.words)
+    if len(named) != 1 or asked or not (first.clocked or first.bounded):
         return False
     if first.bounded:
         # "Bake by noon, party at three": what is due, and what happens.
@@ -193,6 +199,28 @@ def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> 
     return all(
         ((entry.clocked or entry.bounded) and entry.named and entry.opens) or entry.counted
         for entry in others
+    )
+
+
+def _each_ends_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether commas stand between things that each end in their time: "tenors from 2.30, first altos 3.15".
+
+    The first is nothing to do, that may be done with the others, too.
+    """
+    first, *others = (Entry.of(item, grammar, lexicon) for item in items)
+    doing = lexicon.doing
+    verbs = lexicon.orders.union(
+        lexicon.addressing,
+        lexicon.circling,
+        *(doing.errands, doing.putting, doing.several_timed, doing.shutting),
+    )
+    if not first.words or first.words[0].text in verbs:
+        return False
+    if any(one.words and one.words[0].text in doing.timed for one in others):
+        # "Coach leaves at 8, arrives 9.30"
+        return False
+    return all(
+        (one.clocked or one.bounded) and one.ends and one.named[:1] == (0,) for one in (first, *others)
     )
 
 

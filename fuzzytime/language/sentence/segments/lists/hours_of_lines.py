@@ -6,11 +6,13 @@ is, it is an hour, as if "@" stood in front of it.
 
 import re
 from collections.abc import Iterator, Sequence
+from enum import IntEnum
 from functools import cache
+from itertools import takewhile
 
-from fuzzytime.english import PARTICIPLE, singular
+from fuzzytime.english import PARTICIPLE, looks_plural, singular
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.timetables import has_time
+from fuzzytime.language.grammar.timetables import SEPARATORS, has_time
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.sentence.segments.lists.dividers import LINE
 
@@ -20,8 +22,14 @@ SURELY = 2
 TYPED = 3
 """Lines with a number that may be an hour and its minutes that are a list of times by themselves."""
 
+MOST = 3
+"""Lines with a time, at least, and the part of all lines that makes most of them timed: a third."""
+
 FIVES = 5
-"""Minutes by which people plan; prices have others."""
+"""Minutes by which people plan; prices have others, but so have trains and sunsets, one of four at most."""
+
+FEW_ODD = 4
+"""Of so many numbers with two digits behind their points, one may have others."""
 
 DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 """A number with two digits behind its point."""
@@ -40,11 +48,24 @@ BESIDE_HOURS = (
     "weekday",
     "day",
     "month",
+    "unit",
 )
-"""What words mean that belong to the hour behind them: "exactly 9.10", "friday 9.30"."""
+"""What words mean that belong to what is behind them: "exactly 9.10", "friday 9.30", "day 3"."""
 
 ENDS = r"\s*(?:$|[,;()!]|\.(?!\d)|[-–—]\s)"
 """What ends what is said of when something is."""
+
+
+NAMED = re.compile(r"^\s*[^\W\d][^:;,\n]*(?P<colon>:)[ \t](?=\d)", re.MULTILINE)
+"""A name with a colon in front of a number: "Tea: 10.30"."""
+
+
+class Timed(IntEnum):
+    """How many lines say when something is: of most of them, a number alone is an hour, too: "Wrap 7"."""
+
+    NO = 0
+    SOME = 1
+    MOST = 2
 
 
 @cache
@@ -54,9 +75,10 @@ def _hours(halves: frozenset[str]) -> re.Pattern[str]:
     hour, minutes = r"(?:2[0-3]|[01]?\d)", r"[.:][0-5]\d"
     return re.compile(
         rf"""
-        (?<=[\w)]) \s (?: {hour} (?P<minutes>{minutes}) | (?:1[0-2]|0?[1-9])(?![\d.:]) )
+        (?<=[\w)]) \s? (?P<mark>\s) (?: {hour} (?P<minutes>{minutes}) | (?:1[0-2]|0?[1-9])(?![\d.:]) )
         (?P<until> {half} (?:(?P<dash>\s[-–]\s)|\s?[-–]\s?|\s(?:to|till|until)\s)
                    {hour} (?P<last>{minutes})? )?
+        (?P<more> (?:,\s{hour}(?:{minutes})?)* \s(?:and|&|\+)\s{hour}(?:{minutes})? )?
         {half} (?P<ends>(?={ENDS}))? (?![\w.:/%°]\S|[/%°])
         """,
         re.VERBOSE | re.IGNORECASE,
@@ -75,29 +97,53 @@ def _sure(prepositions: frozenset[str]) -> re.Pattern[str]:
     )
 
 
-def are_times(texts: Sequence[str], lexicon: Lexicon) -> bool:
-    """Whether lines are a list of times, as two are surely timed, or three have numbers like hours."""
-    lines = [line[0] for text in texts for line in LINE.finditer(text)]
+def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
+    """Give whether lines are a list of times, as two are surely timed, or three have numbers like hours."""
+    lines = [line[0] for text in texts for line in LINE.finditer(without_colons(text, lexicon))]
     halves = _hours(lexicon.beside.of_hours)
     surely = _sure(lexicon.closed.prepositions_of_points | lexicon.closed.prepositions_of_time)
-    sure = sum(surely.search(line) is not None for line in lines)
+    sure = [surely.search(line) is not None for line in lines]
     decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
-    typed = sum(any(found["minutes"] for found in halves.finditer(line)) for line in lines)
-    planned = len(decimals) >= TYPED and all(digits < 60 and digits % FIVES == 0 for digits in decimals)
-    return sure >= SURELY or (planned and typed >= TYPED)
+    typed = [any(found["minutes"] for found in halves.finditer(line)) for line in lines]
+    odd = sum(digits >= 60 or digits % FIVES != 0 for digits in decimals)
+    planned = len(decimals) >= TYPED and len(decimals) >= FEW_ODD * odd
+    if sum(sure) < SURELY and not (planned and sum(typed) >= TYPED):
+        return Timed.NO
+    timed = sum(one or other for one, other in zip(sure, typed, strict=True))
+    return Timed.MOST if timed >= MOST and MOST * timed >= len(lines) else Timed.SOME
 
 
-def hours_in(text: str, lexicon: Lexicon) -> frozenset[int]:
+def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozenset[int]:
     """Give where in a line of a list of times a space stands before an hour, or a point in the first of it.
 
     >>> from fuzzytime.language import shipped_lexicon
     >>> hours_in("Panel 11.30", shipped_lexicon())
     frozenset({5})
+    >>> hours_in("Wrap 7", shipped_lexicon()), hours_in("Wrap 7", shipped_lexicon(), Timed.MOST)
+    (frozenset(), frozenset({4}))
     """
-    return frozenset((*_behind_things(text, lexicon), *_in_front(text, lexicon)))
+    if not timed:
+        return frozenset()
+    return frozenset((*_behind_things(text, lexicon, timed), *_in_front(text, lexicon)))
 
 
-def _behind_things(text: str, lexicon: Lexicon) -> Iterator[int]:
+def without_colons(text: str, lexicon: Lexicon, timed: Timed = Timed.MOST) -> str:
+    """Give a text without the colons between what a line names and its hour; but "Guests: 12" is how many.
+
+    >>> from fuzzytime.language import shipped_lexicon
+    >>> without_colons("Tea: 10.30", shipped_lexicon())
+    'Tea  10.30'
+    """
+    for found in NAMED.finditer(text):
+        named = words_of(found[0])[-2]
+        plain = text[: found.start("colon")] + " " + text[found.end("colon") :]
+        counted = looks_plural(named.text) and singular(named.text) not in lexicon.happening | lexicon.taken
+        if not counted and found.end() - 1 in _behind_things(plain, lexicon, timed):
+            text = plain
+    return text
+
+
+def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
     """Give where an hour follows what is then."""
     for found in _hours(lexicon.beside.of_hours).finditer(text):
         before = words_of(text[: found.start()])
@@ -110,10 +156,15 @@ def _behind_things(text: str, lexicon: Lexicon) -> Iterator[int]:
             # "Dive 1 - 9.30"
             yield found.end("dash") - 1
             continue
-        has_hour = _is_thing if found["minutes"] or found["last"] else _is_timed
+        typed = found["minutes"] or found["last"]
+        if _takes(before, lexicon) and not typed:
+            # "Simmer 10"
+            continue
+        thing = _thing_of(before, lexicon)
+        named = _is_thing(thing, lexicon) if typed else _is_timed(thing, lexicon, timed)
         goes_on = found["until"] is not None and _goes_on(before, lexicon)
-        if (goes_on or has_hour(before[-1], lexicon)) and _may_end(found, behind, lexicon):
-            yield found.start()
+        if (goes_on or named) and _may_end(found, behind, lexicon):
+            yield found.start("mark")
 
 
 def _in_front(text: str, lexicon: Lexicon) -> Iterator[int]:
@@ -145,17 +196,37 @@ def _costs(before: Sequence[Word], lexicon: Lexicon) -> bool:
     return not (kinds.costing | kinds.versioning).isdisjoint(word.text for word in before)
 
 
+def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether an entry begins with what takes so long."""
+    entry = [*takewhile(lambda word: word.text not in SEPARATORS, reversed(before))]
+    return bool(entry) and entry[-1].text in lexicon.timing | lexicon.timing_alone
+
+
+def _thing_of(before: Sequence[Word], lexicon: Lexicon) -> Word:
+    """Give the word in front of an hour that names what is then, "phones" of "phones on 8.30"."""
+    last = before[-1]
+    return before[-2] if last.text in lexicon.beside.switched and len(before) > 1 else last
+
+
 def _is_thing(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word names something that may have an hour, and is no preposition, hedge or day of one."""
     kinds = lexicon.no_times
     numbered = lexicon.measure_nouns | lexicon.amount_nouns | kinds.numbered_in_two | kinds.set_to
-    named = has_time(word.text, lexicon) or word.text not in numbered
+    known = has_time(word.text, lexicon)
+    if known and lexicon.means(word.text, "hedge"):
+        # "Drug round 8.15"
+        return True
+    named = known or word.text not in numbered
     return named and word.text not in lexicon.function_words and not lexicon.means(word.text, *BESIDE_HOURS)
 
 
-def _is_timed(word: Word, lexicon: Lexicon) -> bool:
-    """Whether a word names what has a time, and is not called by a number: "lunch", but "race 1"."""
-    return has_time(word.text, lexicon) and not _is_called(word, lexicon)
+def _is_timed(word: Word, lexicon: Lexicon, timed: Timed) -> bool:
+    """Whether a word names what has a time, and is not called by a number: "lunch", but "race 1".
+
+    Among lines of which most are timed, so may be anything else: "wrap".
+    """
+    has_hour = has_time(word.text, lexicon) or (timed is Timed.MOST and _is_thing(word, lexicon))
+    return has_hour and word.is_letters and not _is_called(word, lexicon)
 
 
 def _goes_on(entry: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -5,10 +5,13 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from fuzzytime.language.sentence.trees.tags import SINGULAR, SUBJECTS
-from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.trees.tree import Tree
 
 BELOW_ZERO = re.compile(r"[-−]\d+(\.\d+)?$")
 """A number below zero, which a tree takes for a mark."""
+
+NAMES = SINGULAR | {"NNS"}
+"""Tags of what is named."""
 
 DESCRIBING = frozenset({"RB", "JJ"})
 """Tags of words that name nobody."""
@@ -152,16 +155,11 @@ def with_her(tree: Tree, timed: AbstractSet[int]) -> Tree:
 def with_object_of_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "remind me later to call tim" who is called, whom a tree has for a measure of the reminding."""
     root = tree.root
-    for aim in tree.children(root, "xcomp"):
-        behind = aim + 1
-        near = behind < len(tree.nodes) and behind not in timed and not tree.children(aim, "dobj")
-        if near and _is_named(tree.nodes[behind], root):
+    for aim in tree.children(root, "xcomp", "ccomp"):
+        behind = (p for p in tree.children(root, "npadvmod") if tree.reach(p)[0] == aim + 1)
+        thing = next((p for p in behind if timed.isdisjoint(range(aim + 1, p + 1))), None)
+        if thing is not None and tree.nodes[thing].tag in NAMES and not tree.children(aim, "dobj"):
             nodes = list(tree.nodes)
-            nodes[behind] = replace(nodes[behind], relation="dobj", head=aim)
+            nodes[thing] = replace(nodes[thing], relation="dobj", head=aim)
             return tree.with_nodes(nodes)
     return tree
-
-
-def _is_named(node: Node, root: int | None) -> bool:
-    """Whether a word names a thing or somebody, and hangs on the verb of the sentence."""
-    return node.head == root and node.relation == "npadvmod" and node.tag in SINGULAR

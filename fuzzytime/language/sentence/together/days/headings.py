@@ -1,7 +1,6 @@
 """Times on lines of their own, which hold for the lines below: "Saturday:", "Before the guests come:"."""
 
 from collections.abc import Sequence
-from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -11,10 +10,10 @@ from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall
 from fuzzytime.language.meaning.joined.told_apart import told_apart
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.drafts import Draft, Heading
-from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
 from fuzzytime.language.sentence.together.days.titles import (
     LONGEST,
+    begins_order,
     held,
     hours_of,
     is_of_calendar,
@@ -106,25 +105,13 @@ def _is_title(draft: Draft, lexicon: Lexicon) -> bool:
         return False
     if not all(phrase.said.is_day and is_of_calendar(phrase) for phrase in draft.phrases):
         return False
-    asked = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
-    return not any(_begins_order(part, asked) for part in draft.parts)
+    return not begins_order(draft, lexicon)
 
 
 def _names_thing(phrase: Phrase, draft: Draft) -> bool:
     """Whether a part of the day calls what stands behind it: "Morning round:"."""
     words = draft.scanned.words
     return not names_day(phrase) and phrase.end < len(words) and words[phrase.end].is_letters
-
-
-def _begins_order(part: Part, asked: AbstractSet[str]) -> bool:
-    """Whether a part begins with what is done to something: "clean:", "fix the fence:"."""
-    tree = part.tree
-    first = next((place for place, node in enumerate(tree.nodes) if node.text[0].isalpha()), None)
-    if first is None:
-        return False
-    owned = any(tree.children(thing, "det", "poss") for thing in tree.children(first, "dobj"))
-    root = tree.nodes[tree.root]
-    return tree.nodes[first].lower in asked or root.lower in asked or owned
 
 
 def _called(draft: Draft, lexicon: Lexicon) -> str | None:

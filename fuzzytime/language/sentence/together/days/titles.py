@@ -1,6 +1,7 @@
 """The first of some lines, where it says on which day, or in which hours, the lines below it are."""
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from datetime import timedelta
 from itertools import pairwise
@@ -13,14 +14,21 @@ from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
+from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
 from fuzzytime.language.sentence.verbs.named_deeds import names_deed
 
 FEWEST = 3
 """Lines below a title, at least."""
 
+ENOUGH = 5
+"""Lines with hours below a title that make it one, whatever it names: "Concert Saturday", "Sunday plot"."""
+
 FEWEST_NAMING = 2
 """Words of a title without a time, at least: "Dentist" may be an entry."""
+
+FEW_DATED = 4
+"""Of so many lines below a title, one may have a day of its own."""
 
 LONGEST = 6
 """Words of a title, at most."""
@@ -37,7 +45,6 @@ def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
     time: "Tech rehearsal".
     """
     first, below = drafts[0], [draft for draft in drafts[1:] if draft.now == drafts[0].now]
-    dated = any(names_day(phrase) for draft in below for phrase in draft.phrases)
     if len(below) < FEWEST or len(first.phrases) > 1:
         return None
     clocks = [found for draft in below if (found := _clocks_in(draft))]
@@ -49,16 +56,51 @@ def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
         within = sum(_is_within(found, time, first, lexicon.policy) for found in clocks)
         named = _is_named(first, time, lexicon) and 2 * within >= len(below)
     else:
-        apart = first.text[: time.span[0]].rstrip()[-1:]
-        enough = 2 * len(clocks) >= len(below)
-        enough = enough or (len(clocks) >= FEWEST and apart != "" and apart in APART)
-        numbered = len(clocks) >= FEWEST and _numbers_day(first, time, lexicon)
-        named = ((enough or alone) and _is_named(first, time, lexicon)) or numbered
-        named = named or (alone and _leads_name(first, time, lexicon))
-        named = named and not dated and time.said.is_day and is_of_calendar(time)
+        time = _whole_day(time)
+        named = time.said.is_day and is_of_calendar(time) and _names_day_of(first, time, below, lexicon)
     if not named or time.said.preposition not in {None, "between"}:
         return None
     return _heading(first, time, lexicon)
+
+
+def _names_day_of(first: Draft, time: Phrase, below: Sequence[Draft], lexicon: Lexicon) -> bool:
+    """Whether lines below have hours, few of them have days, and the first is nothing to do on its day."""
+    hours = sum(bool(_clocks_in(draft)) for draft in below)
+    dated = sum(any(map(names_day, draft.phrases)) for draft in below)
+    if FEW_DATED * dated > len(below):
+        return False
+    most, alone = 2 * hours >= len(below), hours >= FEWEST and _only_names(first, lexicon)
+    if hours >= ENOUGH and 3 * hours >= len(below) and not begins_order(first, lexicon):
+        return True
+    apart = first.text[: time.span[0]].rstrip()[-1:]
+    enough = most or (hours >= FEWEST and apart != "" and apart in APART)
+    named = (enough or alone) and _is_named(first, time, lexicon)
+    numbered = hours >= FEWEST and _numbers_day(first, time, lexicon)
+    return named or numbered or (alone and _leads_name(first, time, lexicon))
+
+
+def begins_order(draft: Draft, lexicon: Lexicon) -> bool:
+    """Whether a part of a line begins with what is done to something: "clean:", "fix the fence:"."""
+    asked = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
+    return any(_begins_with(part, asked) for part in draft.parts)
+
+
+def _begins_with(part: Part, asked: AbstractSet[str]) -> bool:
+    tree = part.tree
+    first = next((place for place, node in enumerate(tree.nodes) if node.text[0].isalpha()), None)
+    if first is None:
+        return False
+    owned = any(tree.children(thing, "det", "poss") for thing in tree.children(first, "dobj"))
+    root = tree.nodes[tree.root]
+    return tree.nodes[first].lower in asked or root.lower in asked or owned
+
+
+def _whole_day(time: Phrase) -> Phrase:
+    """Give a day without the meal that a title names on it: "Sat 7 March lunch + dinner"."""
+    wall = time.said.time
+    if not isinstance(wall, Wall) or wall.days is None or wall.part is None or not wall.part.meal:
+        return time
+    return replace(time, said=replace(time.said, time=replace(wall, part=None)))
 
 
 def hours_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
