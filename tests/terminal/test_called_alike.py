@@ -52,6 +52,14 @@ def test_the_next_one_is_done() -> None:
     assert talk.left == ["feed the cat at six pm", OTHER]
 
 
+@pytest.mark.parametrize("answer", ["dad", "the second one", "s1.2"])
+def test_which_of_several_of_a_line_is_asked(answer: str) -> None:
+    talk = talk_of("call mum at noon and call dad at two pm")
+    assert talk.say("cancel the call") == "which one: call mum (s1, 12:00) or call dad (s1.2, 14:00)?"
+    talk.say(answer)
+    assert talk.entries == ["call mum at noon"]
+
+
 def test_what_is_asked_back_may_be_left_alone() -> None:
     talk = talk_of("call mum at six pm")
     assert "by how much?" in talk.say("bring it forward")

@@ -180,6 +180,7 @@ def test_a_time_alone_is_pointed_at_where_nothing_was_asked_for() -> None:
     ("wish", "line", "anew"),
     [
         ("clean the garage from two to four", "move it to five", "clean the garage at five for 2 h"),
+        ("gym every day at six", "move the gym to seven", "gym every day at seven pm"),
         ("meeting 2-2:30", "make it four", "meeting at four for 30 min"),
         ("clean the garage from two to four", "do it tomorrow", "clean the garage tomorrow from two to four"),
         ("call mum at two for ten minutes", "make it four", "call mum at four for ten minutes"),

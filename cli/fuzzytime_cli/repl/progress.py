@@ -46,7 +46,7 @@ def progress(scene: Scene, about: About) -> str | None:
         told = "" if last is None else f"; the last, {last.name}, was done at {over}"
         raise FuzzytimeError(f"nothing is running{told}: say what, such as: the soup is done")
     # Of what is called alike the next one is done.
-    entry = next(iter(alike(scene, about.names)), None) or entry_of(scene, about.names)
+    entry = next((one.entry for one in alike(scene, about.names)), None) or entry_of(scene, about.names)
     planned = None
     if entry is not None:
         planned = part_meant(scene, entry.number, about.names) or called(scene, entry.number)

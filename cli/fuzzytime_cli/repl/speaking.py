@@ -192,7 +192,7 @@ def _told(scene: Scene, words: str) -> Reply | None:
             _check_labels(scene, reading)
         # "Dinner at six" is a wish, and no time of another.
         wish = any(one.operation is not None for one in reading.instructions)
-        added = None if wish else added_time(words, scene.now, language.lexicon)
+        added = added_time(words, scene.now, language.lexicon, wish=wish)
         if added is not None:
             return _taken(scene, added)
         anew = said_anew(scene, words) or timed_now(scene, words, reading)

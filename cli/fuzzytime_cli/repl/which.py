@@ -1,6 +1,7 @@
 """Which of what was asked for is meant, by names or places; asked where several are called alike."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import About, AboutKind, about_wishes, content_words
@@ -97,13 +98,44 @@ def _next_of(scene: Scene) -> list[Entry]:
     return [one for one in scene.conversation.state.entries if one.identifier == min(starts)[1]]
 
 
-def alike(scene: Scene, names: frozenset[str]) -> list[Entry]:
-    """Give the entries still to be done that are called alike by some words, in the order of their times."""
+@dataclass(frozen=True, slots=True)
+class Called:
+    """What is still to be done and called by some words: what a line asks for, or one of several things."""
+
+    entry: Entry
+    label: str
+    name: str
+    names: frozenset[str]
+    start: datetime | None
+
+
+def alike(scene: Scene, names: frozenset[str]) -> list[Called]:
+    """Give what is called alike by some words and still to be done, in the order of the times."""
     if not names or label_meant(scene, names):
         return []
-    found = [entry for entry in entries_named(scene, names) if called(scene, entry.number) is not None]
-    timed = [(min(starts_of_entry(scene, entry), default=None), entry.number, entry) for entry in found]
-    return [one[-1] for one in sorted(timed, key=lambda one: (one[0] is None, one[0] or scene.now, one[1]))]
+    found = [one for entry in entries_named(scene, names) for one in _called_of(scene, entry, names)]
+    return sorted(found, key=lambda one: (one.start is None, one.start or scene.now, one.label))
+
+
+def _called_of(scene: Scene, entry: Entry, names: frozenset[str]) -> list[Called]:
+    """Give the things of an entry that are called so, where these are several; else the entry."""
+    left = [one for _, one in waiting(scene, entry.number)]
+    parts = {one.skill.name: one for one in left if names <= content_words(one.skill.name)}
+    if len(parts) < BOTH:
+        own = left[:1] if called(scene, entry.number) is not None else []
+        first = min(starts_of_entry(scene, entry), default=None)
+        label = entry.identifier
+        return [Called(entry, label, one.skill.name, frozenset({label}), first) for one in own]
+    return [
+        Called(entry, one.identifier, name, content_words(name), _start_of(scene, one.identifier))
+        for name, one in parts.items()
+    ]
+
+
+def _start_of(scene: Scene, identifier: str) -> datetime | None:
+    planned = enumerate(scene.plan.skills)
+    place = next((n for n, one in planned if one.identifier == identifier and scene.plan.has_time(n)), None)
+    return None if place is None else scene.plan.instant(scene.plan.schedule.start_times[place])
 
 
 def _only(scene: Scene, about: About, entry: Entry) -> Entry:
@@ -112,23 +144,19 @@ def _only(scene: Scene, about: About, entry: Entry) -> Entry:
     Raises
     ------
     AskedBackError
-        If none of them was.
+        If none of them was, or several.
     """
     found = alike(scene, about.names)
-    if len(found) <= 1:
-        return entry
-    spoken_of = next((one for one in found if one.number in {scene.focus, scene.told_last}), None)
-    if spoken_of is None:
+    spoken_of = [one.entry for one in found if one.entry.number in {scene.focus, scene.told_last}]
+    if len(found) > 1 and len(spoken_of) != 1:
         raise AskedBackError(f"which one: {' or '.join(_told(scene, one) for one in found)}?", about)
-    return spoken_of
+    return spoken_of[0] if len(found) > 1 else entry
 
 
-def _told(scene: Scene, entry: Entry) -> str:
-    """Tell of an entry what tells it apart: "call mum (s1, 18:00)"."""
-    name = next(one.skill.name for one in scene.plan.everything if one.wish.identifier == entry.identifier)
-    start = min(starts_of_entry(scene, entry), default=None)
-    time = "" if start is None else f", {Clock(scene.now, with_seconds=False).at(start)}"
-    return f"{name} ({entry.identifier}{time})"
+def _told(scene: Scene, one: Called) -> str:
+    """Tell what tells something apart: "call mum (s1, 18:00)"."""
+    time = "" if one.start is None else f", {Clock(scene.now, with_seconds=False).at(one.start)}"
+    return f"{one.name} ({one.label}{time})"
 
 
 def which_one(scene: Scene, words: str, asked: About) -> About | None:
@@ -144,5 +172,5 @@ def which_one(scene: Scene, words: str, asked: About) -> About | None:
     if len(said.places) == 1 and -len(found) <= said.places[0] <= len(found):
         meant = [found[said.places[0] - 1 if said.places[0] > 0 else said.places[0]]]
     else:
-        meant = [one for one in found if said.names and said.names <= words_of_entry(scene, one)]
-    return replace(asked, names=frozenset({meant[0].identifier})) if len(meant) == 1 else None
+        meant = [one for one in found if said.names and said.names <= content_words(one.name) | {one.label}]
+    return replace(asked, names=meant[0].names) if len(meant) == 1 else None
