@@ -218,6 +218,9 @@ def test_nothing_is_said_to_be_unused_where_all_is_read() -> None:
         ("Paint the fence on bank holiday monday", ["monday"]),
         ("Paint the fence over the weekend", []),
         ("Visit the weekend market", []),
+        ("Ring dad on his birthday", ["on his birthday"]),
+        ("Paint the room over half term", ["over half term"]),
+        ("Plan the birthday party at six", []),
     ],
 )
 def test_days_that_are_not_known_are_pointed_at(text: str, left: list[str]) -> None:

@@ -104,8 +104,11 @@ class BehindTimes(LookedUp):
         alone = piece.end - piece.start == 1 and not self._follows_time(piece.start)
         if alone or self.texts[piece.end - 1] in self.closed.singular_determiners:
             return False
-        # A hedge behind the number ends it.
         hedged = isinstance(piece.value, Said) and bool(piece.value.hedges)
+        if hedged and piece.value.preposition is None and self.is_counting(piece.end - 1):
+            # "Only 5 left"
+            return False
+        # A hedge behind the number ends it.
         ends = range(piece.start if hedged else piece.end - 1, piece.end)
         # "On friday the thirteenth add a film night"
         dated = self.texts[piece.end - 2] == "the" and self.is_weekday(piece.end - 3)

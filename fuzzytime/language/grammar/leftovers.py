@@ -24,7 +24,7 @@ TELLING = frozenset(
 )
 """Categories of pieces that look like time."""
 
-WEEKEND = "weekend"
+WEEKEND, IN = "weekend", "in"
 
 LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
@@ -46,7 +46,7 @@ TYPED = ("n/n", "n/y", "y/n")
 DAY = "day"
 """What words of days end in: "holidays", "match days", "birthday"."""
 
-ON, HOLIDAY = "on", "holiday"
+HOLIDAY = "holiday"
 
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
@@ -90,8 +90,8 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     yield from _halves(scanned, explained, lexicon)
     yield from _ones(scanned, explained, around)
     yield from _moments(scanned, explained, around)
+    yield from _untold(scanned, explained, around)
     yield from _typed(scanned, explained, around)
-    yield from _unknown_days(scanned, explained, around)
     yield from _left_out(scanned, explained, around)
     for start, cell in enumerate(scanned.cells):
         for category in TELLING & cell.keys():
@@ -219,22 +219,24 @@ def _moments(scanned: Scanned, explained: Sequence[Span], around: Surroundings) 
                 break
 
 
-def _unknown_days(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
-    """Give the places of days that are not known: "on my birthday", "on payday"; but not "on holiday"."""
-    texts, function_words = around.texts, around.lexicon.function_words
-    for place in range(1, len(texts)):
-        word, behind = scanned.words[place], "".join(texts[place + 1 : place + 2])
-        known = not word.text.endswith(DAY) or any(around.pieces(place)) or _meets(explained, word, word)
-        if known:
+def _untold(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of days of which nobody said when they are: "on his birthday", "over half term"."""
+    beside, texts = around.beside, around.texts
+    binding = beside.before_weekends - around.closed.prepositions_of_recipients | {IN}
+    for place, word in enumerate(scanned.words):
+        first = place - (" ".join(texts[max(0, place - 1) : place + 1]) in beside.untold_days)
+        untold = " ".join(texts[first : place + 1]) in beside.untold_days
+        untold = untold or (word.text.endswith(DAY) and not any(around.pieces(place)))
+        if not untold or _meets(explained, word, word):
             continue
-        led = place - 1
-        while led > max(0, place - LONGEST_MOMENT) and texts[led] != ON and texts[led].isalpha():
-            led -= 1
-        if behind.isalpha() and behind not in function_words and not around.opens(led):
-            # "Write it on my birthday card"
+        near = range(first - 1, max(-1, first - LONGEST_MOMENT), -1)
+        led = next((p for p in near if texts[p] in binding), -1)
+        behind = "".join(texts[place + 1 : place + 2])
+        more = behind.isalpha() and behind not in around.lexicon.function_words
+        if led < 0 or (more and not around.opens(led)) or (led == first - 1 and word.text == HOLIDAY):
+            # "Write it on my birthday card"; "book a week on holiday"
             continue
-        alone = led == place - 1 and word.text != HOLIDAY
-        if texts[led] == ON and (alone or texts[led + 1] in around.closed.noun_openers):
+        if led == first - 1 or texts[led + 1] in around.closed.noun_openers:
             yield from range(led, place + 1)
 
 

@@ -283,14 +283,15 @@ class Walls(Standing):
             follower = self.around.follower(piece)
             ends = follower in {""} | self.beside.behind_things
             # "First thing water the plants"
-            the = "the" in self.texts[piece.end - 3 : piece.end]
-            if follower == "to" and not the and self.around.before(piece) in self.closed.object_pronouns:
+            bare = "the" not in self.texts[piece.end - 3 : piece.end]
+            if bare and follower == "to" and self.around.before(piece) in self.closed.object_pronouns:
                 # "Remind me first thing to water the plants"
                 return False
-            led = self.around.opens(piece.start) and not the
-            return not ends and not (
-                led and follower.isalpha() and follower not in self.lexicon.function_words
-            )
+            led = self.around.opens(piece.start) and follower.isalpha()
+            led = led and follower not in self.lexicon.function_words
+            # "Phone Ann first thing about the bins"
+            more = follower in self.closed.prepositions_behind_times
+            return not ends and not (bare and (led or more))
         served = self.is_ambiguous(piece.end - 1) or not self.around.may_end(piece)
         greeting = self.around.before(piece) in self.beside.greeting and (
             wall.clock is None or wall.days is not None

@@ -54,8 +54,9 @@ class WeakWalls(Standing):
             return False
         ends = self.around.follower(piece) in self.beside.polite_ends | {""}
         if self.around.opens(place):
-            # "Dentist the 9th"; but "call the 9th"
-            return ends and has_time(before, self.lexicon) and before not in self.lexicon.orders
+            # "Dentist the 9th"; but "call the 9th", "Henry the 8th"
+            met = has_time(before, self.lexicon) and before not in self.lexicon.names
+            return ends and met and before not in self.lexicon.orders
         if before in self.closed.object_pronouns | self.lexicon.persons or self.words[place].capital:
             # "Call Bob the 9th", "remind me the 9th to call him", but "show Bob the 9th"
             called = self.texts[place - 1] in self.lexicon.addressing
