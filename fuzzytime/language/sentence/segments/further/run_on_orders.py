@@ -77,7 +77,8 @@ def run_on_orders(
             messages = lexicon.no_times.speaking | lexicon.no_times.sending
             # "Wake me at six I'm flying at nine"; but "text Ann at six I'm late"
             sure = attempt.sure and bool(one.nodes) and one.nodes[0].lemma not in messages
-            whole = is_whole(one, lexicon, timed=sure) and _has_object(one) and _tells(other)
+            done = _has_object(one) or (sure and bool(one.children(one.root, "prt")))
+            whole = is_whole(one, lexicon, timed=sure) and done and _tells(other)
         else:
             whole = _tells(one) if attempt.tells else is_whole(one, lexicon, timed=attempt.timed)
             surely = attempt.timed or not attempt.tells or _is_state(one, lexicon)
