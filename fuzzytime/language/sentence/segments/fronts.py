@@ -157,7 +157,8 @@ def _is_event_before_order(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 
 def is_bare(node: Node, lexicon: Lexicon) -> bool:
     """Whether a word may be a verb's bare form, whatever it was taken for: "lower", "lay"."""
-    known = node.tag in COMPARED or node.lower in lexicon.doing.past_alike
+    # "When it's done ring the bell": a tree has that for what goes on.
+    known = node.tag in COMPARED or node.lower in lexicon.doing.past_alike | lexicon.addressing
     return node.lower == node.lemma.lower() or known
 
 

@@ -101,10 +101,18 @@ def segments_of(
             cuts.append((place, end, lexicon.connectives[found]))
             place = end
             continue
-        if words[place].text in ENDS and _is_end(text, words, place, lexicon):
+        ends = words[place].text in ENDS and _is_end(text, words, place, lexicon)
+        begun = any(p not in inside for p in range(cuts[-1][1] if cuts else 0, place))
+        if ends or (begun and _parts_what_is_told(words, place, lexicon)):
             cuts.append((place, place + 1, ""))
         place += 1
     return list(_between(text, words, cuts, {phrase.first: phrase.end for phrase in phrases}, lexicon))
+
+
+def _parts_what_is_told(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a dash stands before what is told of somebody, or of something: "buy milk - we're out"."""
+    behind = words[place + 1].text.partition("'")[0] if place + 1 < len(words) else ""
+    return words[place].text == "-" and behind in lexicon.closed.subject_pronouns
 
 
 def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:
