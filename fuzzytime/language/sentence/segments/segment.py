@@ -90,6 +90,9 @@ def segments_of(
             continue
         opens = _opens(words, place, vague, lexicon) and not counts_event(words, place, phrases, lexicon)
         found = longest_match(words, place, lexicon.connectives) if opens else None
+        if found is not None and len(longest_match(words, place, lexicon.clauses) or ()) > len(found):
+            # "Next time I'm at the shop"
+            found = None
         end = 0 if found is None else _end_of(words, place, len(found))
         if found is not None and lexicon.connectives[found] == MEANWHILE and end < len(words):
             # "At the same time every evening"
