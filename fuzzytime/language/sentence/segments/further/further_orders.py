@@ -162,14 +162,19 @@ def _is_denied(tree: Tree, lexicon: Lexicon) -> bool:
 
 
 def _is_wanted_too(tree: Tree, place: int, root: int, lexicon: Lexicon) -> bool:
-    """Whether a verb is joined to the one that is meant below another: "I need to water it and feed him"."""
+    """Whether a verb is joined to the one that is meant below another: "I need to water it and feed him".
+
+    So it is to what is to be remembered.
+    """
     action = action_of(tree, lexicon)
     if action is None or action.negated:
         return False
+    remembered = tree.nodes[action.place].lemma in lexicon.doing.remembering
+    meant = {*tree.children(action.place, "xcomp")} if remembered else {action.place}
     over = tree.nodes[place].head
-    while tree.nodes[over].relation in {"conj", "dep"} and over != action.place:
+    while tree.nodes[over].relation in {"conj", "dep"} and over not in meant:
         over = tree.nodes[over].head
-    return root != over == action.place and gone_to_do(tree, over, lexicon) != place
+    return over in meant - {root} and gone_to_do(tree, over, lexicon) != place
 
 
 def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
