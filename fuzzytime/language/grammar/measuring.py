@@ -99,7 +99,9 @@ class Measures:
         thing = before[verb + 1 :]
         inside = self.closed.prepositions_of_time | self.lexicon.particles.keys() | self.closed.additions
         timed = self.lexicon.events | self.lexicon.happening | self.lexicon.taken | self.lexicon.results
-        if not inside.isdisjoint(thing) or not timed.isdisjoint(thing[-1:]):
+        # "Hold the door for me at nine", "get hold of Bob at six"
+        timed |= self.closed.object_pronouns - self.closed.it_or_them
+        if not inside.isdisjoint(thing) or not timed.isdisjoint(thing[-1:]) or thing[:1] == ["of"]:
             return False
         # "Leave the fridge at four", "put the price at 11"
         levelled = (self.beside.with_levels | self.lexicon.amount_nouns).intersection(thing[-1:])
