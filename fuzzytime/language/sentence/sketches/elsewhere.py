@@ -14,7 +14,7 @@ from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.what_is_told import is_of_telling, recalled_from, told_from
 from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS, SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import FINITE, Action
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import BOUNDS, Constraint
 
 FOR = "for"
 
@@ -23,7 +23,6 @@ NAMING = ("NN", "PRP", "DT", "CD")
 WITH = "with"
 ARTICLES = frozenset({"a", "an", "one"})
 
-BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 
 LEAST_CASE = 3
 """Words of such a case, at least, behind the first of them."""

@@ -17,7 +17,7 @@ from fuzzytime.language.sentence.together.times.said_again import (
     with_shared_clock,
     with_shared_part,
 )
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import BOUNDS, Constraint
 
 BESIDE_MEALS = "meals.beside_meals"
 """The rule of bounds that are a list: "before breakfast, lunch and dinner"."""
@@ -28,7 +28,6 @@ ON_CONDITION = "if_it_is.at_on_condition"
 LIST = 2
 """Weekdays side by side, without "and", that are hardly a list."""
 
-BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 
 TYPED_JOINTS = frozenset({"/", "+"})
 """Marks between two clock times that are both meant."""
