@@ -221,14 +221,20 @@ def test_a_change_that_would_lose_one_of_several_changes_nothing() -> None:
 def test_what_is_said_to_be_cut_is_done(line: str) -> None:
     talk = talk_of("cut the boards at ten", "take the bins out at noon")
     assert "done: cut the boards" in talk.say(line)
-    assert talk.entries == ["take the bins out at noon"]
+    assert talk.left == ["take the bins out at noon"]
 
 
 @pytest.mark.parametrize(("line", "left"), [("the bins are out", 0), ("the bins aren't out", 1)])
 def test_what_is_said_to_be_out_was_taken_out(line: str, left: int) -> None:
     talk = talk_of("take the bins out at noon")
     talk.say(line)
-    assert len(talk.entries) == left
+    assert len(talk.left) == left
+
+
+def test_what_follows_something_done_before_its_time_still_does() -> None:
+    talk = talk_of("cut the boards at ten", "then plane them")
+    assert "plane the boards" in talk.say("the boards are cut")
+    assert talk.left == ["then plane them"]
 
 
 @pytest.mark.parametrize("line", ["mum called", "the bank just phoned", "Ann texted"])
@@ -244,6 +250,11 @@ def test_who_called_is_neither_called_nor_to_be(line: str) -> None:
         ("the ironing can wait till tomorrow", "iron the shirts tomorrow at noon"),
         ("leave the shirts for tomorrow", "iron the shirts tomorrow at noon"),
         ("leave that till six pm", "iron the shirts at six pm"),
+        ("Bob wants to move it to one pm", "iron the shirts at one pm"),
+        ("she said one pm", "iron the shirts at one pm"),
+        ("I'd rather do one pm", "iron the shirts at one pm"),
+        ("one pm works better", "iron the shirts at one pm"),
+        ("it's too early", "iron the shirts at noon"),
         ("can we do one pm instead", "iron the shirts at one pm"),
         ("and at one pm not noon", "iron the shirts at one pm"),
         ("leave the shirts where they are", "iron the shirts at noon"),

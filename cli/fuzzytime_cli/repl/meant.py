@@ -8,7 +8,6 @@ from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import (
     called,
-    entries_meant,
     entry_of,
     part_meant,
     running_one,
@@ -20,6 +19,7 @@ from fuzzytime_cli.repl.progress import late, length_said, progress, unstarted
 from fuzzytime_cli.repl.retiming import days_on, with_time, without_thing
 from fuzzytime_cli.repl.scene import Scene, waiting
 from fuzzytime_cli.repl.stretches import is_within
+from fuzzytime_cli.repl.which import entries_meant
 from fuzzytime_cli.session import Entry
 
 ONE_AT_A_TIME = (

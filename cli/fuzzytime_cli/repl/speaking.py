@@ -18,6 +18,7 @@ from fuzzytime.language import (
     behind_what_is_told,
     by_how_much,
     content_words,
+    lets_be,
     reported,
     respelled,
 )
@@ -30,11 +31,12 @@ from fuzzytime_cli.repl.has_done import done, perhaps_done
 from fuzzytime_cli.repl.leaning import leaning, the_other
 from fuzzytime_cli.repl.leaving_out import left_out, left_out_then, next_left_out
 from fuzzytime_cli.repl.meant import command_meant
-from fuzzytime_cli.repl.naming import LABEL, entries_meant, entry_of, label_meant, unknown
+from fuzzytime_cli.repl.naming import LABEL, entry_of, label_meant, unknown
 from fuzzytime_cli.repl.retiming import said_anew, same_anew, timed_now, wished_instead
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.repl.taking import run, run_each
 from fuzzytime_cli.repl.telling import behind_how_a_day_is, is_news, told_state
+from fuzzytime_cli.repl.which import entries_meant, which_one
 from fuzzytime_cli.told_states import tells_what_is
 
 CHANGING = frozenset(
@@ -84,9 +86,13 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
 
 def _reply_about(scene: Scene, words: str) -> Reply | None:
     lexicon = scene.conversation.interpreter.language.lexicon
-    asked = None if scene.asked is None else by_how_much(words, scene.asked, scene.now, lexicon)
-    if asked is not None:
-        return _taken(scene, asked)
+    asked = scene.asked
+    if asked is not None and (
+        answer := by_how_much(words, asked, scene.now, lexicon) or which_one(scene, words, asked)
+    ):
+        return _taken(scene, answer)
+    if asked is not None and lets_be(words, scene.now, lexicon):
+        return Reply(("nothing is changed",))
     if waited := happened(scene, words):
         reading = scene.conversation.interpreter.language.read(words, now=scene.now)
         return told_state(scene, words, reading) or run_each(scene, waited)
@@ -186,7 +192,7 @@ def _told(scene: Scene, words: str) -> Reply | None:
             _check_labels(scene, reading)
         # "Dinner at six" is a wish, and no time of another.
         wish = any(one.operation is not None for one in reading.instructions)
-        added = None if wish else added_time(words, scene.now, language.lexicon)
+        added = added_time(words, scene.now, language.lexicon, wish=wish)
         if added is not None:
             return _taken(scene, added)
         anew = said_anew(scene, words) or timed_now(scene, words, reading)

@@ -8,7 +8,7 @@ meant. A line in other words: ``rewording``, ``merging``, ``replacing``, ``respe
 """
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind
-from fuzzytime.language.about_wishes.answers import choice_meant, chooses_none
+from fuzzytime.language.about_wishes.answers import choice_meant, chooses_none, lets_be
 from fuzzytime.language.about_wishes.awaited import (
     done_at_once,
     is_untold,
@@ -56,6 +56,7 @@ __all__ = [
     "is_person",
     "is_thing",
     "is_untold",
+    "lets_be",
     "may_be_thing",
     "merged_time",
     "news_in",

@@ -40,8 +40,10 @@ def restated(text: str, now: datetime, lexicon: Lexicon) -> str | None:
     return kept.text if kept.words and (place or closing) else None
 
 
-def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
+def added_time(text: str, now: datetime, lexicon: Lexicon, *, wish: bool = False) -> About | None:
     """Read a line that is a time and nothing else, as what was asked for last has it; else give None.
+
+    What is read as a ``wish`` is one, but for "one pm works better".
 
     >>> from datetime import datetime
     >>> from fuzzytime.language.finding import shipped_lexicon
@@ -49,14 +51,17 @@ def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     'at seven'
     """
     said = Said.of(text, now, lexicon).without_exclamations()
-    said = said.without_end(lexicon.courtesies | said.table("preferring") | said.table("instead"))
+    told = said.without_end(lexicon.courtesies | said.table("instead"))
+    said = told.without_end(said.table("preferring"))
+    if wish and said == told:
+        return None
     if (counted := _counted_at(said)) is not None:
         return counted
     # "Post 11" is an errand, rather than after eleven.
     errand = said.forms[:1] and said.forms[0] in lexicon.doing.errands
     time = "" if errand else said.as_time()
     # "Four" may count anything, but "four to five" has two ends.
-    time = time if said.has_time or time.startswith(FROM) else ""
+    time = time if said.has_time or said != told or time.startswith(FROM) else ""
     number = said.as_number() if len(said.words) == 1 else ""
     if not time:
         return None

@@ -115,13 +115,14 @@ def _moved_beside(said: Said) -> About | None:
 def _able(said: Said) -> About | None:
     """Read when somebody can do what was asked for: "they can only do four", "Ann can make it at one"."""
     for place in range(1, len(said.words) if said.is_one else 0):
-        who, rest = said.until(place), said.behind(place).after("able at")
+        who, told = said.until(place), said.behind(place).after("saying")
+        rest = told or said.behind(place).after("able at")
         time = rest.as_time() if rest is not None and rest.words else ""
         # "Well she can make it at one"
         last = who.behind(len(who.words) - 1).is_in("they") or who.is_in("speaker")
         if rest is not None and time and (last or who.names):
-            names = frozenset() if last else who.names
-            return About(kind=AboutKind.MOVE, names=names, time=time, bare=rest.is_bare(time), certain=True)
+            names, sure = frozenset() if last else who.names, last or told is None
+            return About(kind=AboutKind.MOVE, names=names, time=time, bare=rest.is_bare(time), certain=sure)
     return None
 
 

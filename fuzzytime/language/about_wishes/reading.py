@@ -11,6 +11,9 @@ from fuzzytime.language.about_wishes.reports import report
 from fuzzytime.language.about_wishes.said import ENDS, Said
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
+LONGEST_NAME = 4
+"""Words that somebody is called by before what they ask for, at most, and one."""
+
 MARKS = frozenset({",", ".", "!", "?", "-"})
 
 
@@ -97,7 +100,11 @@ def _without_request(said: Said) -> Said:
     questions = said.lexicon.questions
     opening = questions["requesting"] | questions["suggesting"] | said.table("letting")
     form = longest_match(said.words, 0, opening)
-    return said if form is None or len(form) == len(said.words) else said.behind(len(form))
+    if form is not None and len(form) < len(said.words):
+        return said.behind(len(form))
+    # "Bob wants to move it to four"
+    asks = (said.behind(place).after("asking to") for place in range(1, min(len(said.words), LONGEST_NAME)))
+    return next((rest for rest in asks if rest is not None and rest.words), said)
 
 
 def _without_courtesies(said: Said) -> Said:

@@ -166,11 +166,15 @@ def _protest(said: Said) -> About | None:
         rest = said.after(kind.value)
         if rest is not None and not rest.without("yet", "first", "last")[0].words:
             return About(kind=kind, certain=True)
-    closing = (form for form in said.table("unable then") if said.forms[-len(form) :] == form != said.forms)
-    who = said.until(len(said.words) - max(map(len, closing), default=0))
+    who = said.without_end(said.table("unable then"))
     if len(who.words) < len(said.words) and who.names and said.is_one and not said.has_time:
         # "Jo can't make it"
         return About(kind=AboutKind.UNABLE, names=who.names)
+    for place in range(1, len(said.words) if said.is_one else 0):
+        who, rest = said.until(place), said.behind(place).after("unable at")
+        if rest is not None and who.names and rest.words and rest.as_time():
+            # "Jo can't do two"
+            return About(kind=AboutKind.UNABLE, names=who.names)
     return None
 
 

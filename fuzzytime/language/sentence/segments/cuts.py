@@ -14,6 +14,7 @@ from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_le
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node
 from fuzzytime.language.sentence.verbs.actions import action_of
 from fuzzytime.language.sentence.verbs.called import person_due
@@ -113,6 +114,7 @@ def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
         pieces = _around(one, part, start, lexicon)
         if pieces:
             whole = _begins_order(one, part, start) or _is_told(one, start, lexicon)
+            whole = whole or _is_back(one, part, start, lexicon)
             return [pieces[0], replace(pieces[1], verbless=not whole)]
     return []
 
@@ -189,6 +191,15 @@ def _is_told(one: Waiting, start: int, lexicon: Lexicon) -> bool:
     before = [p.first for p in one.source.phrases if p.span[0] > start and p.first]
     last = one.source.scanned.words[min(before) - 1] if before else None
     return last is not None and last.start > start and last.text in lexicon.doing.timed
+
+
+def _is_back(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:
+    """Whether somebody is somewhere again, and nothing is put there: "leave at eight, back about noon"."""
+    again = lexicon.closed.adverbs_of_repetition & lexicon.particles.keys()
+    root = part.tree.root
+    acts_on = part.tree.children(root, "dobj") and not part.tree.children(root, *SUBJECTS)
+    back = any(word.start == start and word.text in again for word in one.source.scanned.words)
+    return back and not acts_on
 
 
 def _denied_list(one: Waiting, starts: Sequence[int], lexicon: Lexicon) -> list[Segment]:
