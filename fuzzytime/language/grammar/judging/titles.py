@@ -18,8 +18,6 @@ BINDING = frozenset({"preposition_at", "preposition_before", "preposition_after"
 CAPITAL_ANYWAY = ("weekday", "weekdays", "month", "feast")
 """Categories of words that have a capital in any sentence."""
 
-MOST_JOINTS = 2
-"""Words without a capital between two of a title that have one, at most."""
 
 LEAST_TITLE = 2
 """Words of a title that capitals tell, at least."""
@@ -53,8 +51,6 @@ def _goes_on(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     behind = place
     while behind < len(words) and words[behind].text in lexicon.closed.inside_titles:
         behind += 1
-    if behind > place + MOST_JOINTS:
-        return False
     bound = words[place].text != "of" and lexicon.means(words[place].text, *BINDING)
     if bound and behind < len(words) and lexicon.means(words[behind].text, *CAPITAL_ANYWAY):
         # "Read The Hobbit on Friday", "watch The Crown at Christmas"

@@ -19,9 +19,6 @@ from fuzzytime.language.sentence.together.times.said_again import (
 )
 from fuzzytime.requirement import BOUNDS, Constraint
 
-BESIDE_MEALS = "meals.beside_meals"
-"""The rule of bounds that are a list: "before breakfast, lunch and dinner"."""
-
 ON_CONDITION = "if_it_is.at_on_condition"
 """The rule of a clock time that a condition of the calendar stands behind."""
 
@@ -220,8 +217,6 @@ def _is_beside_meal(phrase: Phrase) -> bool:
 def _is_when(phrase: Phrase) -> bool:
     """Whether it is a time at which something may be done, and not a bound, a length or a repetition."""
     said = phrase.said
-    if phrase.rule == BESIDE_MEALS:
-        return True
     if isinstance(said.time, TimeWord):
         return (said.constraint or said.time.constraint) is Constraint.AT
     if isinstance(said.time, Duration):
