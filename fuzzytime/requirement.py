@@ -31,6 +31,13 @@ class Constraint(StrEnum):
     EVERY = "every"
 
 
+BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
+"""How times bind that bound what is done on one side."""
+
+MOMENTS = frozenset({None, Constraint.AT})
+"""How times bind that say when, with a preposition or without."""
+
+
 class Unit(StrEnum):
     """Units of time in speech; as a grain, the finest one that a wall-clock expression names."""
 

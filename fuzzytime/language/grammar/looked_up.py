@@ -65,11 +65,6 @@ class LookedUp:
         """Whether the word at a place names a part of the day."""
         return any(piece.category == "part" for piece in self.pieces(place))
 
-    def names_time(self, place: int) -> bool:
-        """Whether the word at a place is a day, a part of one, or a unit of time."""
-        named = {"part", "day", "weekday", "month", "day_part", "unit"}
-        return any(piece.category in named for piece in self.pieces(place))
-
     def is_meal(self, place: int) -> bool:
         """Whether the word at a place names a meal."""
         return any(piece.category == "meal" for piece in self.pieces(place))

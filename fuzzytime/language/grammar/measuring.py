@@ -46,8 +46,6 @@ class Measures:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
         if self._says_how_much(piece):
             return True
-        if self.tells_hour(piece):
-            return False
         if piece.value.preposition in {None, *NEARLY} and self._switches(piece):
             return False
         for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
@@ -270,7 +268,4 @@ def _is_bound_to_hour(said: Said) -> bool:
     ends = (said.time.first, said.time.last) if isinstance(said.time, Range) else (said.time,)
     clocks = [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None]
     hours = bool(clocks) and all(clock.grain is Unit.HOUR for clock in clocks)
-    if said.beside:
-        # "Turn off the lights shortly after six"
-        return hours
     return hours and said.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}

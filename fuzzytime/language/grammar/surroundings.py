@@ -94,15 +94,6 @@ class Surroundings(BehindTimes):
         """Whether it is what somebody does something in: "spend the evening sorting photos"."""
         return self.before(piece) in self.beside.spending and self.follower(piece).endswith("ing")
 
-    def is_name(self, piece: Piece) -> bool:
-        """Whether it is who is called: "invite June and April", "phone May", "ring aunt may"."""
-        place = piece.start
-        while place > 1 and self.texts[place - 1] in {"and", ","} and self.words[place - 2].capital:
-            place -= 2
-        before = self.texts[place - 1] if place else ""
-        called = self.words[piece.start].capital and before in self.lexicon.addressing
-        return piece.category == "month" and (called or self.names_person(piece.start))
-
     def names_person(self, place: int) -> bool:
         """Whether a month at a place is a name: right behind a verb of calling, or "aunt", and no date.
 

@@ -177,7 +177,6 @@ class BesideTimes:
     bound_for: Words
     getting_off: Words
     put_off: Words
-    hedging_lengths: Words
     of_lengths: Words
     comparing: Words
     distances: Words

@@ -42,9 +42,6 @@ class BareHours(Standing):
         ends = self.around.may_end(piece) or self._leads_to_distance(piece)
         if not ends or self.around.is_unit(piece.end):
             return False
-        if said.preposition == "for" and self.around.follower(piece) == "at":
-            # "Make dinner for eight at seven"
-            return False
         if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
             # "At three to one"
             return False

@@ -73,7 +73,6 @@ class Borders:
             or (self.texts[piece.end - 1] == "about" and self.around.follower(piece)[:1].isalnum())
             or (self.texts[piece.start] in SIGNS and self.measures.is_number(piece.start - 1))
             or self._is_state(piece)
-            or self._takes_full_stop(piece)
             or self._is_excepted(piece)
             or self.particles.hold(piece)
             or self.events.named(piece)
@@ -112,13 +111,6 @@ class Borders:
             return False
         clock = isinstance(time, Wall) and time.clock is not None and time.days is None and time.part is None
         return clock and self.words[first + 1].is_digits and self.words[first - 1].is_letters
-
-    def _takes_full_stop(self, piece: Piece) -> bool:
-        """Whether its dot ends the sentence, as what stands before it is a time word: "in half a mo."."""
-        if self.texts[piece.end - 1] != ".":
-            return False
-        words = (one for one in self.around.pieces(piece.start) if one.category == "word")
-        return any(one.end == piece.end - 1 for one in words)
 
     def _counts_nothing(self, piece: Piece) -> bool:
         """Whether nothing says of what a number behind "in" is: "in around one", "order the shoes in 7"."""

@@ -77,15 +77,10 @@ class Dining:
         return [*range(first + 1, piece.start), *range(piece.end, last)]
 
     def _is_time(self, place: int) -> bool:
-        """Whether a word elsewhere names a part of the day, a unit, or is a number that counts nothing.
-
-        A day is that of the meal: "tomorrow meet Ann for lunch".
-        """
-        number = self._counts(place)
+        """Whether a word elsewhere is a number that counts nothing."""
         behind = self.texts[place + 1 : place + 2]
         counts = bool(behind) and behind[0].isalpha() and not self.around.timely(place + 1)
-        named = self.around.names_time(place) and not self.around.is_day(place)
-        return (number and not counts) or named
+        return self._counts(place) and not counts
 
     def _counts(self, place: int) -> bool:
         return self.texts[place] in self.lexicon.numbers or self.texts[place][:1].isdigit()

@@ -127,9 +127,6 @@ class Judge:
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
             # "Ten minutes in, add the garlic", "hand them out ten minutes in and collect them"
             return self.around.follower(piece) in {"", ",", ".", "and"}
-        if isinstance(time, Offset) and time.anchor is None and self._lasts(piece):
-            # "For an hour beforehand": that long, before what was said.
-            return False
         if self.texts[piece.end - 1] in {"before", "after"} and (isinstance(time, (Offset, TimeWord))):
             # "Call me ten minutes after"; but "after lunch call me", and "the night before".
             looks = self.around.before(piece) in self.beside.looking_after and isinstance(time, TimeWord)
@@ -241,13 +238,6 @@ class Judge:
         spelt = last in self.lexicon.ordinals and piece.end - piece.start == len((each, last))
         typed = last in self.beside.ordinal_endings and not self.around.may_end(piece)
         return each in {"every", "each"} and bool(piece.value.time.walls) and (spelt or typed)
-
-    def _lasts(self, piece: Piece) -> bool:
-        """Whether "for" stands before it, or before its hedges: "for at least an hour beforehand"."""
-        place = piece.start - 1
-        while place > 0 and self.texts[place] in self.beside.hedging_lengths:
-            place -= 1
-        return place >= 0 and self.texts[place] == "for"
 
     def _is_now_and_again(self, piece: Piece) -> bool:
         """Whether "now and again" is two times: "now and again in six hours"."""

@@ -36,9 +36,6 @@ class Naming(Standing):
             return True
         if (said.preposition is None or wall.clock is not None) and self._is_next_in_row(piece, wall):
             return True
-        if said.preposition is None and wall.clock is not None and self.given.is_put_off(piece):
-            # "Move the 3 pm to five"
-            return True
         last, behind = self.texts[piece.end - 1], self.around.follower(piece)
         if (
             last in {"before", "after"}

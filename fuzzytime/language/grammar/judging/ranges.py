@@ -30,9 +30,6 @@ class Ranges(Standing):
         if self.around.describes(piece):
             # "Watch the ten to midnight film"
             return False
-        if self.around.is_owned(piece):
-            # "Move my three o'clock to five"
-            return False
         joint = self.texts[piece.start + 1]
         placed = self.texts[piece.start - 2] in self.lexicon.places or joint in self.beside.binding_ranges
         if self.measures.is_called(piece.start) and placed:

@@ -27,8 +27,7 @@ BOUND = frozenset({"in", "for", "during", "within", "of", "at", "on", "until", "
 def is_of_thing(piece: Piece, around: Surroundings) -> bool:
     """Whether what looks like a time names a thing, is a part of one, or says whose or which it is."""
     return (
-        around.is_name(piece)
-        or around.is_object(piece.start)
+        around.is_object(piece.start)
         or (around.before(piece) == "to" and around.names_place(piece))
         or _is_noun(piece, around)
         or is_of_street(piece, around)

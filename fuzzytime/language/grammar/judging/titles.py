@@ -7,7 +7,6 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import TimeWord, Wall
 
 BANK_HOLIDAY = ["bank", "holiday"]
@@ -19,8 +18,6 @@ BINDING = frozenset({"preposition_at", "preposition_before", "preposition_after"
 CAPITAL_ANYWAY = ("weekday", "weekdays", "month", "feast")
 """Categories of words that have a capital in any sentence."""
 
-MOST_JOINTS = 2
-"""Words without a capital between two of a title that have one, at most."""
 
 LEAST_TITLE = 2
 """Words of a title that capitals tell, at least."""
@@ -54,8 +51,6 @@ def _goes_on(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     behind = place
     while behind < len(words) and words[behind].text in lexicon.closed.inside_titles:
         behind += 1
-    if behind > place + MOST_JOINTS:
-        return False
     bound = words[place].text != "of" and lexicon.means(words[place].text, *BINDING)
     if bound and behind < len(words) and lexicon.means(words[behind].text, *CAPITAL_ANYWAY):
         # "Read The Hobbit on Friday", "watch The Crown at Christmas"
@@ -97,7 +92,6 @@ class Titles(Standing):
         return (
             self._is_played(piece)
             or not self._written_out.isdisjoint(range(piece.start, piece.end))
-            or self._is_of_its_year(piece)
             or self._is_of_feast(piece)
             or self._is_of_other_calendar(piece)
             or self.around.is_title(piece)
@@ -160,15 +154,6 @@ class Titles(Standing):
         """Whether a word stands in the text behind which a title may."""
         kinds = self.lexicon.no_times
         return self._plays or not (kinds.titled | kinds.copies).isdisjoint(self.texts)
-
-    def _is_of_its_year(self, piece: Piece) -> bool:
-        """Whether it is the year that what is played is from: "play a song from 1975"."""
-        if not self._plays:
-            return False
-        days = piece.value.time.days if isinstance(piece.value.time, Wall) else None
-        year = isinstance(days, Fields) and days == Fields(year=days.year) and piece.value.preposition != "in"
-        played = (place for place in range(piece.start) if self.texts[place] in self.lexicon.playing)
-        return year and any(map(self.around.opens, played))
 
     def _is_titular(self, place: int) -> bool:
         """Whether a word may stand before a time in what is called after it: "last christmas"."""

@@ -224,19 +224,8 @@ class Walls(Standing):
 
     def _goes_on(self, piece: Piece, wall: Wall) -> bool:
         """Whether what is behind it, or in it, makes it what a thing is for, or one of several things."""
-        led = piece.start > 0 and self.texts[piece.start - 1] == "for"
-        if led and self._is_of_thing(piece):
-            return True
         joints = self.closed.coordinators_of_days | self.closed.range_joints
         return self.around.follower(piece) in joints and self._counts_things(piece, wall)
-
-    def _is_of_thing(self, piece: Piece) -> bool:
-        """Whether it is what is prepared for then: "send the rota for next week by thursday"."""
-        places = range(piece.start + 1, piece.end + 1)
-        bounds = (
-            p.end for at in places for p in self.around.pieces(at) if p.category == "preposition_before"
-        )
-        return any(self.around.is_day(end) for end in bounds)
 
     def _counts_things(self, piece: Piece, wall: Wall) -> bool:
         """Whether ordinals count things and no days: "on the first and second floor", "on the 2nd to 3rd"."""

@@ -22,10 +22,10 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.meaning.joined.first_times import closing_of, first_time, in_the_end, is_release
-from fuzzytime.language.meaning.joined.repeats_beside import MOMENTS, narrowed_repeat
+from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half, Part
 from fuzzytime.language.policy import Policy
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 POLICY = Policy()
 """What the hours of a day are that a repetition is bound to."""

@@ -17,12 +17,11 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.joined.distances import EARLIER, HALFWAY, INTO, LAST, LATER, LEFT
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 COUNTED_FROM_ELSEWHERE = frozenset({LATER, EARLIER, INTO, LEFT, LAST, HALFWAY})
 """Prepositions of times that count from another instruction."""
 
-MOMENTS = frozenset({None, Constraint.AT})
 STARTING = "starting"
 FOR = "for"
 

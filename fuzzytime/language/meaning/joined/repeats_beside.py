@@ -8,10 +8,7 @@ from fuzzytime.language.meaning.days.nested import EachDay, Nth, Share
 from fuzzytime.language.meaning.expressions import Repeat, Time, Wall
 from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.times_of_day import Part
-from fuzzytime.requirement import Constraint, Unit
-
-MOMENTS = frozenset({None, Constraint.AT})
-"""How a time binds that says when."""
+from fuzzytime.requirement import Unit
 
 
 def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:

@@ -6,9 +6,9 @@ from dataclasses import replace
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import Repeat, Rest, Said, Wall
 from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat
-from fuzzytime.language.meaning.joined.repeats_beside import MOMENTS, narrowed_repeat
+from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Part
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 LONGER = frozenset({Unit.WEEK, Unit.MONTH, Unit.YEAR})
 """Periods of several days."""

@@ -14,8 +14,8 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.joined.beside import joined, refined
 from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat
 from fuzzytime.language.meaning.joined.intervals_on_days import on_one_day
-from fuzzytime.language.meaning.joined.repeats_beside import MOMENTS, narrowed_repeat
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
+from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 OF_THE_DAY = frozenset({Deictic(Which.THIS, Cycle(Unit.DAY)), Relative(0)})
 """The days of what ends, or begins, without a day said: "by the end of the day"."""

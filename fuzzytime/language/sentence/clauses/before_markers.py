@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.lexicon import Entry, Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.days.relations import Deictic, Which
-from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Coming, Duration, Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.first_times import closing_of
 from fuzzytime.requirement import Constraint
 
@@ -133,9 +133,4 @@ def _before_now(phrase: Phrase) -> Phrase | None:
 def _counts_within(phrase: Phrase) -> bool:
     """Whether it is so long from what is named behind it: "within an hour of", "for the first hour of"."""
     first = isinstance(phrase.said.time, Coming) and phrase.said.time.direction > 0
-    return first or (phrase.said.preposition == "within" and not _is_dated(phrase))
-
-
-def _is_dated(phrase: Phrase) -> bool:
-    time = phrase.said.time
-    return not isinstance(time, Duration) and not (isinstance(time, Offset) and time.anchor is None)
+    return first or phrase.said.preposition == "within"

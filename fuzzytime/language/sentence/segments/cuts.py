@@ -10,7 +10,6 @@ from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_beside
 from fuzzytime.language.sentence.segments.further.further_orders import further_verbs
-from fuzzytime.language.sentence.segments.further.orders_behind_names import behind_told
 from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_left_out
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
@@ -116,7 +115,7 @@ def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
         if pieces:
             whole = _begins_order(one, part, start) or _is_told(one, start, lexicon)
             whole = whole or _is_back(one, part, start, lexicon)
-            return [pieces[0], replace(pieces[1], verbless=not whole and not _happens(part, lexicon))]
+            return [pieces[0], replace(pieces[1], verbless=not whole)]
     return []
 
 
@@ -146,7 +145,6 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> set[int]:
     """Give where verbs are left out in the text, and nothing else is told or to be done."""
     nodes, timed = part.tree.nodes, {place for span in _times(one, part) for place in part.tree.at(*span)}
     others = [second_statement(part.tree, place, timed) for place in range(len(nodes))]
-    others += [behind_told(part.tree, part.tree.root, timed, lexicon)]
     others += [p for p in range(2, len(nodes)) if is_order_between_times(part.tree, p, timed, lexicon)]
     starts = {nodes[place].start + part.offset for place in others if place is not None}
     return set(verbs_left_out(one, part, lexicon)) - starts
@@ -161,13 +159,6 @@ def _due_too(part: Part, start: int, lexicon: Lexicon) -> str | None:
     node = part.tree.nodes[place]
     joined = node.relation == "conj" and node.head == action.place and node.tag == "VB"
     return person_due(part.tree, action.place, lexicon) if joined else None
-
-
-def _happens(part: Part, lexicon: Lexicon) -> bool:
-    """Whether it names what one goes to, which no other thing is: "lunch @12:30, gym @6"."""
-    root = part.tree.nodes[part.tree.root]
-    known = root.lower in (lexicon.happening | lexicon.taken) - lexicon.addressing
-    return known and root.tag.startswith("NN") and not part.tree.children(part.tree.root, "dobj")
 
 
 def _begins_order(one: Waiting, part: Part, start: int) -> bool:

@@ -4,12 +4,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
-from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.requirement import BOUNDS, Constraint, TimeRequirement
 
 SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 """How a time binds that says when something is done."""
 
-BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 
 BINDING = SAID_WHEN | BOUNDS
 """How a time binds that may exclude another."""
@@ -38,7 +37,7 @@ def offered(
             continue
         first = found[-1]
         stated = operation is not None and operation.stated
-        if stated or _is_of_another(first) or _is_of_another(requirement):
+        if stated:
             remarks.append(not_used(text, requirement.span))
             continue
         bounded = {first.constraint, requirement.constraint} == BOUNDS
@@ -54,12 +53,6 @@ def _where_nothing_tells(first: TimeRequirement, second: TimeRequirement) -> Rem
     state, time = (first, second) if first.constraint is Constraint.WHEN else (second, first)
     message = f"{time.text!r} is kept where nothing tells {state.text!r}"
     return Remark(RemarkKind.POLICY, state.span, message)
-
-
-def _is_of_another(requirement: TimeRequirement) -> bool:
-    """Whether a time counts from another instruction, or waits for what that brings about."""
-    condition = requirement.condition
-    return requirement.anchor is not None or (condition is not None and condition.target is not None)
 
 
 def _contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]:

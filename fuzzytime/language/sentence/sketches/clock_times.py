@@ -8,14 +8,12 @@ from fuzzytime.language.instruction import Reading
 from fuzzytime.language.meaning.grounded.chosen_clocks import CLOSE, FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.sketches.alternatives import SAID_WHEN
-from fuzzytime.requirement import Constraint, TimeRequirement, Unit
+from fuzzytime.requirement import BOUNDS, Constraint, TimeRequirement, Unit
 
 A_DAY = 86400.0
 A_WEEK = 7 * A_DAY
 """Seconds of a day and of a week; what is longer names no day."""
 
-BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
-"""How clock times bind that bound what is done: "guests from 7 pm"."""
 
 NIGHT_SECONDS = A_DAY / 2 + 1
 """What goes on over midnight for longer leaves open which half of the day is meant."""

@@ -14,7 +14,7 @@ from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.what_is_told import is_of_telling, recalled_from, told_from
 from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS, SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import FINITE, Action
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import BOUNDS, MOMENTS, Constraint
 
 FOR = "for"
 
@@ -24,11 +24,6 @@ WITH = "with"
 ARTICLES = frozenset({"a", "an", "one"})
 
 TO = "to"
-WHEN = frozenset({None, Constraint.AT})
-"""How times bind that say when something is done."""
-
-BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
-
 LEAST_CASE = 3
 """Words of such a case, at least, behind the first of them."""
 
@@ -168,7 +163,7 @@ def _of_aim(part: Part, phrases: Sequence[Phrase], action: Action) -> list[Phras
 
 def _is_another(first: Phrase, second: Phrase) -> bool:
     """Whether two times both name a day, or both an hour, so that one does not say more of the other."""
-    moments = [phrase.said.time for phrase in (first, second) if phrase.said.constraint in WHEN]
+    moments = [phrase.said.time for phrase in (first, second) if phrase.said.constraint in MOMENTS]
     walls = [time for time in moments if isinstance(time, Wall)]
     if len(walls) < len(moments) == 2:
         return all(isinstance(time, (Wall, Offset, Duration)) for time in moments)

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+from fuzzytime.requirement import BOUNDS, Anchor, Constraint, Edge, TimeRequirement
 
 TURNED = {
     Constraint.BEFORE: Constraint.AFTER,
@@ -16,8 +16,6 @@ TURNED = {
 }
 """What "don't … before", "don't … after" and "don't … for" ask for."""
 
-BESIDE = frozenset({Constraint.BEFORE, Constraint.AFTER})
-"""How a time binds on one side of which something is not to be done for so long."""
 
 LONGER = "more than"
 """The hedge of a length of time that is not to be exceeded."""
@@ -91,7 +89,7 @@ def _beside_times(requirements: Iterable[TimeRequirement], length: float) -> lis
     for requirement in requirements:
         last = found[-1] if found else requirement
         joined = last.constraint is Constraint.FOR and requirement.span[0] <= last.span[1] + 1
-        if not joined or requirement.constraint not in BESIDE:
+        if not joined or requirement.constraint not in BOUNDS:
             found.append(requirement)
             continue
         by = length if requirement.constraint is Constraint.AFTER else -length

@@ -11,13 +11,12 @@ from fuzzytime.language.meaning.expressions import Offset, Phrase, Range, Repeat
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.tree import Node
 from fuzzytime.language.sentence.verbs.actions import Action
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import BOUNDS
 
 FOR, FROM, SINCE, TO = "for", "from", "since", "to"
 OF_THINGS = frozenset({None, "at", "on", FOR, "from", "in"})
 """Prepositions of a time that a thing has."""
 
-BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 NAMING = ("NN", "JJ", "DT", "PRP$", "CD", "VBG", "POS", "PDT")
 """How tags begin of the words of a thing's name."""
 

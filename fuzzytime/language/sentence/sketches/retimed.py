@@ -8,19 +8,16 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Edge, Phrase, Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.times_of_events import AHEAD
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 UNTIL = "until"
-
-WHEN = frozenset({None, Constraint.AT})
-"""How a day binds on which something is."""
 
 
 def by_that_day(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
     """Bind what is to be done before an event by the end of its day: "before the show on Saturday"."""
     said, time = phrase.said, phrase.said.time
     ahead = (c for c in clauses if c.kind in AHEAD and c.distance is None and c.span[1] + 1 == phrase.span[0])
-    day = isinstance(time, Wall) and time.clock is None and time.part is None and said.constraint in WHEN
+    day = isinstance(time, Wall) and time.clock is None and time.part is None and said.constraint in MOMENTS
     if not day or next(ahead, None) is None:
         return phrase
     return replace(phrase, said=replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST))

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, Span
-from fuzzytime.language.meaning.expressions import Duration, Phrase, TimeWord
+from fuzzytime.language.meaning.expressions import Duration, Phrase
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.further.same_doers import tells_more
@@ -200,9 +200,6 @@ def _happening(
         deed = deed_at(part.tree, places, phrases, lexicon)
         deed = deed or chores_at(part.tree, heard, phrases, lexicon, led=bool(clauses))
         return None if deed is None else deed.moved(part.offset)
-    if any(root in _at(part, phrase) for phrase in phrases if isinstance(phrase.said.time, TimeWord)):
-        # "No rush, but …" is no rush hour.
-        return None
     said = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
     names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in said])
     found = happening_at(root, part.tree, phrases, names, lexicon)

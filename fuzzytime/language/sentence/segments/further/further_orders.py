@@ -8,7 +8,6 @@ from fuzzytime.language.sentence.segments.further.orders_behind_names import (
     behind_heading,
     behind_named,
     behind_run_on,
-    behind_told,
     having_done,
 )
 from fuzzytime.language.sentence.segments.further.orders_in_front import (
@@ -53,7 +52,6 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
     first = (
         order_behind_order(tree, root, timed),
         order_behind_statement(tree, root, timed),
-        behind_told(tree, root, timed, lexicon),
         behind_named(tree, root, timed, lexicon),
         behind_heading(tree, root, timed),
         behind_run_on(tree, root, lexicon),
@@ -153,7 +151,7 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lex
         return None
     if gone_to_do(tree, root, lexicon) == place:
         return None
-    return start if place > root or _leads(tree, place, root) else None
+    return start if place > root else None
 
 
 def _is_denied(tree: Tree, lexicon: Lexicon) -> bool:
@@ -240,10 +238,6 @@ def _is_bare(node: Node, lexicon: Lexicon) -> bool:
     # "Deburr it": what ends in no -s has no other person.
     bare = node.tag in IMPERATIVE or (node.tag == "VBZ" and not node.lower.endswith("s"))
     return bare or past
-
-
-def _leads(tree: Tree, place: int, root: int) -> bool:
-    return root in tree.below(place)
 
 
 def _behind_place(tree: Tree, place: int) -> int:

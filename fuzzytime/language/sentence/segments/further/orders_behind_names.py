@@ -1,12 +1,9 @@
 """What is said behind a comma of what is named or told before it: "break duty at 10:50, Karen covers it"."""
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.segments.further.orders_in_front import ANY_SUBJECTS
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
-LEAST_TOLD = 4
-"""Words of "dinner is at ten", at least."""
 LEAST_NAMED = 2
 """Words of "dinner today", at least."""
 
@@ -15,30 +12,6 @@ NAMING = frozenset({*SINGULAR, *DETERMINERS, "JJ", "IN"})
 
 BESIDE = frozenset({"advcl", "ccomp", "npadvmod", "dep", "nsubj", "nsubjpass", "nmod", "parataxis"})
 """How trees hang what is named in front on a clause behind it."""
-
-
-def behind_told(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
-    """Give an order that has what is told before it below it: "dinner is at seven, lay the table at six"."""
-    node, comma = tree.nodes[root], root - 1
-    bare = node.may_act and (node.lower == node.lemma or node.lower in lexicon.doing.past_alike)
-    if comma < LEAST_TOLD or tree.nodes[comma].text != "," or comma - 1 not in timed or not bare:
-        return None
-    if tree.children(root, "aux", "mark") or any(p > comma for p in tree.children(root, *ANY_SUBJECTS)):
-        return None
-    if tree.nodes[root].is_verb and tree.children(root, *ANY_SUBJECTS):
-        return None
-    told = any(
-        tree.nodes[place].tag == "VBZ"
-        and tree.nodes[place].head == root
-        and tree.children(place, *ANY_SUBJECTS)
-        for place in range(comma)
-    )
-    # "The pool shuts at eight, swim before that"
-    told = told or any(
-        tree.nodes[place].lower in lexicon.doing.surely_timed and place + 1 in timed
-        for place in range(1, comma)
-    )
-    return root if told else None
 
 
 def behind_named(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:

@@ -79,7 +79,6 @@ def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
         if len(between) >= SHORTEST_GAP and (
             _names_another(one, part, between, lexicon, old, new)
             or _is_elsewhere(words, between, lexicon, old, new)
-            or _asks_another(part, between, lexicon)
         ):
             found.append(between[1].start)
     return found + _gaps_in_front(one, part, lexicon) + _behind_first(one, part, own, lexicon)
@@ -168,18 +167,6 @@ def _names_another(
     has_object = one.segment.verbless or bool(part.tree.children(root, "dobj", "oprd", "intj"))
     named = led or opened or (has_object and between[0].text in {"and", ",", "or"})
     return named and not others
-
-
-def _asks_another(part: Part, between: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether words between two times say what another is asked: "… at two and Tom to lock up at four"."""
-    root, nodes = part.tree.root, part.tree.nodes
-    if nodes[root].lemma not in lexicon.addressing or between[0].text not in {"and", ","}:
-        return False
-    asked = [node.lower for node in nodes[root + 1 :] if node.start + part.offset < between[0].start]
-    texts = [word.text for word in between[1:]]
-    to = texts.index("to") if "to" in texts else 0
-    named = between[1].capital if to == 1 else texts[0] in lexicon.closed.noun_openers
-    return "to" in asked and 0 < to < len(texts) - 1 and named
 
 
 def _is_elsewhere(

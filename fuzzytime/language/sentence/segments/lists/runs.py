@@ -63,9 +63,6 @@ def _pauses(text: str, line: Span, lexicon: Lexicon) -> Iterator[int]:
     things = _behind(text, line, bounds) if leads else _in_front(text, line, bounds)
     if not all(_names(thing, lexicon, leads=leads) for thing in things):
         return
-    if not leads and any(_is_somebody(thing, lexicon) for thing in things[1:]):
-        # As in "call Ann 9:00 Bob 9:15".
-        return
     for before, found in pairwise(tokens):
         place = found.start() - 1 if leads else before.end()
         if text[place].isspace():
@@ -94,12 +91,6 @@ def _names(thing: str, lexicon: Lexicon, *, leads: bool) -> bool:
     # As in "walk the dog and | 8:00".
     open_ended = words[-1].text in lexicon.function_words - lexicon.places
     return own and not open_ended and not lexicon.means(beside.text, "unit", "preposition_before")
-
-
-def _is_somebody(thing: str, lexicon: Lexicon) -> bool:
-    """Whether one word names a person."""
-    words = words_of(thing)
-    return len(words) == 1 and (words[0].capital or words[0].text in lexicon.persons)
 
 
 def _is_hour(text: str, found: re.Match[str], lexicon: Lexicon) -> bool:

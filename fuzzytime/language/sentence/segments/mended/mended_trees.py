@@ -31,7 +31,7 @@ def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
         return tree
     tree = _with_manner(_with_name_in_front(_with_numbered_things(tree, lexicon), lexicon))
     tree = does_to_person(tree, lexicon) or tree
-    mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
+    mended = _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
     mended = mended or _lets_know(tree, lexicon) or with_verb(tree, lexicon)
     return _with_list(_wants_done(mended or tree))
 
@@ -46,17 +46,6 @@ def _with_manner(tree: Tree) -> Tree:
             for below in tree.children(place):
                 nodes[below] = replace(nodes[below], head=node.head)
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
-
-
-def _does_numbered(tree: Tree, lexicon: Lexicon) -> Tree | None:
-    """Give "do ward 7" its verb."""
-    if not tree.nodes or tree.nodes[0].lower != "do" or tree.root != 1 or len(tree.nodes) < LEAST_DONE:
-        return None
-    if tree.nodes[1].lower not in lexicon.machines or tree.nodes[2].tag != "CD":
-        return None
-    moved = with_thing_done(tree, 1, LEAST_DONE)
-    moved[2] = replace(moved[2], relation="nummod", head=1)
-    return tree.with_nodes(moved)
 
 
 def _does_named(tree: Tree) -> Tree | None:

@@ -244,7 +244,7 @@ def _replaced(old: Said, new: object) -> Said | None:
             )
         return replace(old, time=new)
     if isinstance(new, Duration):
-        return replace(old, time=new) if isinstance(old.time, Duration) else _offset(old, new)
+        return replace(old, time=new) if isinstance(old.time, Duration) else None
     if isinstance(new, Clock):
         return (
             _replaced(old, Wall(clock=new))
@@ -262,13 +262,7 @@ def _counted(old: Said, new: Quantity) -> Said | None:
     if not isinstance(time, Duration) or len(time.terms) != 1:
         return None
     duration = replace(time, terms=((new.value, time.terms[0][1]),), until=None)
-    return _offset(old, duration) or replace(old, time=duration)
-
-
-def _offset(old: Said, new: Duration) -> Said | None:
-    if isinstance(old.time, Offset):
-        return replace(old, time=replace(old.time, duration=new))
-    return None
+    return replace(old, time=duration)
 
 
 def _fitting(old: Said, new: Said) -> str | None:

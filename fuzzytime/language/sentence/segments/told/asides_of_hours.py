@@ -12,7 +12,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.told.asides import BRACKET, OPENING, Aside
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 HOURS = "hours"
 """The rule of a time at which somewhere opens or closes."""
@@ -21,8 +21,6 @@ NAME = 4
 """Words at most for what opens or closes: "the main post office"."""
 
 AS = "as"
-
-POINTS = frozenset({None, Constraint.AT})
 
 
 def asides_of_hours(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:
@@ -44,7 +42,7 @@ def bounding(phrase: Phrase, *, closing: bool) -> Phrase:
 def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | None:
     doing, closed = lexicon.doing, lexicon.closed
     verb, behind = phrase.first - 1, phrase.end
-    if verb < 1 or words[verb].text not in doing.hours or phrase.said.constraint not in POINTS:
+    if verb < 1 or words[verb].text not in doing.hours or phrase.said.constraint not in MOMENTS:
         return None
     if not isinstance(phrase.said.time, Wall) or (
         behind < len(words) and words[behind].text not in closed.end_of_an_aside

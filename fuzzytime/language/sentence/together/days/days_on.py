@@ -34,7 +34,7 @@ def days_on(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Ske
         if own is not None:
             # "Starting tomorrow take the pill every morning and call Ann at six" asks for one call.
             alone = not any(isinstance(phrase.said.time, Repeat) for phrase in sketch.phrases)
-            held = own if alone and told is not sketch and _is_in_front(own, sketch) else None
+            held = own if alone and told is not sketch else None
         found.append(told)
     return found
 
@@ -90,11 +90,6 @@ def _goes_on(first: Phrase, text: str, lexicon: Lexicon) -> bool:
     """Whether it is a day, or "from now on"; but "at 2:15 from now"."""
     last = text[slice(*first.span)].lower().split()[-1]
     return not isinstance(first.said.time, TimeWord) or last in lexicon.beside.onward
-
-
-def _is_in_front(first: Phrase, sketch: Sketch) -> bool:
-    """Whether a time stands in front of what is to be done."""
-    return sketch.operation is not None and first.span[1] <= sketch.operation.span[0]
 
 
 def _is_habit(sketch: Sketch, lexicon: Lexicon) -> bool:

@@ -7,10 +7,9 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.days.relations import Away, Relative, days_onward
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
-from fuzzytime.language.meaning.joined.repeats_beside import MOMENTS
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 
 def each_week(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:

@@ -9,15 +9,12 @@ from dataclasses import replace
 from fuzzytime.language.meaning.days.relations import Away
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Wall
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import MOMENTS, Unit
 
 THEN = "then"
 
 JUST = Duration(((1, Unit.MINUTE),))
 """How long before the last of them nothing is repeated any more."""
-
-MOMENTS = frozenset({None, Constraint.AT})
-"""How times bind at which something is done."""
 
 
 def again_between(sketches: Sequence[Sketch]) -> list[Sketch]:

@@ -14,9 +14,8 @@ from fuzzytime.language.meaning.joined.first_times import (
     is_release,
     opening_of,
 )
-from fuzzytime.language.meaning.joined.repeats_beside import MOMENTS
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 
 def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:

@@ -17,10 +17,7 @@ from fuzzytime.language.sentence.together.times.said_again import (
     with_shared_clock,
     with_shared_part,
 )
-from fuzzytime.requirement import Constraint
-
-BESIDE_MEALS = "meals.beside_meals"
-"""The rule of bounds that are a list: "before breakfast, lunch and dinner"."""
+from fuzzytime.requirement import BOUNDS, Constraint
 
 ON_CONDITION = "if_it_is.at_on_condition"
 """The rule of a clock time that a condition of the calendar stands behind."""
@@ -28,7 +25,6 @@ ON_CONDITION = "if_it_is.at_on_condition"
 LIST = 2
 """Weekdays side by side, without "and", that are hardly a list."""
 
-BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 
 TYPED_JOINTS = frozenset({"/", "+"})
 """Marks between two clock times that are both meant."""
@@ -221,8 +217,6 @@ def _is_beside_meal(phrase: Phrase) -> bool:
 def _is_when(phrase: Phrase) -> bool:
     """Whether it is a time at which something may be done, and not a bound, a length or a repetition."""
     said = phrase.said
-    if phrase.rule == BESIDE_MEALS:
-        return True
     if isinstance(said.time, TimeWord):
         return (said.constraint or said.time.constraint) is Constraint.AT
     if isinstance(said.time, Duration):

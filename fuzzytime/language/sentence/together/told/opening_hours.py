@@ -7,12 +7,11 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
 from fuzzytime.language.sentence.segments.told.asides_of_hours import HOURS, bounding
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 BESIDE = frozenset({"", ",", "-", "–", ";", ":", "so", ", so", "; so", ", and so"})
 """What stands between an order and what is told of where it is done."""
 
-POINTS = frozenset({None, Constraint.AT})
 
 STRETCHES = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
 
@@ -56,7 +55,7 @@ def _bound_of(sketch: Sketch, lexicon: Lexicon) -> Phrase | None:
     if any(tree.nodes[place].lower in doing.opening_up for place in described):
         # "The shop is open until five"
         return phrase if phrase.said.constraint in STRETCHES or isinstance(phrase.said.time, Range) else None
-    at = isinstance(phrase.said.time, Wall) and phrase.said.constraint in POINTS
+    at = isinstance(phrase.said.time, Wall) and phrase.said.constraint in MOMENTS
     closing = operation.lemma in doing.closing_up
     if not at or not (closing or operation.lemma in doing.opening_up):
         return None

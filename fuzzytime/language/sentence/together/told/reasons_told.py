@@ -10,12 +10,10 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.told.opening_hours import is_errand
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 LEADING = frozenset({"so", ", so", "; so", ", and so", "- so", "– so", ":", "-", "–", "—"})
 """What stands between what is told and what is done because of it."""
-
-POINTS = frozenset({None, Constraint.AT})
 
 
 def due_before_told(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
@@ -46,7 +44,7 @@ def _said_when(sketch: Sketch) -> Phrase | None:
     if operation is None or not operation.stated or len(sketch.phrases) != 1 or sketch.clauses:
         return None
     phrase = sketch.phrases[0]
-    at = isinstance(phrase.said.time, Wall) and phrase.said.constraint in POINTS
+    at = isinstance(phrase.said.time, Wall) and phrase.said.constraint in MOMENTS
     return phrase if at else None
 
 
