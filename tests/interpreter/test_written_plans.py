@@ -64,6 +64,9 @@ def test_who_gets_ready_before_a_call_calls_nobody() -> None:
         ("Make up rooms 201-206, 25 min each", 150),
         ("Wrap both orders, 6 min each", 12),
         ("Grill two steaks for 3 minutes each", 3),
+        ("Weld a batch of 12, 90 seconds each", 18),
+        ("Bake the batch, 12 of them, 3 min each", 36),
+        ("See patients 2-4 pm, 15 mins each", 120),
     ],
 )
 def test_what_is_done_one_by_one_lasts_for_all(line: str, minutes: float) -> None:

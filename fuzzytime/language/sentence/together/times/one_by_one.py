@@ -1,5 +1,6 @@
 """What is done with one thing after the other, so long each: "place 20 parts, 90 s each" lasts half an hour.
 
+Done from when to when, it lasts so long, whatever is said of each: "consults 2-4, 15 mins each".
 "Grill two steaks for three minutes each" goes on with both at once: "for" says how long it does with each.
 """
 
@@ -12,6 +13,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat
+from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
@@ -22,10 +24,14 @@ NUMBERED = re.compile(r"(\d+) ?(?:-|–|to) ?(\d+)\b")
 """The first and the last of what has numbers: "rooms 201-206", "pages 2 to 5"."""
 
 
+OF_NUMBER = re.compile(r"\bof (\w+)(?: of (?:them|these|those))?(?= ,|$)|\b(\w+) of (?:them|these|those)\b")
+"""How many of a kind there are: "a batch of 12", "hooks, ten of them"."""
+
+
 def one_by_one(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketch:
     """Let what is done with each of several last for all of them, and say so."""
     operation = sketch.operation
-    if operation is None or not operation.is_asked:
+    if operation is None or operation.negated:
         return sketch
     if any(isinstance(phrase.said.time, Repeat) for phrase in sketch.phrases):
         # "Three sets, two minutes each, with a minute between sets" are turns.
@@ -36,7 +42,14 @@ def one_by_one(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketc
         bare = phrase.said.constraint in {None, Constraint.FOR} and not said_for
         named = f"{operation.object or ''} , {operation.place or ''}"
         times = next(_counts(named, lexicon), None)
-        if not isinstance(length, Duration) or not bare or times is None or not _is_each(phrase, words):
+        if not isinstance(length, Duration) or not bare or not _is_each(phrase, words):
+            continue
+        if any(is_window(other) for other in sketch.phrases):
+            what = f"{_text(phrase, words)!r} is how long each of them takes, not all"
+            remark = Remark(RemarkKind.POLICY, phrase.span, what)
+            phrases = [other for other in sketch.phrases if other is not phrase]
+            return replace(sketch, phrases=tuple(phrases), remarks=(*sketch.remarks, remark))
+        if times is None or operation.stated:
             continue
         whole = replace(length, terms=tuple((amount * times, unit) for amount, unit in length.terms))
         phrases = list(sketch.phrases)
@@ -59,9 +72,11 @@ def _counts(named: str, lexicon: Lexicon) -> Iterator[int]:
     said = named.lower().split()
     if not lexicon.closed.both.isdisjoint(said):
         yield SEVERAL
-    for word, behind in pairwise(said):
+    numbers = [word for word, behind in pairwise(said) if behind.isalpha() and behind.endswith("s")]
+    numbers += [first or last for first, last in OF_NUMBER.findall(named.lower())]
+    for word in numbers:
         number = int(word) if word.isdecimal() else lexicon.numbers.get(word, 0)
-        if SEVERAL <= number <= MOST and behind.isalpha() and behind.endswith("s"):
+        if SEVERAL <= number <= MOST:
             yield number
 
 
