@@ -24,7 +24,8 @@ NUMBERED = re.compile(r"(\d+) ?(?:-|–|to) ?(\d+)\b")
 """The first and the last of what has numbers: "rooms 201-206", "pages 2 to 5"."""
 
 
-OF_NUMBER = re.compile(r"\bof (\w+)(?: of (?:them|these|those))?(?= ,|$)|\b(\w+) of (?:them|these|those)\b")
+OF_NUMBER = re.compile(r"\bof (\w+)(?= ,|$)")
+OF_THEM = re.compile(r"\b(\w+) of (?:them|these|those)\b")
 """How many of a kind there are: "a batch of 12", "hooks, ten of them"."""
 
 
@@ -40,8 +41,10 @@ def one_by_one(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketc
         length = phrase.said.time
         said_for = FOR in {word.text for word in words[phrase.first : phrase.end]}
         bare = phrase.said.constraint in {None, Constraint.FOR} and not said_for
+        first, end = sketch.part.segment.span
+        said = " ".join(word.text for word in words if first <= word.start < end)
         named = f"{operation.object or ''} , {operation.place or ''}"
-        times = next(_counts(named, lexicon), None)
+        times = next(_counts(named, said, lexicon), None)
         if not isinstance(length, Duration) or not bare or not _is_each(phrase, words):
             continue
         if any(is_window(other) for other in sketch.phrases):
@@ -64,16 +67,19 @@ def _is_each(phrase: Phrase, words: Sequence[Word]) -> bool:
     return any(word.text == EACH for word in words[phrase.first : phrase.end])
 
 
-def _counts(named: str, lexicon: Lexicon) -> Iterator[int]:
-    """Give how many things words name: from one number to another, or a number in front of them."""
+def _counts(named: str, said: str, lexicon: Lexicon) -> Iterator[int]:
+    """Give how many things words name: from one number to another, or a number in front of them.
+
+    It may also be ``said`` behind them: "ten of them".
+    """
     for first, last in NUMBERED.findall(named):
         if 0 < int(last) - int(first) < MOST:
             yield int(last) - int(first) + 1
-    said = named.lower().split()
-    if not lexicon.closed.both.isdisjoint(said):
+    words = named.lower().split()
+    if not lexicon.closed.both.isdisjoint(words):
         yield SEVERAL
-    numbers = [word for word, behind in pairwise(said) if behind.isalpha() and behind.endswith("s")]
-    numbers += [first or last for first, last in OF_NUMBER.findall(named.lower())]
+    numbers = [word for word, behind in pairwise(words) if behind.isalpha() and behind.endswith("s")]
+    numbers += [*OF_NUMBER.findall(named.lower()), *OF_THEM.findall(said)]
     for word in numbers:
         number = int(word) if word.isdecimal() else lexicon.numbers.get(word, 0)
         if SEVERAL <= number <= MOST:
