@@ -249,7 +249,7 @@ def _is_timed(word: Word, lexicon: Lexicon, timed: Timed) -> bool:
     Among lines of which most are timed, so may be anything else: "wrap".
     """
     has_hour = has_time(word.text, lexicon) or (timed >= Timed.MOST and _is_thing(word, lexicon))
-    return has_hour and word.is_letters and not _is_called(word, lexicon)
+    return has_hour and word.is_letters and len(word.text) > 1 and not _is_called(word, lexicon)
 
 
 def _goes_on(entry: Sequence[Word], lexicon: Lexicon) -> bool:
