@@ -49,6 +49,9 @@ WHITHER = ("wards", "wise")
 PARTICIPLE = "ing"
 """The ending of a verb that goes on beside another."""
 
+SHORT_FOR_IS = frozenset({"'s", "\u2019s"})
+"""What is short for "is", or tells whose something is."""
+
 _NAMED_AFTER = ("ation", "ator", "ion", "or", "ing", "er", "ment")
 """Endings of words that are named after what is done, the longest first."""
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 
+from fuzzytime.english import SHORT_FOR_IS
 from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import Lexicon, Reading, content_words
 
@@ -35,3 +36,50 @@ def as_news(said: str) -> str:
 def told_of(lexicon: Lexicon) -> frozenset[str]:
     """Give the first words of what is told of something that was spoken of."""
     return frozenset(form[0] for form in lexicon.conversation["told of"])
+
+
+def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
+    """Whether what looks like a wish tells what is, or was: "dinner's burnt", "you forgot the windows"."""
+    if len(reading.instructions) != 1 or reading.instructions[0].operation is None:
+        return False
+    operation = reading.instructions[0].operation
+    if _is_short_for_is(reading) or _goes_on(reading, lexicon):
+        return True
+    if operation.due is not None:
+        # "Mum called"
+        calls = operation.lemma in lexicon.addressing and not reading.instructions[0].requirements
+        return calls or (operation.object or "").endswith(("'s", "\u2019s"))
+    first = reading.tokens[0].text.lower() if reading.tokens else ""
+    if operation.negated or reading.instructions[0].requirements:
+        return False
+    verb = operation.verb.lower()
+    past = verb != operation.lemma or any(verb in forms for forms in lexicon.past.values())
+    owed = any(token.text.lower() in lexicon.closed.verbs_of_obligation for token in reading.tokens)
+    closed = lexicon.closed
+    if first in closed.second_person:
+        return past and not operation.stated
+    # No order begins with "she" or "that".
+    return first in closed.third_person_singular | closed.singular_anaphors and not owed
+
+
+def _goes_on(reading: Reading, lexicon: Lexicon) -> bool:
+    """Whether words tell what somebody else is at: "Ann is painting the door"."""
+    tokens, closed = reading.tokens, lexicon.closed
+    place = next((n for n, token in enumerate(tokens) if token.tag == "VBG" and token.relation == "root"), 0)
+    own = [token for token in tokens[:place] if token.head == place]
+    helped = any(token.text.lower() in closed.third_person_be for token in own)
+    told = any(token.relation == "nsubj" and token.text.lower() not in closed.first_person for token in own)
+    return helped and told and not reading.instructions[0].requirements
+
+
+def _is_short_for_is(reading: Reading) -> bool:
+    """Whether words tell how something is, whose "'s" a tree takes for an owner's: "glue's dry"."""
+    tokens = reading.tokens
+    place = next(
+        (n for n, token in enumerate(tokens) if token.text in SHORT_FOR_IS and n + 1 < len(tokens)), None
+    )
+    if place is None or reading.instructions[0].requirements:
+        return False
+    following = tokens[place + 1]
+    closes = tokens[place + 2 :] == () and following.tag == "JJ"
+    return closes or following.tag in {"IN", "RP"}

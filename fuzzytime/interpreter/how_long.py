@@ -104,6 +104,9 @@ class HowLong:
         hands_on = wish.hands_on if wish.hands_on is not None else min(table.hands_on, elapsed)
         if operation is None and wish.elapsed is None:
             elapsed = hands_on
+        if operation is not None and operation.stated:
+            # A meeting that is to be longer would be in the way of itself.
+            hands_on = 0.0
         return OperationDuration(hands_on=hands_on, elapsed=elapsed, source="given", assumed=False)
 
     def _of_table(self, operation: Operation | None) -> OperationDuration:

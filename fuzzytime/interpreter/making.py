@@ -83,7 +83,7 @@ class Maker:
         FuzzytimeError
             If a context reading is of no declared signal, or a duration impossible.
         """
-        instruction = waiting_until(from_to(instruction), self.lexicon)
+        instruction = waiting_until(from_to(instruction, wish.given, self.lexicon), self.lexicon)
         told = (p for p in instruction.requirements if p.constraint is not Constraint.FOR)
         known = without_readings(list(told), wish.given, self.request, self.lexicon)
         said = [with_waits(part, self.rulebook, self.request) for part in known]
@@ -298,5 +298,6 @@ def _parameters(operation: Operation | None) -> dict[str, str]:
         "object": operation.object,
         "place": operation.place,
         "manner": operation.manner,
+        "purpose": operation.purpose,
     }
     return {name: words for name, words in parts.items() if words}

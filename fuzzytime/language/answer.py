@@ -84,6 +84,7 @@ def _operation(operation: Operation | None) -> dict[str, Any] | None:
         **({"particle": operation.particle} if operation.particle is not None else {}),
         **({"complement": operation.complement} if operation.complement is not None else {}),
         **({"manner": operation.manner} if operation.manner is not None else {}),
+        **({"purpose": operation.purpose} if operation.purpose is not None else {}),
         **({"order": operation.order.value} if operation.order is not None else {}),
         **({"stated": True} if operation.stated else {}),
         **({"addressee": operation.addressee} if operation.addressee is not None else {}),

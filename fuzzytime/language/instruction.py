@@ -53,7 +53,7 @@ class Operation:
 
     ``particle`` belongs to the verb ("put on", "turn off"), ``complement`` says what the object does or
     becomes ("let the dough rest", "have the slides ready"), ``manner`` how it is done or how often: "slowly",
-    "twice"; ``addressee`` is who was asked ("Anna, …").
+    "twice", ``purpose`` what for: "go out to get milk"; ``addressee`` is who was asked ("Anna, …").
     ``stated`` says that it is not asked for, but happens: of "the guests arrive at six", the object does.
     ``due`` are the words between object and verb where the object must do it: "the bread must rise".
     ``again`` says that its object was named before ("bake it").
@@ -69,6 +69,7 @@ class Operation:
     particle: str | None = None
     complement: str | None = None
     manner: str | None = None
+    purpose: str | None = None
     addressee: str | None = None
     due: str | None = None
     negated: bool = False
@@ -115,7 +116,7 @@ class Operation:
             verb = None if self.attended or self.lemma == "be" else self.verb
             said = (self.object, verb, self.particle, None if verb is None else self.complement, self.place)
         # What a statement is about may be its time: "I have office hours from two to four".
-        return " ".join(part for part in (*said, self.manner) if part) or self.verb
+        return " ".join(part for part in (*said, self.manner, self.purpose) if part) or self.verb
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

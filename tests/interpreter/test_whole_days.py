@@ -96,3 +96,18 @@ def test_when_a_meal_is_may_be_told_later(lines: tuple[str, ...], start: str) ->
 def test_what_goes_on_is_meant_and_not_what_is_done_with_it() -> None:
     lines = ("the window is from 11 to 12", "announce the window now", "check the page during the window")
     assert _times(*lines)["s3"][0] >= 11
+
+
+@pytest.mark.parametrize(
+    ("line", "hours"),
+    [
+        ("clean the garage tomorrow from two to four", (38, 40)),
+        ("write the essay tonight 7 til 9", (19, 21)),
+        ("study tomorrow seven to nine", (31, 33)),
+        ("clean the garage tomorrow between two and four", None),
+        ("mow the lawn anytime 3 to 5", None),
+    ],
+)
+def test_two_ends_behind_their_day_say_how_long(line: str, hours: tuple[float, float] | None) -> None:
+    lasting = next(iter(_times(line).values()))
+    assert lasting == hours if hours else lasting[1] - lasting[0] < 1

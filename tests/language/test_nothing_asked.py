@@ -205,3 +205,20 @@ def test_whom_a_sentence_without_a_comma_asks_is_kept() -> None:
 def test_a_number_that_may_be_the_hour_is_said_to_count(text: str, said: list[str]) -> None:
     remarks = language().read(text, now=NOW).remarks
     assert [text[slice(*r.span)] for r in remarks if "is taken for how m" in r.message] == said
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("buy milk 10", ["10"]),
+        ("feed cat 8", ["8"]),
+        ("cat vaccination 9.45", ["9.45"]),
+        ("read chapter 4", []),
+        ("update Windows 11", []),
+        ("milk 10 at noon", []),
+        ("pick 7", []),
+    ],
+)
+def test_an_hour_behind_a_thing_is_said_to_be_none(text: str, said: list[str]) -> None:
+    remarks = language().read(text, now=NOW).remarks
+    assert [text[slice(*r.span)] for r in remarks if "not taken as a time" in r.message] == said

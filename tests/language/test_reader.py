@@ -44,7 +44,17 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
                 found[key] = operation.name if operation is not None else None
             case "to":
                 found[key] = operation.addressee if operation is not None else None
-            case "lemma" | "negated" | "object" | "place" | "manner" | "order" | "stated" | "attended":
+            case (
+                "lemma"
+                | "negated"
+                | "object"
+                | "place"
+                | "manner"
+                | "purpose"
+                | "order"
+                | "stated"
+                | "attended"
+            ):
                 found[key] = getattr(operation, key)
             case "duration" | "alone":
                 found[key] = getattr(instruction, key)

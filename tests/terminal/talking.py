@@ -55,6 +55,14 @@ class Talk:
     def entries(self) -> list[str]:
         return [entry.text for entry in self.turns.conversation.state.entries]
 
+    @property
+    def left(self) -> list[str]:
+        """What was asked for, as far as it is still to be done."""
+        assert self.turns.plan is not None
+        planned = {one.wish.identifier for one in self.turns.plan.everything}
+        entries = self.turns.conversation.state.entries
+        return [entry.text for entry in entries if entry.identifier in planned]
+
     def start(self, identifier: str) -> datetime:
         plan = self.turns.plan
         assert plan is not None

@@ -182,7 +182,105 @@ def test_what_opens_a_change_is_no_other_change(line: str, left: list[str]) -> N
     assert talk.entries == left
 
 
+@pytest.mark.parametrize(
+    ("line", "length", "start"),
+    [
+        ("move Ann up", "by half an hour", (11, 30)),
+        ("bring it forward", "an hour", (11, 0)),
+        ("make it earlier", "10 minutes", (11, 50)),
+        ("push it back", "an hour", (13, 0)),
+        ("push it back", "an hour earlier", (11, 0)),
+    ],
+)
+def test_a_length_that_was_asked_for_goes_the_way_that_was_said(
+    line: str, length: str, start: tuple[int, int]
+) -> None:
+    talk = talk_of("call Ann at noon")
+    assert "by how much?" in talk.say(line)
+    talk.say(length)
+    assert (talk.start("s1").hour, talk.start("s1").minute) == start
+
+
+@pytest.mark.parametrize("reason", ["Bob is doing it", "we already talked", "it's raining"])
+def test_what_somebody_else_does_is_no_wish_in_its_place(reason: str) -> None:
+    talk = talk_of("call Ann at noon")
+    assert "changes nothing" in talk.say(f"cancel the call, {reason}")
+    assert talk.entries == []
+
+
 def test_a_change_that_would_lose_one_of_several_changes_nothing() -> None:
     talk = talk_of("saturday: mow the lawn at ten am, wash the car at noon")
     assert "nothing is changed" in talk.say("move the lawn to sunday")
     assert f"{talk.start('s1'):%a %H:%M}" == "Sat 10:00"
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["boards are cut", "the boards are cut", "the boards have been cut already", "boards cut"],
+)
+def test_what_is_said_to_be_cut_is_done(line: str) -> None:
+    talk = talk_of("cut the boards at ten", "take the bins out at noon")
+    assert "done: cut the boards" in talk.say(line)
+    assert talk.left == ["take the bins out at noon"]
+
+
+@pytest.mark.parametrize(("line", "left"), [("the bins are out", 0), ("the bins aren't out", 1)])
+def test_what_is_said_to_be_out_was_taken_out(line: str, left: int) -> None:
+    talk = talk_of("take the bins out at noon")
+    talk.say(line)
+    assert len(talk.left) == left
+
+
+def test_what_follows_something_done_before_its_time_still_does() -> None:
+    talk = talk_of("cut the boards at ten", "then plane them")
+    assert "plane the boards" in talk.say("the boards are cut")
+    assert talk.left == ["then plane them"]
+
+
+@pytest.mark.parametrize("line", ["mum called", "the bank just phoned", "Ann texted"])
+def test_who_called_is_neither_called_nor_to_be(line: str) -> None:
+    talk = talk_of("call mum at noon", "phone the bank at one pm", "text Ann at two pm")
+    talk.say(line)
+    assert len(talk.entries) == 3
+
+
+@pytest.mark.parametrize(
+    ("line", "anew"),
+    [
+        ("the ironing can wait till tomorrow", "iron the shirts tomorrow at noon"),
+        ("leave the shirts for tomorrow", "iron the shirts tomorrow at noon"),
+        ("leave that till six pm", "iron the shirts at six pm"),
+        ("Bob wants to move it to one pm", "iron the shirts at one pm"),
+        ("she said one pm", "iron the shirts at one pm"),
+        ("I'd rather do one pm", "iron the shirts at one pm"),
+        ("one pm works better", "iron the shirts at one pm"),
+        ("it's too early", "iron the shirts at noon"),
+        ("can we do one pm instead", "iron the shirts at one pm"),
+        ("and at one pm not noon", "iron the shirts at one pm"),
+        ("leave the shirts where they are", "iron the shirts at noon"),
+        ("leave it as it is", "iron the shirts at noon"),
+        ("leave it", "iron the shirts at noon"),
+        ("the shirts can wait", "iron the shirts at noon"),
+        ("do that", "iron the shirts at noon"),
+        ("undo both", "iron the shirts at noon"),
+    ],
+)
+def test_what_is_said_of_a_wish_is_no_other_wish(line: str, anew: str) -> None:
+    talk = talk_of("iron the shirts at noon")
+    talk.say(line)
+    assert talk.entries == [anew]
+
+
+@pytest.mark.parametrize(("line", "left"), [("cancel Ann too", CALLS[1:2]), ("undo that as well", CALLS[:1])])
+def test_what_is_changed_too_is_changed(line: str, left: tuple[str, ...]) -> None:
+    talk = talk_of(*CALLS[:2])
+    talk.say(line)
+    assert talk.entries == list(left)
+
+
+@pytest.mark.parametrize("wish", ["call Bob at noon", "Bob at noon"])
+def test_who_is_late_is_so_by_what_is_answered(wish: str) -> None:
+    talk = talk_of(wish)
+    assert "by how much?" in talk.say("Bob's running late")
+    talk.say("about ten minutes")
+    assert (talk.start("s1").hour, talk.start("s1").minute) == (12, 10)

@@ -50,7 +50,7 @@ def test_a_command_takes_words_for_what_is_planned() -> None:
     talk.say(":drop table")
     assert talk.entries == ["Stir the soup in ten minutes"]
     assert "done: stir the soup" in talk.say(":done the soup")
-    assert talk.entries == []
+    assert talk.left == []
 
 
 @pytest.mark.parametrize(

@@ -116,7 +116,7 @@ def test_what_was_done_needs_no_speaker(planned: str, told: str) -> None:
     talk = Talk()
     talk.say(planned)
     assert "done: " in talk.say(told)
-    assert talk.entries == []
+    assert talk.left == []
 
 
 @pytest.mark.model

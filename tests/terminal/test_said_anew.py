@@ -173,3 +173,62 @@ def test_a_time_alone_is_that_of_what_was_asked_for_last(first: str, time: str, 
 @pytest.mark.model
 def test_a_time_alone_is_pointed_at_where_nothing_was_asked_for() -> None:
     assert "nothing to do" in Talk().say("at seven")
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("wish", "line", "anew"),
+    [
+        ("clean the garage from two to four", "move it to five", "clean the garage at five for 2 h"),
+        ("gym every day at six", "move the gym to seven", "gym every day at seven pm"),
+        ("meeting 2-2:30", "make it four", "meeting at four for 30 min"),
+        ("clean the garage from two to four", "do it tomorrow", "clean the garage tomorrow from two to four"),
+        ("call mum at two for ten minutes", "make it four", "call mum at four for ten minutes"),
+        ("call mum at five", "make it two to three", "call mum from two to three"),
+        ("meeting 2-3", "4 to 5", "meeting from 4 to 5"),
+        ("stir in about five minutes", "make it six to eight", "stir in about six to eight minutes"),
+    ],
+)
+def test_what_went_on_from_when_to_when_goes_on_as_long_at_another_time(
+    wish: str, line: str, anew: str
+) -> None:
+    talk = Talk()
+    talk.say(wish)
+    talk.say(line)
+    assert talk.entries == [anew]
+
+
+@pytest.mark.model
+def test_what_happens_keeps_its_place_when_it_takes_longer() -> None:
+    talk = Talk()
+    talk.say("meeting at four")
+    assert "16:00 17:30 meeting" in talk.say("make it half an hour longer")
+
+
+@pytest.mark.model
+@pytest.mark.parametrize("day", ["on friday", "on friday at six", "tomorrow morning"])
+@pytest.mark.parametrize("part", ["tonight", "this evening"])
+def test_a_part_of_today_leaves_no_other_day(day: str, part: str) -> None:
+    talk = Talk()
+    talk.say(f"paint the fence {day}")
+    talk.say(f"no, {part}")
+    assert talk.entries == [f"paint the fence {part}"]
+
+
+@pytest.mark.model
+@pytest.mark.parametrize("counted", ["ten minutes after that", "in ten minutes", "ten minutes before that"])
+def test_what_counted_from_now_or_another_does_so_no_more_when_it_moves_to_a_day(counted: str) -> None:
+    talk = Talk()
+    talk.say("stir the soup at noon")
+    talk.say(f"serve it {counted}")
+    talk.say("make it tomorrow")
+    assert talk.entries[-1] == "serve it tomorrow"
+
+
+@pytest.mark.model
+def test_what_waited_and_is_done_is_over() -> None:
+    talk = Talk()
+    talk.say("serve the soup when the guests sit down")
+    talk.say("then clear the table")
+    assert "found a place: s2 clear the table" in talk.say("the soup is served")
+    assert "the soup waits" in talk.say("undo")

@@ -137,10 +137,11 @@ def test_what_was_done_is_no_wish() -> None:
     talk.say("feed the cat at 10 am")
     talk.say("call mum at 5 pm")
     assert "done: feed the cat" in talk.say("I've already fed the cat")
-    assert talk.entries == ["call mum at 5 pm"]
+    assert "yes: s1 feed the cat" in talk.say("did I feed the cat?")
+    assert talk.left == ["call mum at 5 pm"]
     assert "nothing like it is planned" in talk.say("I watered the plants")
     assert "nothing that is planned is about rice" in talk.say("the rice is done")
-    assert talk.entries == ["call mum at 5 pm"]
+    assert talk.left == ["call mum at 5 pm"]
 
 
 @pytest.mark.model

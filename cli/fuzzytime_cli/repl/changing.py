@@ -171,22 +171,14 @@ def done(scene: Scene, text: str) -> Reply:
         scene.conversation.store.note_done(scene.conversation.name, wanted, scene.now)
         return Reply((Text(f"done: {plain(running[wanted].name)}"),), changed=True)
     position = position_of(scene, wanted)
-    skill = scene.plan.everything[position]
-    number = number_of(skill.identifier)
-    name = Text(f"done: {plain(skill.skill.name)}")
-    happens = skill.stated
-    others = any(
-        number_of(other.identifier) == number for other in scene.plan.everything if other is not skill
-    )
-    if happens or others:
-        # The others that the instruction asks for stay, and may refer to this one; what others are tied to
-        # has happened.
-        agent = scene.plan.schedule.skills[position].agent
-        now, satisfaction = scene.now, scene.plan.schedule.satisfactions[position]
-        begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction, happens)
-        scene.conversation.store.note_over(scene.conversation.name, begun)
-        return Reply((name,), changed=True)
-    return replace(step(scene, f":done {number}", lambda state: state.without(number)), lines=(name,))
+    skill, now, schedule = scene.plan.everything[position], scene.now, scene.plan.schedule
+    # It stays known: others may refer to it, and what they are tied to has happened.
+    begun = Started(skill.identifier, skill.skill.name, now, now, now, happens=skill.stated)
+    if scene.plan.has_time(position):
+        agent, satisfaction = schedule.skills[position].agent, schedule.satisfactions[position]
+        begun = replace(begun, agent=agent, satisfaction=satisfaction)
+    scene.conversation.store.note_over(scene.conversation.name, begun)
+    return Reply((Text(f"done: {plain(skill.skill.name)}"),), changed=True)
 
 
 def more(scene: Scene, text: str) -> Reply:

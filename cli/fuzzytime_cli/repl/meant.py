@@ -8,7 +8,6 @@ from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import (
     called,
-    entries_meant,
     entry_of,
     part_meant,
     running_one,
@@ -20,6 +19,7 @@ from fuzzytime_cli.repl.progress import late, length_said, progress, unstarted
 from fuzzytime_cli.repl.retiming import days_on, with_time, without_thing
 from fuzzytime_cli.repl.scene import Scene, waiting
 from fuzzytime_cli.repl.stretches import is_within
+from fuzzytime_cli.repl.which import entries_meant
 from fuzzytime_cli.session import Entry
 
 ONE_AT_A_TIME = (
@@ -42,7 +42,7 @@ def command_meant(scene: Scene, about: About) -> str | None:
                 raise FuzzytimeError("nothing was changed: it stays as it is")
             return None
         case AboutKind.UNDO | AboutKind.REDO:
-            return f":{about.kind.value}"
+            return _stepping(about)
         case AboutKind.DROP if about.corrects and scene.taken is not None:
             # "Scratch that", of what was changed
             return ":undo"
@@ -61,6 +61,19 @@ def command_meant(scene: Scene, about: About) -> str | None:
         case AboutKind.UNSTARTED:
             return unstarted(scene, about)
     return _changing(scene, about)
+
+
+def _stepping(about: About) -> str:
+    """Give the command that takes the last step back, or again.
+
+    Raises
+    ------
+    FuzzytimeError
+        If several are meant.
+    """
+    if about.both:
+        raise FuzzytimeError(f"one step at a time: say {about.kind.value}, and then {about.kind.value} again")
+    return f":{about.kind.value}"
 
 
 def _changing(scene: Scene, about: About) -> str | None:

@@ -5,12 +5,9 @@ from datetime import datetime
 from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, content_words, nouns_of, verb_forms
+from fuzzytime.language import content_words, nouns_of, verb_forms
 from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, own_words, waiting, whole_number
 from fuzzytime_cli.session import Entry, Started
-
-BOTH = 2
-"""How many "both" are."""
 
 LABEL = re.compile(r"s\d+(?:\.\d+)?")
 """How what is planned is labelled: by its line, and which of several things of that it is."""
@@ -26,29 +23,39 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
 
     Its label names it, too: "s2".
     """
-    running = {number_of(one.identifier) for one in scene.conversation.running(scene.now)}
-    latest = scene.conversation.state.entries[::-1]
+    entries = _to_do_first(scene)
     label = label_meant(scene, names)
-    labelled = (entry for entry in latest if label and entry.number == number_of(label))
+    labelled = (entry for entry in entries if label and entry.number == number_of(label))
     if label and (found := next(labelled, None)) is not None:
         return found
-    to_do = [e for e in latest if called(scene, e.number) is not None or e.number in running]
-    # What only tells of others ("the lunch takes 20 minutes") is meant last.
-    entries = [*to_do, *(entry for entry in latest if entry not in to_do)]
     if not names:
         spoken_of = (entry for entry in entries if entry.number == scene.focus)
         return next(spoken_of, None) or next(iter(entries), None)
+    return next(iter(entries_named(scene, names)), None)
+
+
+def entries_named(scene: Scene, names: frozenset[str]) -> list[Entry]:
+    """Give the entries that all of some words name: the latest first, and what is over last."""
+    entries = _to_do_first(scene)
     # "The guests" are what comes, before they are what others wait for.
     happening = {
         one.wish.identifier: content_words(one.skill.name) for one in scene.plan.everything if one.stated
     }
-    comes = (e for e in entries if names <= happening.get(e.identifier, frozenset()))
+    comes = [e for e in entries if names <= happening.get(e.identifier, frozenset())]
     # What is done with it is meant before what only comes after it: "the nap", and "park after the nap".
-    things = (e for e in entries if names <= _things_of(scene, e))
-    own = (entry for entry in entries if names <= own_words(scene, entry))
+    things = [e for e in entries if names <= _things_of(scene, e)]
+    own = [entry for entry in entries if names <= own_words(scene, entry)]
     # "It" in its words is what it is called by, and "the inspection" what is inspected.
-    by_name = (e for e in entries if names <= words_of_entry(scene, e) | own_words(scene, e))
-    return next((entry for found in (comes, things, own, by_name) for entry in found), None)
+    by_name = [e for e in entries if names <= words_of_entry(scene, e) | own_words(scene, e)]
+    return comes or things or own or by_name
+
+
+def _to_do_first(scene: Scene) -> list[Entry]:
+    """Give all entries, the latest first; what only tells of others ("the lunch takes an hour"), last."""
+    running = {number_of(one.identifier) for one in scene.conversation.running(scene.now)}
+    latest = scene.conversation.state.entries[::-1]
+    to_do = [e for e in latest if called(scene, e.number) is not None or e.number in running]
+    return [*to_do, *(entry for entry in latest if entry not in to_do)]
 
 
 def label_meant(scene: Scene, names: frozenset[str]) -> str:
@@ -81,82 +88,6 @@ def _things_of(scene: Scene, entry: Entry) -> frozenset[str]:
     return content_words(entry.text) & frozenset[str]().union(
         *(content_words(one.skill.name) for one in skills)
     )
-
-
-def entries_meant(scene: Scene, about: About) -> list[Entry]:
-    """Give the entries that are meant by names, by their places, or as both that are left, as they stand.
-
-    Raises
-    ------
-    FuzzytimeError
-        If there are not so many.
-    """
-    left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
-    if about.both and about.kind is AboutKind.DROP:
-        # "Both done", of which one is running
-        running = {number_of(one.identifier) for one in scene.conversation.running(scene.now)}
-        left = [e for e in scene.conversation.state.entries if e in left or e.number in running]
-    if about.both:
-        left = [one for one in left if about.names <= words_of_entry(scene, one)]
-        if len(left) != BOTH:
-            what = f" that {'is' if len(left) == 1 else 'are'} about {' '.join(sorted(about.names))}"
-            count = f"{len(left) or 'none'} {'is' if len(left) == 1 else 'are'} left"
-            raise FuzzytimeError(f"{count}{what if about.names else ''}: say which, such as: the call")
-        return left
-    if about.other:
-        last = scene.told_last if scene.focus is None else scene.focus
-        left = [one for one in left if one.number != last]
-        if len(left) != 1:
-            raise FuzzytimeError(f"{len(left)} others are left: say which, such as: the call")
-        return left
-    if about.upcoming:
-        return _next_of(scene)
-    if about.places:
-        if max(abs(place) for place in about.places) > len(left):
-            raise FuzzytimeError(f"{len(left)} {'is' if len(left) == 1 else 'are'} left (:list shows which)")
-        return [left[place - 1 if place > 0 else place] for place in about.places]
-    entry = entry_of(scene, about.names)
-    if entry is None and about.each:
-        return _each_of(scene, about)
-    if entry is None or not about.several:
-        return [] if entry is None else [entry]
-    asked = [one for one in scene.plan.everything if not one.stated]
-    named = {one.wish.identifier for one in asked if about.names <= content_words(one.skill.name)}
-    # "The guests" are those who come, and not what waits for them.
-    return [one for one in left if one.identifier in named] if entry.identifier in named else [entry]
-
-
-def _each_of(scene: Scene, about: About) -> list[Entry]:
-    """Give the entry of each of several things that are listed; none where none is known.
-
-    Raises
-    ------
-    FuzzytimeError
-        If only some are.
-    """
-    found = [entry_of(scene, names) for names in about.each]
-    if any(found) and None in found:
-        unknown(about.each[found.index(None)])
-    return list(dict.fromkeys(entry for entry in found if entry is not None))
-
-
-def _next_of(scene: Scene) -> list[Entry]:
-    """Give the entry of what starts next.
-
-    Raises
-    ------
-    FuzzytimeError
-        If nothing does.
-    """
-    schedule = scene.plan.schedule
-    starts = [
-        (schedule.start_times[place], one.wish.identifier)
-        for place, one in waiting(scene)
-        if scene.plan.has_time(place)
-    ]
-    if not starts:
-        raise FuzzytimeError("nothing starts next (:list shows what is asked for)")
-    return [one for one in scene.conversation.state.entries if one.identifier == min(starts)[1]]
 
 
 def starts_of_entry(scene: Scene, entry: Entry) -> list[datetime]:

@@ -9,6 +9,7 @@ from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown
 from fuzzytime_cli.repl.retiming import some_time, without_thing
 from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting
+from fuzzytime_cli.repl.which import alike
 
 
 def progress(scene: Scene, about: About) -> str | None:
@@ -44,7 +45,8 @@ def progress(scene: Scene, about: About) -> str | None:
     if not about.names:
         told = "" if last is None else f"; the last, {last.name}, was done at {over}"
         raise FuzzytimeError(f"nothing is running{told}: say what, such as: the soup is done")
-    entry = entry_of(scene, about.names)
+    # Of what is called alike the next one is done.
+    entry = next((one.entry for one in alike(scene, about.names)), None) or entry_of(scene, about.names)
     planned = None
     if entry is not None:
         planned = part_meant(scene, entry.number, about.names) or called(scene, entry.number)
@@ -75,10 +77,9 @@ def unstarted(scene: Scene, about: About) -> str:
     FuzzytimeError
         If nothing that is meant has started, or which of several is not said.
     """
-    known = {entry.number for entry in scene.conversation.state.entries}
     done = scene.taken is not None and scene.taken.kind is AboutKind.DONE
-    if about.text and done and scene.focus is not None and scene.focus not in known:
-        # What was taken to be done is not asked for any more.
+    if about.text and done and scene.focus is not None and called(scene, scene.focus) is None:
+        # What was taken to be done is not planned any more.
         return ":undo"
     last = entry_of(scene, frozenset()) if about.text else None
     if last is not None:
@@ -124,7 +125,8 @@ def length_said(scene: Scene, about: About) -> str:
         by = some_time(scene, about.text)
         return as_typed(-by if about.earlier else by)
     if about.by is None:
-        message = "by how much? Say: push it back by ten minutes (or: make it half past six)"
+        way = "bring it forward" if about.earlier else "push it back"
+        message = f"by how much? Say: {way} by ten minutes (or: make it half past six)"
         raise AskedBackError(message, about)
     return as_typed(about.by)
 

@@ -7,6 +7,7 @@ from datetime import datetime, timedelta
 from itertools import combinations
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import (
     About,
     AboutKind,
@@ -20,10 +21,13 @@ from fuzzytime.language import (
     with_names,
 )
 from fuzzytime.requirement import Constraint, TimeRequirement
-from fuzzytime_cli.repl.naming import entries_meant, starts_of_entry
+from fuzzytime.times import format_duration
+from fuzzytime_cli.repl.naming import starts_of_entry
 from fuzzytime_cli.repl.parts import with_time_of_part
 from fuzzytime_cli.repl.scene import Scene, number_of, waiting
+from fuzzytime_cli.repl.which import entries_meant
 from fuzzytime_cli.session import Entry
+from fuzzytime_cli.told_states import tells_what_is
 
 IDLE = "rest"
 """What is done in a sentence of which only the time matters."""
@@ -138,11 +142,12 @@ def wished_instead(scene: Scene, words: str) -> str | None:
     if len(meant) != 1:
         return None
     old = [one.operation for one in scene.plan.everything if one.wish.identifier == meant[0].identifier]
-    read = language.read(wish, now=scene.now, given=old).instructions
-    asked = [one.operation for one in read if one.operation is not None]
+    reading = language.read(wish, now=scene.now, given=old)
+    asked = [one.operation for one in reading.instructions if one.operation is not None]
     told = wish.split()[0].lower() in language.lexicon.closed.condition_openers
+    told = told or tells_what_is(reading, language.lexicon)
     if told or not asked or asked[0].negated:
-        # "Never mind, it works"
+        # "Never mind, it works", "cancel the slides, Priya is doing them"
         return None
     return f":edit {meant[0].number} {with_names(wish, next(iter(old), None), language.lexicon)}"
 
@@ -216,7 +221,20 @@ def with_time(
         time = AT.sub(rf"\1{times[0].preposition} ", time, count=1)
     if len(times) > 1 or repeated:
         raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
-    return f"{entry.text[:first]}{time}{entry.text[end:]}"
+    text = f"{entry.text[:first]}{time}{entry.text[end:]}"
+    return text if length else f"{text}{_length_lost(scene, entry, mine, text)}"
+
+
+def _length_lost(scene: Scene, entry: Entry, mine: Sequence[Interpreted], text: str) -> str:
+    """Give how long goes on what other words say no length of: "move it to five", of "from two to four"."""
+    known = mine[0].instruction if len(mine) == 1 else None
+    if known is None or known.duration is None:
+        return ""
+    state = scene.conversation.state.with_changed(entry.number, text=text, given=scene.now)
+    anew = scene.conversation.understood(scene.now, state).everything
+    instructions = (one.instruction for one in anew if one.wish.identifier == entry.identifier)
+    lost = all(one is None or one.duration is None for one in instructions)
+    return f" for {format_duration(known.duration)}" if lost else ""
 
 
 def _time_before(scene: Scene, entry: Entry, words: str) -> tuple[str, datetime]:

@@ -11,7 +11,6 @@ from fuzzytime.language import (
     About,
     AboutKind,
     Language,
-    Operation,
     Reading,
     about_things,
     about_wishes,
@@ -19,7 +18,7 @@ from fuzzytime.language import (
     behind_what_is_told,
     by_how_much,
     content_words,
-    perhaps_reported,
+    lets_be,
     reported,
     respelled,
 )
@@ -28,14 +27,17 @@ from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, gaps, looking
 from fuzzytime_cli.repl.commands import how_to, what_if
 from fuzzytime_cli.repl.happened import happened
+from fuzzytime_cli.repl.has_done import done, perhaps_done
 from fuzzytime_cli.repl.leaning import leaning, the_other
 from fuzzytime_cli.repl.leaving_out import left_out, left_out_then, next_left_out
 from fuzzytime_cli.repl.meant import command_meant
-from fuzzytime_cli.repl.naming import LABEL, entries_meant, entry_of, label_meant, unknown
+from fuzzytime_cli.repl.naming import LABEL, entry_of, label_meant, unknown
 from fuzzytime_cli.repl.retiming import said_anew, same_anew, timed_now, wished_instead
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.repl.taking import run, run_each
-from fuzzytime_cli.repl.telling import behind_how_a_day_is, is_news, tells_what_is, told_state
+from fuzzytime_cli.repl.telling import behind_how_a_day_is, is_news, told_state
+from fuzzytime_cli.repl.which import entries_meant, which_one
+from fuzzytime_cli.told_states import tells_what_is
 
 CHANGING = frozenset(
     {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE, AboutKind.EXCEPT}
@@ -84,9 +86,13 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
 
 def _reply_about(scene: Scene, words: str) -> Reply | None:
     lexicon = scene.conversation.interpreter.language.lexicon
-    length = None if scene.asked is None else by_how_much(words, scene.now, lexicon)
-    if scene.asked is not None and length is not None:
-        return _taken(scene, replace(scene.asked, by=-length if scene.asked.earlier else length))
+    asked = scene.asked
+    if asked is not None and (
+        answer := by_how_much(words, asked, scene.now, lexicon) or which_one(scene, words, asked)
+    ):
+        return _taken(scene, answer)
+    if asked is not None and lets_be(words, scene.now, lexicon):
+        return Reply(("nothing is changed",))
     if waited := happened(scene, words):
         reading = scene.conversation.interpreter.language.read(words, now=scene.now)
         return told_state(scene, words, reading) or run_each(scene, waited)
@@ -96,7 +102,8 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
     if (reply := _with_reason(scene, words)) is not None:
         return reply
     about = about_wishes(words, scene.now, lexicon) or _behind_what_is_told(scene, words)
-    if about is None or (not about.certain and is_news(scene, words)):
+    asks = about is not None and about.kind is AboutKind.DELAY and about.by is None and not about.text
+    if about is None or (not about.certain and not asks and is_news(scene, words)):
         return behind_how_a_day_is(scene, words, _taken) or _told(scene, words)
     if about.kind in ANSWERS:
         return ANSWERS[about.kind](scene, about)
@@ -177,8 +184,7 @@ def _told(scene: Scene, words: str) -> Reply | None:
         state = told_state(scene, words, reading)
         if state is not None:
             return state
-        perhaps = None if meant else perhaps_reported(reading, language.lexicon)
-        if perhaps is not None and (reply := _done(scene, perhaps)) is not None:
+        if not meant and (reply := perhaps_done(scene, reading, _taken)) is not None:
             return reply
         if tells_what_is(reading, language.lexicon) and not is_news(scene, words):
             raise FuzzytimeError(f"{words!r} tells what is, and says nothing to do: say what you want done")
@@ -186,7 +192,7 @@ def _told(scene: Scene, words: str) -> Reply | None:
             _check_labels(scene, reading)
         # "Dinner at six" is a wish, and no time of another.
         wish = any(one.operation is not None for one in reading.instructions)
-        added = None if wish else added_time(words, scene.now, language.lexicon)
+        added = added_time(words, scene.now, language.lexicon, wish=wish)
         if added is not None:
             return _taken(scene, added)
         anew = said_anew(scene, words) or timed_now(scene, words, reading)
@@ -195,24 +201,12 @@ def _told(scene: Scene, words: str) -> Reply | None:
         leant = leaning(scene, words, reading, _taken)
         # What asks for something is no question: "could you feed the cat?"
         return leant if leant is not None or wish else answering.asked_of(scene, words)
-    reply = _done(scene, operation)
+    reply = done(scene, operation, _taken)
     if reply is None:
         raise FuzzytimeError(
             f"{words!r} tells what was done, and nothing like it is planned (:list shows what is)"
         )
     return reply
-
-
-def _done(scene: Scene, operation: Operation) -> Reply | None:
-    """Take something as done; None where nothing that is planned, or has begun, is like it."""
-    lexicon = scene.conversation.interpreter.language.lexicon
-    anaphor = (operation.object or "").lower() in lexicon.closed.anaphors
-    things = frozenset[str]() if anaphor else content_words(operation.object)
-    # "Got the milk" is of whatever was to be done with it.
-    tried = [things | {operation.lemma}]
-    tried += [things] if things and (operation.lemma,) in lexicon.conversation["done with"] else []
-    replies = (_taken(scene, About(kind=AboutKind.DONE, names=names)) for names in tried)
-    return next((reply for reply in replies if reply is not None), None)
 
 
 def _check_labels(scene: Scene, reading: Reading) -> None:

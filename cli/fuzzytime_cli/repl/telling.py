@@ -6,7 +6,6 @@ from rich.text import Text
 
 from fuzzytime.language import (
     AboutKind,
-    Lexicon,
     Reading,
     behind_what_is_told,
     content_words,
@@ -20,10 +19,6 @@ from fuzzytime_cli.repl.leaving_out import Taken
 from fuzzytime_cli.repl.retiming import IDLE
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.told_states import as_news, is_waited_for, tells_a_state, told_of
-
-SHORT = frozenset({"'s", "\u2019s"})
-"""What is short for "is", or tells whose something is."""
-
 
 CHANGED = frozenset({AboutKind.MOVE, AboutKind.DELAY, AboutKind.DROP, AboutKind.EXCEPT})
 """What may be said for a reason."""
@@ -62,49 +57,6 @@ def _is_event(signal: str, said: str, condition: Condition) -> bool:
     named = content_words(signal.replace("_", " "))
     about = content_words(condition.subject)
     return content_words(said) <= named or any(word in signal for word in about)
-
-
-def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
-    """Whether what looks like a wish tells what is, or was: "dinner's burnt", "you forgot the windows"."""
-    if len(reading.instructions) != 1 or reading.instructions[0].operation is None:
-        return False
-    operation = reading.instructions[0].operation
-    if _is_short_for_is(reading) or _goes_on(reading, lexicon):
-        return True
-    if operation.due is not None:
-        return (operation.object or "").endswith(("'s", "\u2019s"))
-    first = reading.tokens[0].text.lower() if reading.tokens else ""
-    if operation.negated or reading.instructions[0].requirements:
-        return False
-    verb = operation.verb.lower()
-    past = verb != operation.lemma or any(verb in forms for forms in lexicon.past.values())
-    owed = any(token.text.lower() in lexicon.closed.verbs_of_obligation for token in reading.tokens)
-    closed = lexicon.closed
-    if first in closed.second_person:
-        return past and not operation.stated
-    # No order begins with "she" or "that".
-    return first in closed.third_person_singular | closed.singular_anaphors and not owed
-
-
-def _goes_on(reading: Reading, lexicon: Lexicon) -> bool:
-    """Whether words tell what somebody else is at: "Ann is painting the door"."""
-    tokens, closed = reading.tokens, lexicon.closed
-    place = next((n for n, token in enumerate(tokens) if token.tag == "VBG" and token.relation == "root"), 0)
-    own = [token for token in tokens[:place] if token.head == place]
-    helped = any(token.text.lower() in closed.third_person_be for token in own)
-    told = any(token.relation == "nsubj" and token.text.lower() not in closed.first_person for token in own)
-    return helped and told and not reading.instructions[0].requirements
-
-
-def _is_short_for_is(reading: Reading) -> bool:
-    """Whether words tell how something is, whose "'s" a tree takes for an owner's: "glue's dry"."""
-    tokens = reading.tokens
-    place = next((n for n, token in enumerate(tokens) if token.text in SHORT and n + 1 < len(tokens)), None)
-    if place is None or reading.instructions[0].requirements:
-        return False
-    following = tokens[place + 1]
-    closes = tokens[place + 2 :] == () and following.tag == "JJ"
-    return closes or following.tag in {"IN", "RP"}
 
 
 def _tells(scene: Scene, said: str, reading: Reading) -> bool:

@@ -3,10 +3,11 @@
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from datetime import datetime
 
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
-from fuzzytime.language import Instruction, Lexicon, Operation
+from fuzzytime.language import Instruction, Lexicon, Operation, find_times
 from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
 from fuzzytime.satisfaction import Rectangle
 from fuzzytime.skills import Precedence
@@ -73,7 +74,7 @@ def until_then(instruction: Instruction, lexicon: Lexicon) -> float | None:
     return ends[0] if len(ends) == 1 else None
 
 
-def from_to(instruction: Instruction) -> Instruction:
+def from_to(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Instruction:
     """Take two ends as a start and a length: "I have a meeting from two to four", "paint from two to four".
 
     "Between two and four" leaves open when in between something is done, though not when it happens.
@@ -89,7 +90,7 @@ def from_to(instruction: Instruction) -> Instruction:
             continue
         # What a line above says is when all below it is, and how long none of that.
         own = part.span[0] < part.span[1]
-        ends = own and (part.text.lower().startswith("from ") or part.text[:1].isdigit())
+        ends = own and _says_ends(part, given, lexicon)
         if operation.stated or (ends and part.reference is Reference.START):
             begin, length = part.earliest, part.latest - part.earliest
             requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
@@ -97,6 +98,21 @@ def from_to(instruction: Instruction) -> Instruction:
     if operation.stated:
         instruction = replace(instruction, requirements=tuple(map(_beginning, instruction.requirements)))
     return _until(instruction) if operation.stated and operation.lemma in LASTING else instruction
+
+
+def _says_ends(part: TimeRequirement, given: datetime, lexicon: Lexicon) -> bool:
+    """Whether a time is two ends, perhaps behind its day: "from two to four", "tomorrow 2-4"."""
+    words = part.text.lower().split()
+    first = next((place for place, word in enumerate(words) if _opens_ends(word, lexicon)), None)
+    day = " ".join(part.text.split()[:first])
+    if not first:
+        return first is not None
+    times = find_times(day, given, lexicon).requirements
+    return [(time.text, time.constraint) for time in times] == [(day, Constraint.BETWEEN)]
+
+
+def _opens_ends(word: str, lexicon: Lexicon) -> bool:
+    return word == FROM or word[0].isdigit() or word in lexicon.numbers
 
 
 def _beginning(part: TimeRequirement) -> TimeRequirement:

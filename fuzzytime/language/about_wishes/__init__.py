@@ -2,13 +2,13 @@
 
 Values: ``about``, and a line ``said``. ``reading`` tells which kind of line it is: ``changes``
 (``moves``, ``exceptions``, ``lengths``, and ``meant``: which wishes), ``corrections``, ``turns`` to
-what was just said, ``reports``, ``questions`` and ``asking``, ``things`` alone. ``news`` and what was
-``awaited`` tell of what happens; ``answers`` tell which time is meant. A line in other words:
-``rewording``, ``merging``, ``replacing``, ``respelling``.
+what was just said, ``reports``, ``questions`` and ``asking``, ``things`` alone. A tree tells what is
+``told_done``. ``news`` and what was ``awaited`` tell of what happens; ``answers`` tell which time is
+meant. A line in other words: ``rewording``, ``merging``, ``replacing``, ``respelling``.
 """
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind
-from fuzzytime.language.about_wishes.answers import choice_meant, chooses_none
+from fuzzytime.language.about_wishes.answers import choice_meant, chooses_none, lets_be
 from fuzzytime.language.about_wishes.awaited import (
     done_at_once,
     is_untold,
@@ -22,7 +22,6 @@ from fuzzytime.language.about_wishes.merging import merged_time
 from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
 from fuzzytime.language.about_wishes.reading import about_wishes, behind_what_is_told
 from fuzzytime.language.about_wishes.replacing import behind_an_answer, in_its_place, said_apart, with_names
-from fuzzytime.language.about_wishes.reports import perhaps_reported, reported
 from fuzzytime.language.about_wishes.respelling import respelled
 from fuzzytime.language.about_wishes.rewording import (
     is_person,
@@ -32,6 +31,7 @@ from fuzzytime.language.about_wishes.rewording import (
     without_article,
 )
 from fuzzytime.language.about_wishes.things import about_things, continuing
+from fuzzytime.language.about_wishes.told_done import perhaps_reported, reported, told_result
 
 __all__ = [
     "AT_FIRST",
@@ -56,6 +56,7 @@ __all__ = [
     "is_person",
     "is_thing",
     "is_untold",
+    "lets_be",
     "may_be_thing",
     "merged_time",
     "news_in",
@@ -67,6 +68,7 @@ __all__ = [
     "said_apart",
     "tells_awaited",
     "tells_of_somebody",
+    "told_result",
     "with_names",
     "without_article",
     "without_closing",

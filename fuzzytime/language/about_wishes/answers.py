@@ -59,6 +59,12 @@ def chooses_none(text: str, now: datetime, lexicon: Lexicon) -> bool:
     return Said.of(text, now, lexicon).is_in("choosing none")
 
 
+def lets_be(text: str, now: datetime, lexicon: Lexicon) -> bool:
+    """Whether an answer to what was asked back lets that be: "never mind", "no"."""
+    said = Said.of(text, now, lexicon)
+    return said.is_in("choosing none") or said.without_exclamations().is_in("retracting")
+
+
 def _answer(said: Said) -> Said:
     """Leave out what opens an answer, and what is polite behind it: "I mean the later one, please"."""
     said = said.behind(said.opens_with("meaning")).without_thanks()

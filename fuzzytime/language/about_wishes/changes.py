@@ -45,8 +45,8 @@ def change(said: Said) -> About | None:
 def _undone(said: Said) -> About | None:
     for kind, name in ((AboutKind.UNDO, "undoing"), (AboutKind.REDO, "redoing")):
         rest = said.after(name)
-        if rest is not None and is_last(rest):
-            return About(kind=kind, certain=True)
+        if rest is not None and (is_last(rest) or rest.is_in("both") or rest.places):
+            return About(kind=kind, both=not is_last(rest), certain=True)
     form = longest_match(said.words, 0, {(first[0],) for first in said.table("undoing") if len(first) == 2})
     particle = {first[1] for first in said.table("undoing") if len(first) == 2}
     if form is not None and said.forms[-1] in particle and is_last(said.until(len(said.words) - 1).behind(1)):
@@ -130,9 +130,10 @@ def _ordered(said: Said) -> About | None:
             time = AT_FIRST if rest.forms == (FIRST,) else AT_ONCE
             return replace(about_thing(AboutKind.MOVE, thing), time=time)
         new = rest.without("instead")[0]
-        if new.words and not new.without(*DIRECTIONS)[0].words and is_last(thing):
+        undirected, directions = new.without(*DIRECTIONS)
+        if new.words and not undirected.words and is_last(thing):
             # "Do it earlier": by how much is not said
-            return About(kind=AboutKind.DELAY, certain=True)
+            return About(kind=AboutKind.DELAY, earlier="earlier" in directions, certain=True)
         if (later := later_by(new)) is not None and not later[1].words:
             about = about_thing(AboutKind.DELAY, thing)
             return replace(about, by=later[0].by, text=later[0].text, earlier=later[0].earlier)
@@ -171,6 +172,7 @@ def _corrected(said: Said) -> About | None:
     proposed = rest.after("proposing")
     if proposed is not None and proposed.words and (about := _corrected(proposed)) is not None:
         return replace(about, corrects=True)
+    proposed = None if proposed is None else proposed.without_end(said.table("instead"))
     if proposed is not None and (time := proposed.as_time()):
         # "Let's say nine"
         bare = proposed.is_bare(time)

@@ -3,7 +3,7 @@
 from datetime import datetime
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import FROM, Said
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.requirement import TimeRequirement
@@ -40,8 +40,10 @@ def restated(text: str, now: datetime, lexicon: Lexicon) -> str | None:
     return kept.text if kept.words and (place or closing) else None
 
 
-def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
+def added_time(text: str, now: datetime, lexicon: Lexicon, *, wish: bool = False) -> About | None:
     """Read a line that is a time and nothing else, as what was asked for last has it; else give None.
+
+    What is read as a ``wish`` is one, but for "one pm works better".
 
     >>> from datetime import datetime
     >>> from fuzzytime.language.finding import shipped_lexicon
@@ -49,14 +51,17 @@ def added_time(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     'at seven'
     """
     said = Said.of(text, now, lexicon).without_exclamations()
-    behind = lexicon.courtesies | said.table("preferring") | said.table("instead")
-    closing = (form for form in behind if said.forms[-len(form) :] == form != said.forms)
-    said = said.until(len(said.words) - max(map(len, closing), default=0))
+    told = said.without_end(lexicon.courtesies | said.table("instead"))
+    said = told.without_end(said.table("preferring"))
+    if wish and said == told:
+        return None
     if (counted := _counted_at(said)) is not None:
         return counted
     # "Post 11" is an errand, rather than after eleven.
     errand = said.forms[:1] and said.forms[0] in lexicon.doing.errands
-    time = said.as_time() if said.has_time and not errand else ""
+    time = "" if errand else said.as_time()
+    # "Four" may count anything, but "four to five" has two ends.
+    time = time if said.has_time or said != told or time.startswith(FROM) else ""
     number = said.as_number() if len(said.words) == 1 else ""
     if not time:
         return None

@@ -51,10 +51,17 @@ def days_on(said: Said) -> int:
     return next((days for name, days in DAYS.items() if said.is_in(name)), 0)
 
 
-def by_how_much(text: str, now: datetime, lexicon: Lexicon) -> float | None:
-    """Give the seconds that a line is which answers "by how much?"; None where it says anything else."""
-    found = Said.of(text, now, lexicon).without(*DIRECTIONS, "more")[0].length()
-    return None if found is None or found.rest.words else found.seconds
+def by_how_much(text: str, asked: About, now: datetime, lexicon: Lexicon) -> About | None:
+    """Give what was asked about with the length that a line is; None where it says anything else.
+
+    It goes the way that it was said to, unless the answer says another: "bring it forward", "by an hour".
+    """
+    rest, directions = Said.of(text, now, lexicon).without(*DIRECTIONS, "more")
+    found = rest.length()
+    if found is None or found.rest.words:
+        return None
+    earlier = "earlier" in directions or (asked.earlier and "later" not in directions)
+    return replace(asked, by=-found.seconds if earlier else found.seconds)
 
 
 def minutes_alone(said: Said, *, directed: bool) -> Length | None:

@@ -33,12 +33,17 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
     """
     new = _past_hour_said(new, old, said, now, lexicon)
     other = one_time(new, now, lexicon)
-    if other is None:
+    before = one_time(old, said, lexicon)
+    counted = before is not None and before.unit is not None and before.preposition is not None
+    if other is None or counted:
+        # What was to be in ten minutes, or ten minutes after that, and is tomorrow, leaves no hour open.
         return new
     times = {piece: time for piece in _pieces(old) if (time := one_time(piece, said, lexicon)) is not None}
     days = [piece for piece, time in times.items() if is_of_days(time)]
-    dated = not is_of_days(other) and any(
-        is_of_days(time) for piece in _pieces(new) if (time := one_time(piece, now, lexicon)) is not None
+    dated = not is_of_days(other) and (
+        # "Tonight", "this evening"
+        lexicon.means(new.split()[0].lower(), "day_part", "deictic")
+        or any(is_of_days(time) for piece in _pieces(new) if (time := one_time(piece, now, lexicon)))
     )
     for piece, told in times.items():
         if dated and is_of_days(told):
@@ -64,20 +69,20 @@ def _at_that_hour(text: str, clock: str, old: str, said: datetime, now: datetime
     What was at six in the evening, and is moved to friday, is so in the evening.
     """
     before, anew = one_time(old, said, lexicon), one_time(text, now, lexicon)
-    if before is None or anew is None or not (_is_at_clock(before) and _is_at_clock(anew)):
+    if before is None or anew is None or _begin_of(before) is None or _begin_of(anew) is None:
         return text
-    if not find_times(text, now, lexicon).questions:
+    if anew.recurrence is None and not find_times(text, now, lexicon).questions:
         # "06:00" is in the morning.
         return text
     hour = _hour_of(before, said)
     halves = [text.replace(clock, f"{clock} {half}", 1) for half in HALVES]
     read = [(words, time) for words in halves if (time := one_time(words, now, lexicon)) is not None]
-    if len({_hour_of(time, now) for _, time in read if _is_at_clock(time)}) < len(HALVES):
+    if len({_hour_of(time, now) for _, time in read if _begin_of(time) is not None}) < len(HALVES):
         return text
     words, time = min(read, key=lambda pair: abs(_hour_of(pair[1], now) - hour))
     # "At ten", and then "no, at seven", is this evening rather than tomorrow morning.
-    same_day = instant_after(now, time.t_spec or 0.0).date() == instant_after(now, anew.t_spec or 0.0).date()
-    return words if same_day and _hour_of(time, now) != _hour_of(anew, now) else text
+    days = {instant_after(now, one.t_spec or 0.0).date() for one in (time, anew)}
+    return words if len(days) == 1 and _hour_of(time, now) != _hour_of(anew, now) else text
 
 
 def _past_hour_said(new: str, old: str, said: datetime, now: datetime, lexicon: Lexicon) -> str:
@@ -143,9 +148,14 @@ def _is_at_clock(time: TimeRequirement) -> bool:
     return time.constraint is Constraint.AT and _names_clock(time)
 
 
+def _begin_of(time: TimeRequirement) -> float | None:
+    """Give when a clock time is, or when something repeated is first done; None for what is neither."""
+    return time.t_spec if _is_at_clock(time) else next(iter(_turns(time)), None)
+
+
 def _hour_of(time: TimeRequirement, now: datetime) -> float:
     """Give the hour of a clock time, with its fraction."""
-    instant = instant_after(now, time.t_spec or 0.0)
+    instant = instant_after(now, _begin_of(time) or 0.0)
     return instant.hour + instant.minute / 60.0
 
 

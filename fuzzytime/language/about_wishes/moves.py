@@ -12,6 +12,9 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 FOR = "for"
 PUT = "put"
 NOW = "now"
+LEAVE = "leave"
+LEFT = frozenset({FOR, "till", "until"})
+"""What stands between what is left and until when."""
 
 
 def delayed(said: Said) -> About | None:
@@ -42,18 +45,19 @@ def delayed(said: Said) -> About | None:
     ):
         # "Put the meat back for ten minutes"
         return None
-    by = None if found is None else -found.seconds if "earlier" in directions else found.seconds
+    earlier = "earlier" in directions
+    by = None if found is None else -found.seconds if earlier else found.seconds
     moved = thing if found is None else found.rest
     named, referred = moved.without(*REFERRED)
     if moved.is_in("both"):
-        return About(kind=AboutKind.DELAY, both=True, by=by, certain=True)
+        return About(kind=AboutKind.DELAY, both=True, by=by, earlier=earlier, certain=True)
     if not named.names and not referred and (delaying is None or named.words):
         return None
     if "everything" in referred and not named.names:
-        return About(kind=AboutKind.DELAY, everything=True, by=by, certain=True)
+        return About(kind=AboutKind.DELAY, everything=True, by=by, earlier=earlier, certain=True)
     # Who pushes a table back says no length of time.
     certain = delaying is not None or (found is not None and found.joint == "by")
-    return replace(about_thing(AboutKind.DELAY, named, certain=certain), by=by)
+    return replace(about_thing(AboutKind.DELAY, named, certain=certain), by=by, earlier=earlier)
 
 
 def _all_within(said: Said) -> About | None:
@@ -72,7 +76,7 @@ def moved(said: Said) -> About | None:
     if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
         # "I need it by three"
         return About(kind=AboutKind.MOVE, time=time, certain=True)
-    if (able := _able(said) or _now_at(said)) is not None:
+    if (able := _able(said) or _now_at(said) or _left_for(said)) is not None:
         return able
     delaying = said.after("delaying")
     if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
@@ -111,13 +115,24 @@ def _moved_beside(said: Said) -> About | None:
 def _able(said: Said) -> About | None:
     """Read when somebody can do what was asked for: "they can only do four", "Ann can make it at one"."""
     for place in range(1, len(said.words) if said.is_one else 0):
-        who, rest = said.until(place), said.behind(place).after("able at")
+        who, told = said.until(place), said.behind(place).after("saying")
+        rest = told or said.behind(place).after("able at")
         time = rest.as_time() if rest is not None and rest.words else ""
         # "Well she can make it at one"
         last = who.behind(len(who.words) - 1).is_in("they") or who.is_in("speaker")
         if rest is not None and time and (last or who.names):
-            names = frozenset() if last else who.names
-            return About(kind=AboutKind.MOVE, names=names, time=time, bare=rest.is_bare(time), certain=True)
+            names, sure = frozenset() if last else who.names, last or told is None
+            return About(kind=AboutKind.MOVE, names=names, time=time, bare=rest.is_bare(time), certain=sure)
+    return None
+
+
+def _left_for(said: Said) -> About | None:
+    """Read until when something is left: "leave it till monday"; but "leave the dough for an hour"."""
+    for place in range(2, len(said.words) if said.forms[0] == LEAVE else 0):
+        thing, new = said.until(place).behind(1), said.behind(place)
+        time = new.as_time() if new.forms[0] in LEFT else ""
+        if time and not time.startswith(f"{FOR} ") and (thing.names or is_last(thing)):
+            return replace(about_thing(AboutKind.MOVE, thing), time=time)
     return None
 
 

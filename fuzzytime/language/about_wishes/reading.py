@@ -11,6 +11,9 @@ from fuzzytime.language.about_wishes.reports import report
 from fuzzytime.language.about_wishes.said import ENDS, Said
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
+LONGEST_NAME = 4
+"""Words that somebody is called by before what they ask for, at most, and one."""
+
 MARKS = frozenset({",", ".", "!", "?", "-"})
 
 
@@ -72,8 +75,7 @@ def _without_tag(said: Said) -> Said:
 
 def _without_closing(said: Said) -> Said:
     """Leave out what is said of a wish behind it: "an hour earlier would be better"."""
-    closing = (form for form in said.table("preferring") if said.forms[-len(form) :] == form != said.forms)
-    return said.until(len(said.words) - max(map(len, closing), default=0))
+    return said.without_end(said.table("preferring"))
 
 
 def behind_what_is_told(text: str, now: datetime, lexicon: Lexicon) -> tuple[str, About] | None:
@@ -98,7 +100,11 @@ def _without_request(said: Said) -> Said:
     questions = said.lexicon.questions
     opening = questions["requesting"] | questions["suggesting"] | said.table("letting")
     form = longest_match(said.words, 0, opening)
-    return said if form is None or len(form) == len(said.words) else said.behind(len(form))
+    if form is not None and len(form) < len(said.words):
+        return said.behind(len(form))
+    # "Bob wants to move it to four"
+    asks = (said.behind(place).after("asking to") for place in range(1, min(len(said.words), LONGEST_NAME)))
+    return next((rest for rest in asks if rest is not None and rest.words), said)
 
 
 def _without_courtesies(said: Said) -> Said:
@@ -110,4 +116,5 @@ def _without_courtesies(said: Said) -> Said:
         if place + len(form) >= len(said.words):
             break
         place += len(form)
-    return said.behind(place).without_thanks()
+    # "Cancel the gym too"
+    return said.behind(place).without_thanks().without_end(said.table("closing"))

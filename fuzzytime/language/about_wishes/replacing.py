@@ -114,8 +114,7 @@ def in_its_place(text: str, now: datetime, lexicon: Lexicon) -> tuple[About, str
         rest = said.behind(place)
         while rest.forms[:1] in said.table("parting"):
             rest = rest.behind(1)
-        closing = (form for form in said.table("instead") if rest.forms[-len(form) :] == form != rest.forms)
-        rest = rest.until(len(rest.words) - max(map(len, closing), default=0))
+        rest = rest.without_end(said.table("instead"))
         again = about_wishes(rest.text, now, lexicon)
         wish = again is None or not (again.certain or again.text or again.kind in OF_OTHERS)
         return (about, rest.text) if rest.words and wish else None

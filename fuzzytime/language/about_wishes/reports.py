@@ -2,14 +2,11 @@
 
 from fuzzytime.english import EMPTY, PARTICIPLE
 from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.awaited import written_out
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import lengthened
 from fuzzytime.language.about_wishes.said import FOR, Said
-from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Reading
 
-PAST = frozenset({"VBN", "VBD"})
-SUBJECTS = frozenset({"nsubj", "nsubjpass", "nsubj:pass", "csubj", "expl"})
 WITH = "with"
 ON = "on"
 TO = "to"
@@ -55,8 +52,14 @@ def _late(said: Said) -> About | None:
         return About(kind=AboutKind.LATE, by=alone.seconds, certain=True)
     found = said.length()
     left, tables = (said if found is None else found.rest).without("late", "speaker")
+    by = None if found is None else found.seconds
     if "late" in tables and "speaker" in tables and not left.names:
-        return About(kind=AboutKind.LATE, by=None if found is None else found.seconds, certain=True)
+        return About(kind=AboutKind.LATE, by=by, certain=True)
+    who, mark, _ = written_out(left.text).rpartition(" is")
+    named = Said(who, said.now, said.lexicon)
+    if "late" in tables and mark and left.text.endswith(("is", "'s", "\u2019s")) and named.names:
+        # "Bob is running late"
+        return About(kind=AboutKind.DELAY, names=named.names, by=by)
     return None
 
 
@@ -163,11 +166,15 @@ def _protest(said: Said) -> About | None:
         rest = said.after(kind.value)
         if rest is not None and not rest.without("yet", "first", "last")[0].words:
             return About(kind=kind, certain=True)
-    closing = (form for form in said.table("unable then") if said.forms[-len(form) :] == form != said.forms)
-    who = said.until(len(said.words) - max(map(len, closing), default=0))
+    who = said.without_end(said.table("unable then"))
     if len(who.words) < len(said.words) and who.names and said.is_one and not said.has_time:
         # "Jo can't make it"
         return About(kind=AboutKind.UNABLE, names=who.names)
+    for place in range(1, len(said.words) if said.is_one else 0):
+        who, rest = said.until(place), said.behind(place).after("unable at")
+        if rest is not None and who.names and rest.words and rest.as_time():
+            # "Jo can't do two"
+            return About(kind=AboutKind.UNABLE, names=who.names)
     return None
 
 
@@ -225,41 +232,3 @@ def _stated_over(said: Said) -> About | None:
 def _is_over(state: Said) -> bool:
     left, tables = state.without("finished", "speaker")
     return "finished" in tables and not left.words
-
-
-def reported(reading: Reading, lexicon: Lexicon) -> Operation | None:
-    """Give what somebody tells to have done: "I've fed the cat", "called mum"; None without one."""
-    told = _told_of(reading, lexicon)
-    return told[0] if told is not None and told[1] else None
-
-
-def perhaps_reported(reading: Reading, lexicon: Lexicon) -> Operation | None:
-    """Give what somebody may tell to have done, if that is known: "watered plants", but also "fried eggs"."""
-    told = _told_of(reading, lexicon)
-    return None if told is None else told[0]
-
-
-def _told_of(reading: Reading, lexicon: Lexicon) -> tuple[Operation, bool] | None:
-    """Give what words tell to have been done, and whether they surely do."""
-    if len(reading.instructions) != 1:
-        return None
-    (instruction,) = reading.instructions
-    operation = instruction.operation
-    if operation is None or operation.stated or instruction.requirements:
-        return None
-    place = next((n for n, token in enumerate(reading.tokens) if token.span == operation.span), None)
-    if place is None or reading.tokens[place].tag not in PAST:
-        return None
-    verb = operation.verb.lower()
-    if verb == operation.lemma or verb in lexicon.doing.past_alike:
-        # "I put the bins out" may be what who speaks does, or did
-        return None
-    parts = [token for token in reading.tokens if token.head == place and token.relation in SUBJECTS]
-    if parts:
-        speaks = any(part.text.lower() in lexicon.closed.first_person for part in parts)
-        return (operation, True) if speaks else None
-    # No order has a past verb; what has one in front may be named so: "fried eggs".
-    thing = (operation.object or "").lower()
-    first, closed = thing.partition(" ")[0], lexicon.closed
-    named = first in closed.noun_openers | closed.anaphors | closed.personal_pronouns | lexicon.persons
-    return operation, named or not thing

@@ -33,6 +33,7 @@ ENDS = ".?! "
 
 FOR = "for "
 AT = "at "
+FROM = "from "
 THE = "the"
 LAST = "last"
 
@@ -103,7 +104,11 @@ class Said:
 
     def without_thanks(self) -> "Said":
         """Leave out what is polite behind something else: "the soup first, please"."""
-        behind = (form for form in self.lexicon.courtesies if self.forms[-len(form) :] == form != self.forms)
+        return self.without_end(self.lexicon.courtesies)
+
+    def without_end(self, forms: frozenset[Form]) -> "Said":
+        """Leave out the longest of some forms that ends it, and is not all of it."""
+        behind = (form for form in forms if self.forms[-len(form) :] == form != self.forms)
         return self.until(len(self.words) - max(map(len, behind), default=0))
 
     def without_exclamations(self) -> "Said":
@@ -235,7 +240,9 @@ class Said:
         found = [(text, part) for text in tried for part in self._as_one_time(text)]
         if len(found) > 1 and _lacks_preposition(found[0][1]):
             found = found[1:]
-        return found[0][0] if found else ""
+        # "Make it four to six"
+        stretch = FROM + bare if self._as_one_time(FROM + bare) and not found else ""
+        return found[0][0] if found else stretch
 
     def is_bare(self, time: str) -> bool:
         """Whether it has no preposition of its own where it is a new time: "seven", "to half past"."""

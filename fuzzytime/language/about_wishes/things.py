@@ -51,6 +51,8 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         # "And at half past seven"; but "and dinner at seven"
         return About(kind=AboutKind.AGAIN, time=rest.text, certain=True)
     thing, time = rest.parted()
+    # "And at eleven not ten" is another time, and no other thing.
+    thing = "" if Said(thing, now, lexicon).opens_with("denying") else thing
     named = bool(thing) and not is_of_all(Said(thing, now, lexicon))
     return About(kind=AboutKind.LIKE, thing=thing, time=time, text=follows) if named else None
 
@@ -67,9 +69,10 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if instead is not None:
         return instead
     denied = said.after("denying") if not place or said.forms[:1] == (NOT,) else None
-    if place and said.forms[:1] and said.forms[0] in lexicon.doing.keeping:
-        # "No wait, keep the plumber", where all was dropped
-        kept = said.behind(1)
+    staying = said.without_end(said.table("staying"))
+    if (place or staying != said) and said.forms[:1] and said.forms[0] in lexicon.doing.keeping:
+        # "No wait, keep the plumber", where all was dropped; "leave the call where it is"
+        kept = staying.behind(1)
         return (
             About(kind=AboutKind.UNDO, names=kept.names, thing=kept.text, certain=True)
             if kept.names
@@ -100,8 +103,9 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
 
 
 def _without_and(said: Said) -> Said:
-    """Leave out what goes on in front of another thing: "and make it Ann"."""
-    return said.behind(1) if said.forms[:1] == (AND,) and said.behind(1).opens_with("naming anew") else said
+    """Leave out what goes on in front of another thing, or time: "and make it Ann", "and at six not five"."""
+    rest = said.behind(1) if said.forms[:1] == (AND,) and len(said.words) > 1 else said
+    return rest if rest.opens_with("naming anew") or NOT in rest.forms else said
 
 
 def _placed(said: Said) -> About | None:
@@ -147,6 +151,9 @@ def _instead(said: Said) -> About | None:
         new = new.behind(1) if new.forms[:1] == (BUT,) else new
     elif joint is not None and forms[joint + 1 : joint + 2] == (NOT,):
         old, new = said.behind(joint + 2), said.until(joint)
+    elif joint is None and NOT in forms[1:-1] and said.until(forms.index(NOT)).as_time():
+        # "At three not two"
+        old, new = said.behind(forms.index(NOT) + 1), said.until(forms.index(NOT))
     elif (place := _instead_of(said)) is not None:
         old, new = said.behind(place).after("in its place of") or said, said.until(place)
     else:

@@ -19,8 +19,9 @@ def turned(said: Said) -> About | None:
         # "Never mind, leave it"
         return About(kind=AboutKind.UNDO, text=left.text, certain=True)
     if rest.is_in("restoring"):
-        # "Put it back", where something was dropped
-        return About(kind=AboutKind.UNDO, text=rest.text, certain=corrected > 0)
+        # "Put it back", where something was dropped, or "leave it as it is"
+        stays = rest.forms[0] in said.lexicon.doing.keeping
+        return About(kind=AboutKind.UNDO, text=rest.text, certain=corrected > 0 or stays)
     if _retracts(rest if rest.words else said) and not rest.is_in("forgetting"):
         # "Scratch that": what was changed last, or else what was asked for
         return About(kind=AboutKind.DROP, corrects=True, certain=True)

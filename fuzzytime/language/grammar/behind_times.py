@@ -4,6 +4,7 @@ from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.looked_up import LookedUp
+from fuzzytime.language.grammar.timetables import counts_nothing
 from fuzzytime.language.meaning.expressions import Said
 
 
@@ -23,7 +24,7 @@ class BehindTimes(LookedUp):
             return follower not in {"%", "°", "€", "$"}
         known = follower in self.lexicon.function_words or self.timely(piece.end)
         known = known or self._is_taken_back(piece.end) or follower in self.beside.saying_more
-        known = known or self._is_polite_end(piece.end)
+        known = known or self._is_polite_end(piece.end) or follower in self.closed.negators_as_typed
         return known or self._is_in_front(piece) or self._is_before_order(piece)
 
     def _is_polite_end(self, place: int) -> bool:
@@ -83,31 +84,43 @@ class BehindTimes(LookedUp):
         """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
         behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
         follower = self.follower(piece)
-        plural = looks_plural(follower) or follower in self.beside.plurals
-        # "By five call mum": what more than one counts is a plural.
-        counted = (
-            self.texts[piece.end - 1] not in self.closed.singular_determiners and piece.end - piece.start > 1
-        )
-        # "At six or so call mum": a hedge behind the number ends it.
-        hedged = isinstance(piece.value, Said) and bool(piece.value.hedges)
-        ends = range(piece.start if hedged else piece.end - 1, piece.end)
-        number = any(
-            self.words[place].is_digits or self.texts[place] in self.lexicon.numbers for place in ends
-        )
-        # "On friday the thirteenth add a film night"
-        number = number or (self.texts[piece.end - 2] == "the" and self.is_weekday(piece.end - 3))
+        if looks_plural(follower) or follower in self.beside.plurals or not self.opens(piece.start):
+            return False
         # "On the 12th meet Ann", where a number alone may count: "at 5 text messages"
         dated = self.words[piece.end - 1].glued and self.words[piece.end - 2].is_digits
         named = dated and behind[:1].isalpha() and behind not in self.lexicon.function_words
         # "After lunch call Bob"
         person = behind in self.lexicon.persons or (bool(behind) and self.words[piece.end + 1].capital)
         called = follower in self.lexicon.addressing and (person or named)
-        alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
-        led = behind[:1].isalpha() and (alone or behind not in self.lexicon.function_words)
-        # "At ten log in"
-        particle = number and counted and follower in self.lexicon.particles.get(behind, ())
-        orders = called or particle or behind in self.closed.behind_verbs or (number and counted and led)
-        return self.opens(piece.start) and orders and not plural
+        if called or behind in self.closed.behind_verbs or self._is_done_to(piece.end):
+            return True
+        # "At six pizza with Ana", "at ten log in": what more than one counts is a plural.
+        alone = not behind[:1].isdigit() and counts_nothing(self.words, piece.end, self.lexicon)
+        return alone and self._ends_in_number(piece)
+
+    def _ends_in_number(self, piece: Piece) -> bool:
+        """Whether it ends in a number of more than one: "by six", "at six or so"."""
+        # "At five or | six football"
+        alone = piece.end - piece.start == 1 and not self._follows_time(piece.start)
+        if alone or self.texts[piece.end - 1] in self.closed.singular_determiners:
+            return False
+        hedged = isinstance(piece.value, Said) and bool(piece.value.hedges)
+        if hedged and piece.value.preposition is None and self.is_counting(piece.end - 1):
+            # "Only 5 left"
+            return False
+        # A hedge behind the number ends it.
+        ends = range(piece.start if hedged else piece.end - 1, piece.end)
+        # "On friday the thirteenth add a film night"
+        dated = self.texts[piece.end - 2] == "the" and self.is_weekday(piece.end - 3)
+        return dated or any(map(self.is_counting, ends))
+
+    def _is_done_to(self, place: int) -> bool:
+        """Whether a word is what is done to so many, or to somebody: "in july buy 3 eggs", "watch Dune"."""
+        done = self.lexicon.orders | self.lexicon.doing.errands | self.lexicon.doing.putting
+        behind = self.words[place + 1 : place + 2]
+        if self.texts[place] not in done or self.words[place].capital or not behind:
+            return False
+        return behind[0].capital or self.is_counting(place + 1)
 
     def opens(self, place: int) -> bool:
         """Whether nothing but who is called, or asked, stands before a place: "hey olly", "could you"."""

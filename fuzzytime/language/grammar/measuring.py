@@ -101,8 +101,9 @@ class Measures:
         timed = self.lexicon.events | self.lexicon.happening | self.lexicon.taken | self.lexicon.results
         if not inside.isdisjoint(thing) or not timed.isdisjoint(thing[-1:]):
             return False
-        levels = before[verb] in self.beside.kept_at
-        return levels or not self.beside.with_levels.isdisjoint(thing[-1:])
+        # "Leave the fridge at four", "put the price at 11"
+        levelled = (self.beside.with_levels | self.lexicon.amount_nouns).intersection(thing[-1:])
+        return before[verb] in self.beside.kept_at or bool(levelled)
 
     def counts_hundreds(self, piece: Piece) -> bool:
         """Whether hundreds in it are how much there is: "when it's two hundred and five | inside"."""
@@ -143,7 +144,7 @@ class Measures:
             amount = place + 1 == piece.start or self.texts[piece.start - 1] == "to"
             return (amount and text in lexicon.measure_verbs) or self._has_amount(place)
         if not _is_bound_to_hour(said):
-            return text in lexicon.measure_verbs or text in lexicon.measure_nouns
+            return text in lexicon.measure_verbs | lexicon.measure_nouns | lexicon.amount_nouns
         if said.preposition not in AMOUNTED:
             return False
         counts, rates, apart = text in lexicon.counting, text in lexicon.rating, place + 1 < piece.start
@@ -176,6 +177,10 @@ class Measures:
         """Whether something is found out of what has an amount: "check the speed at six"."""
         before = self.texts[max(0, place - NEAR) : place]
         stops = [p for p, text in enumerate(before) if text in {".", ";", "then", "and", ","}]
+        said = self.texts[place + 1 : place + 2]
+        if not self.closed.stative_verbs.isdisjoint(said):
+            # "Check the price is at 10": how much it is.
+            return False
         return not self.lexicon.reading.isdisjoint(before[max(stops, default=-1) + 1 :])
 
     def is_amount(self, place: int) -> bool:
@@ -244,7 +249,9 @@ class Measures:
         # "Turn it down a degree at ten": how much is said. "The temperature sixish": when.
         told = self.texts[max(0, piece.start - 2) : piece.start - 1] in (["a"], ["one"])
         told = not bare and (told or self.tells_hour(piece))
-        return piece.start > 0 and self.texts[piece.start - 1] in nouns and not told
+        place = piece.start - 1
+        place -= place > 0 and not bare and self.texts[place] in self.closed.stative_verbs
+        return place >= 0 and self.texts[place] in nouns and not told
 
 
 def _is_near_hour(said: Said) -> bool:

@@ -10,6 +10,9 @@ from fuzzytime.language.meaning.days.relations import Deictic
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
 
+THING = "thing"
+"""The last word of a time that may be any thing: "first thing"."""
+
 HER = "her"
 """Who is asked, or whose something is."""
 
@@ -114,7 +117,7 @@ class Surroundings(BehindTimes):
             return False
         behind = self.words[place + 1 : place + 2]
         dated = bool(behind) and (
-            behind[0].is_digits or behind[0].text in self.lexicon.ordinals.keys() | {"the", "of", "'"}
+            behind[0].is_digits or behind[0].text in self.lexicon.ordinals.keys() | {"the", "of", "'", "-"}
         )
         dated = dated or (bool(behind) and behind[0].text in self.lexicon.numbers)
         # "Meet dawn at noon"
@@ -151,8 +154,8 @@ class Surroundings(BehindTimes):
             return not self.may_end(piece)
         ordinal = self.texts[last] in self.lexicon.ordinals
         apart = last > piece.start + 1 and self.texts[last - 1] == ","
-        if ordinal and last > piece.start and self.is_part(last - 1):
-            # "Feed the cat in the morning first"
+        if ordinal and last > piece.start and (self.is_part(last - 1) or self.texts[last - 1] == THING):
+            # "Feed the cat in the morning first", "do the last thing first"
             return True
         return ordinal and apart and not any(p.category == "month" for p in self.pieces(last - 2))
 

@@ -83,8 +83,10 @@ def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon)
     """
     if (start, end) == (0, len(words)):
         numbers = [word.text for word in words if word.is_digits]
-        hours = [int(text) for text in numbers if text[0] != "0" and int(text) <= HALF_DAY]
-        return len(hours) == len(numbers) == PAIR
+        hours = [int(text) for text in numbers if text[0] != "0" and int(text) <= DAY]
+        # "12-2", "14-16"; but "9-14"
+        alike = len({hour <= HALF_DAY for hour in hours}) == 1
+        return len(hours) == len(numbers) == PAIR and alike
     entries = [(_behind_day(words, first, last, lexicon), last) for first, last in _entries(words)]
     if not any((first == start and end < last) or (first < start and end == last) for first, last in entries):
         return False
@@ -209,7 +211,8 @@ def counts_nothing(words: Sequence[Word], place: int, lexicon: Lexicon, *, plura
         # "1215 Pine Street"
         return False
     several = looks_plural(text) and not has_time(text, lexicon)
-    inside = text in lexicon.function_words or text in lexicon.measure_nouns or len(text) == 1
+    measured = text in lexicon.measure_nouns or text in lexicon.no_times.measured_in
+    inside = text in lexicon.function_words or measured or len(text) == 1
     return not ((several and not plural) or inside or lexicon.means(text, "unit"))
 
 

@@ -121,6 +121,7 @@ class ClosedClasses:
     end_of_a_gap: Words
     before_connectives: Words
     prepositions_of_recipients: Words
+    prepositions_of_company: Words
     prepositions_of_nouns: Words
     prepositions_behind_times: Words
     prepositions_of_duration: Words
@@ -148,6 +149,7 @@ class BesideTimes:
     """Words around a time, and around its lengths, by what they make of it: ``beside_times``."""
 
     before_weekends: Words
+    untold_days: Words
     switched: Words
     ordinal_endings: Words
     restricting: Words
@@ -298,6 +300,7 @@ class NoTimes:
     spelling: Words
     writing: Words
     speaking: Words
+    sending: Words
     works: Words
     naming: Words
     meaning: Words

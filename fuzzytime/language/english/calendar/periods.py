@@ -11,6 +11,7 @@ from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
+WEEK_DAYS = 7
 MOST_WEEKDAYS = 5
 """How often a weekday is in one month, at most."""
 
@@ -104,6 +105,9 @@ def _vague_few(number: int, duration: Duration, outer: Calendar) -> Calendar | N
     (amount, unit), *more = duration.terms
     if more or duration.until is not None or unit in SUB_DAY or amount != int(amount):
         return None
+    if unit is Unit.WEEK and outer.grain is Unit.MONTH and amount > 1:
+        # "The first two weeks of april" are its first fourteen days.
+        unit, amount = Unit.DAY, WEEK_DAYS * amount
     return Nth(number, Cycle(unit), outer, int(amount))
 
 
@@ -119,7 +123,7 @@ def day_of_month(day: int, month: Calendar) -> Calendar | None:
     return Nth(day, Cycle(Unit.DAY), month) if month.grain is Unit.MONTH else None
 
 
-@grammar.rule("date", "week <integer> of? <whole>?", weight=0.1)
+@grammar.rule("date", "calendar? week|wk <integer> of? <whole>?", weight=0.1)
 def numbered_week(number: Integer, outer: Calendar | None) -> Calendar | None:
     """Week 27 of last year."""
     if not 1 <= number.value <= 53:

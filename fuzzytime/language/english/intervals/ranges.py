@@ -194,7 +194,11 @@ def sometime_from(first: Clock, last: Clock) -> Said | None:
 @grammar.rule("called at", "<clock> - <clock>", "<clock> <arrow> <clock>", weight=1.0)
 def called_between(first: Clock, *last: Clock | str) -> Said | None:
     """(call ann) 10-12, (vet) 10 -> 11; beside what else is done the numbers may be of anything."""
-    return sometime_from(first, last[-1]) if isinstance(last[-1], Clock) else None
+    end = last[-1]
+    if not isinstance(end, Clock) or (first.bare and (first.grain, end.grain) == (Unit.MINUTE, Unit.HOUR)):
+        # "2026-09" is a month.
+        return None
+    return sometime_from(first, end)
 
 
 @grammar.rule("said", "@ <clock> -|to|till|until <clock>", weight=1.2)

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.english.repeated.bounded_repetitions import from_first_time, to_last_time
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.expressions import Duration, Repeat, Said
+from fuzzytime.language.meaning.expressions import Duration, Offset, Repeat, Said
 from fuzzytime.requirement import Constraint
 
 SIDES = 2
@@ -33,6 +33,15 @@ def so_often_apart(repeat: Repeat, length: Duration) -> Repeat | None:
     if repeat.times is None or repeat.every is not None:
         return None
     return replace(repeat, every=length, until=None)
+
+
+@grammar.rule("repeat", "<repeat> <times>", "<repeat> , <times>", "<repeat> for <times>", weight=0.6)
+@grammar.rule("repeat", "<repeat> ( <times> )", weight=0.6)
+def so_often_in_all(repeat: Repeat, times: int) -> Repeat | None:
+    """Every five minutes, three times: the first of them in five minutes."""
+    if repeat.every is None or repeat != Repeat(repeat.every):
+        return None
+    return replace(repeat, times=times, starting=Offset(repeat.every, 1))
 
 
 @grammar.rule("each", "for? <duration> each time|go?", "each|every one|time? for <duration>")

@@ -27,9 +27,9 @@ grammar = Grammar()
 
 @grammar.rule(
     "repeat",
-    "<repeat> at|on|in|around|,? the? <wall>",
+    "<repeat> at|@|on|in|around|,? the? <wall>",
     "<repeat> , on|at the? <wall>",
-    "<repeat> at <wall>",
+    "<repeat> at|@ <wall>",
     weight=0.2,
 )
 def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:

@@ -130,6 +130,18 @@ def so_many_parts(number: Integer, part: Part) -> Repeat | None:
     return replace(every_part(part), until=Offset(Duration(((number.value, Unit.DAY),))))
 
 
+@grammar.rule("repeat", "for|over|on the? next|coming? <integer> <weekdays>", weight=0.8)
+@grammar.rule("repeat", "for|over|on the? next|coming? <integer> weekends", weight=0.8)
+@grammar.rule(
+    "repeat", "the? next|coming <integer> <weekdays>", "the? next|coming <integer> weekends", weight=0.8
+)
+def so_many_weeks(number: Integer, weekday: int | None = None) -> Repeat | None:
+    """For the next three mondays, for three weekends."""
+    days = weekends() if weekday is None else every_weekday(weekday)
+    weeks = Offset(Duration(((number.value, Unit.WEEK),)))
+    return replace(days, until=weeks) if 1 < number.value <= LONGEST_MONTH else None
+
+
 @grammar.rule("repeat", "<share> every|each single? <part>", "every|each <part> ,? <share>", weight=0.4)
 def early_every_part(first: tuple[float, float] | Part, second: Part | tuple[float, float]) -> Repeat | None:
     """First thing every morning, late every evening."""
@@ -235,6 +247,19 @@ def edge_of_every(edge: Edge, unit: UnitWord) -> Repeat | None:
 def every_month(number: int) -> Repeat:
     """Every june."""
     return Repeat(walls=(Wall(Fields(month=number)),))
+
+
+@grammar.rule("repeat", "<repeat> ,|and|& <month>|<season>", "<repeat> , and <month>|<season>", weight=0.3)
+def more_months(repeat: Repeat, days: int | Calendar) -> Repeat | None:
+    """Every april and october, every spring and autumn."""
+    told = Fields(month=days) if isinstance(days, int) else days
+    alike = (type(wall.days) is type(told) and wall == Wall(wall.days) for wall in repeat.walls)
+    months = told.grain is not Unit.MONTH or all(
+        wall.days.grain is Unit.MONTH for wall in repeat.walls if wall.days
+    )
+    return (
+        replace(repeat, walls=(*repeat.walls, Wall(told))) if repeat.walls and months and all(alike) else None
+    )
 
 
 @grammar.rule(

@@ -1,11 +1,14 @@
 """Whether a number alone, or two that may be hour and minute, are a clock time where they stand."""
 
 from functools import cached_property
+from itertools import takewhile
 
+from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.dated_entries import LINE_STARTS
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.timetables import (
+    HALF_DAY,
     counts_nothing,
     has_time,
     is_hour_of,
@@ -21,6 +24,8 @@ DEGREES_DIGITS = 3
 
 YEARS = frozenset(map(str, range(1900, 2100)))
 """Numbers of four digits in front of a thing that are hardly an hour: "2026 budget"."""
+
+WITH = "with"
 
 QUARTERS = frozenset({15, 30, 45})
 """Minutes that hardly a price has."""
@@ -49,6 +54,8 @@ class BareHours(Standing):
             return False
         if self._is_counted(piece, said) or self._counts_either(piece):
             return False
+        if said.preposition is None and self._ends_meeting(piece):
+            return True
         # "At fourteen hundred"
         spelt = self.texts[piece.end - 1] == "hundred" and wall.clock is not None and wall.clock.full_day
         hour = (
@@ -66,9 +73,6 @@ class BareHours(Standing):
         if said.preposition == "to" and self.given.puts_off(piece):
             # "Move my three o'clock to five"
             return True
-        if said.preposition is None and self.measures.is_sure(piece.start) and self._ends_order(piece):
-            # "Call ann 1430"
-            return self.is_called(piece.start) or self._is_listed(piece)
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and (bool(said.hedges) or self._is_listed(piece))
         return True
@@ -131,8 +135,46 @@ class BareHours(Standing):
         if self.words[piece.start].is_digits and piece.value.time.clock.minute in QUARTERS:
             # "Dentist 9.30", but "lunch 12.50"
             taken = self.lexicon.taken - self.lexicon.measure_nouns
-            return place == 1 and (happens or before in taken) and self._ends_order(piece)
-        return spelt and (someone or named or happens) and self._ends_order(piece)
+            known = (place == 1 and (happens or before in taken)) or self._is_met(place)
+            return known and self._ends_order(piece)
+        told = someone or named or happens or self._ends_at_quarter(piece, place)
+        return spelt and told and self._ends_order(piece)
+
+    def _ends_at_quarter(self, piece: Piece, place: int) -> bool:
+        """Whether minutes that few numbers end in stand behind a thing: "feed the cat six fifteen"."""
+        before = self.texts[place - 1] if place else ""
+        costs = not self.lexicon.no_times.costing.isdisjoint(self.texts[: place - 1])
+        counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | self.lexicon.no_times.codes
+        named = before.isalpha() and before not in counted | self.lexicon.function_words
+        thing = named and not self.measures.is_number(place - 1) and not self.around.opens(place - 1)
+        return thing and not costs and piece.value.time.clock.minute in QUARTERS
+
+    def _ends_meeting(self, piece: Piece) -> bool:
+        """Whether a number ends what is said of a meeting: "call mum 5", "lunch 12", "call ann 1430"."""
+        if piece.end - piece.start > 1 or not self._ends_order(piece):
+            return False
+        if self.measures.is_sure(piece.start):
+            return self.is_called(piece.start)
+        number = self.texts[piece.start]
+        return number.isdecimal() and 0 < int(number) <= HALF_DAY and self._is_met(piece.start)
+
+    def _is_met(self, place: int) -> bool:
+        """Whether somebody is met, or something happens, right before a place: "pick up the kids | 3"."""
+        marks = {",", ".", ";"} | self.closed.further_clause
+        said = [*takewhile(lambda text: text not in marks, reversed(self.texts[:place]))]
+        noun, before = (said[0], set(said[1:])) if said else ("", set[str]())
+        unmet = self.lexicon.called_by_number | self.lexicon.addressing | self.lexicon.orders
+        unmet |= self.lexicon.playing
+        if not noun or noun in unmet or any(text.isdecimal() for text in said):
+            # "Vet 10 dentist 3"
+            return False
+        if self.is_called(place) or noun in self.lexicon.happening | self.lexicon.taken:
+            return True
+        # "Pay Bob 10"
+        person = noun in self.lexicon.persons - self.lexicon.workers
+        person = person or (bool(before) and self.words[place - 1].capital)
+        met = before & (self.lexicon.doing.meeting | self.lexicon.addressing | {WITH})
+        return person and bool(met or (not before and not looks_plural(noun)))
 
     def _is_in_front(self, piece: Piece) -> bool:
         """Whether two typed numbers stand in front of what is then: "14.30 tea"; but "2.50 coffee"."""

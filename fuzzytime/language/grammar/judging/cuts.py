@@ -3,15 +3,24 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.words import joins
-from fuzzytime.language.meaning.expressions import TimeWord
+from fuzzytime.language.meaning.expressions import TimeWord, Wall
 
 LAST_DAY = ["last", "day"]
 """Words for yesterday, which may be those for the end of something."""
 
 HOURLY = "hourly"
+OF_CLOCKS = frozenset({"at", "@"})
+"""What stands before a clock time on a day."""
+
 THESE = frozenset({"this", "that"})
 """Words that may say which of a thing is meant."""
 
+
+TIMES = "times"
+"""What a number of turns counts."""
+
+LONGEST_DAY = 4
+"""Words of the name of a day at most: "the day after tomorrow"."""
 
 TENS = 10
 LONG_DIGITS = 3
@@ -24,8 +33,40 @@ class Cuts(Standing):
     def make(self, piece: Piece) -> bool:
         """Whether a reading is only a part of what is said."""
         within = self._begins_clause(piece) or self._is_now_and_again(piece) or self._is_in_name(piece)
-        within = within or self._counts_hourly(piece)
+        within = within or self._counts_hourly(piece) or self._ends_in_next_day(piece)
+        within = within or self._begins_inside_day(piece) or self._is_from_to(piece)
         return within or self.runs_on(piece) or self._divides(piece) or self._opens_another(piece)
+
+    def _begins_inside_day(self, piece: Piece) -> bool:
+        """Whether it begins with the last words of a day's name: "watch the day | after tomorrow"."""
+        before = range(max(0, piece.start - LONGEST_DAY), piece.start)
+        names = (one for place in before for one in self.around.pieces(place) if one.category == "day")
+        return any(one.start < piece.start < one.end for one in names)
+
+    def _is_from_to(self, piece: Piece) -> bool:
+        """Whether it ends in two hours that a dash joins, and no minutes to one: "14-16"."""
+        wall = piece.value.time
+        *_, hour, dash, minute = ("", "", *self.texts[piece.start : piece.end])
+        clock = wall.clock if isinstance(wall, Wall) else None
+        typed = dash == "-" and hour.isdecimal() and minute.isdecimal()
+        return (
+            clock is not None
+            and typed
+            and clock.full_day
+            and [clock.hour, clock.minute] == [int(hour), int(minute)]
+        )
+
+    def _ends_in_next_day(self, piece: Piece) -> bool:
+        """Whether a comma parts it from the day of the next time: "at 2, friday | at 3"."""
+        wall, texts = piece.value.time, self.texts[piece.start : piece.end]
+        if not isinstance(wall, Wall) or wall.clock is None or wall.days is None or "," not in texts:
+            return False
+        number = piece.end + (self.around.follower(piece) in OF_CLOCKS)
+        told = not self.beside.of_hours.isdisjoint(self.texts[number + 1 : number + 2])
+        told = told or number > piece.end or self.texts[number + 1 : number + 2] == [":"]
+        behind = piece.end - texts[::-1].index(",")
+        dated = any(map(self.around.is_day, range(behind, piece.end)))
+        return told and dated and self.measures.is_number(number)
 
     def runs_on(self, piece: Piece) -> bool:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
@@ -121,7 +162,15 @@ class Cuts(Standing):
         if piece.rule == "bounds.past_goal" and not self.around.may_end(piece):
             # "Past the weekend market"
             return True
-        if isinstance(piece.value.time, TimeWord) and self.around.follower(piece) == "left":
+        last, follower = self.words[piece.end - 1], self.around.follower(piece)
+        if last.text in self.around.closed.articles and not last.glued and piece.end - piece.start > 1:
+            # "Charge 5 a head"; but "at 5 a tomorrow"
+            other = follower in self.lexicon.function_words or self.around.timely(piece.end)
+            return follower.isalpha() and not other
+        if follower == TIMES and self.measures.is_number(piece.end - 1) and piece.end - piece.start > 1:
+            # "Every monday, 3 times"
+            return True
+        if isinstance(piece.value.time, TimeWord) and follower == "left":
             # "When you have ten minutes left"
             return True
         return self.texts[piece.end - 1] in self.beside.restricting and self.texts[piece.end - 2] == ","

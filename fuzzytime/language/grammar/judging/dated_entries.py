@@ -42,11 +42,9 @@ def dates_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -
     A mark says so ("12th: plumber"), or what happens ("14/3 party"), or a clock time ("11/3 dentist 9:30");
     "1/2 cup" and "3/4 pages" are shares, and "2nd coat 9:30" is counted.
     """
-    if (
-        (start and words[start - 1].text not in LINE_STARTS)
-        or end >= len(words)
-        or not words[start].is_digits
-    ):
+    if (start and words[start - 1].text not in LINE_STARTS) or end >= len(words):
+        return False
+    if not words[start + (words[start].text == "the")].is_digits:
         return False
     typed = any(word.text == SLASH for word in words[start:end])
     numbers = [int(word.text) for word in words[start:end] if word.is_digits]

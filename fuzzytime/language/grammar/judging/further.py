@@ -14,6 +14,13 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
 
+THEN = "then"
+JOINTS = frozenset({"and", "&", "or", ",", THEN})
+"""What joins times of the same thing."""
+
+ENDS = frozenset({"", ".", "!", ";", ","})
+"""What may stand behind a number that is then: "at nine then five", not "at nine, then five eggs"."""
+
 
 class Further(Standing):
     """What stands behind times that were chosen, and goes on with them."""
@@ -31,20 +38,15 @@ class Further(Standing):
         place = piece.end + 1
         if not isinstance(time, (Wall, Range)) or place >= len(self.words):
             return []
-        if isinstance(time, Range) or time.clock is None:
+        if isinstance(time, Range):
+            return self._further_stretches(piece, cells, chosen) or self._further_days(piece, cells, chosen)
+        if time.clock is None:
             return self._further_days(piece, cells, chosen)
         run_on = self.run_on.behind(time.clock, piece.end) if _is_open(piece) else []
         if run_on:
             return [p for first, end in run_on for p in _clock_from(cells[first], end)]
-        joint = self.around.follower(piece)
-        if joint == "," and self.texts[place] in {"and", "or"}:
-            # "At nine, or ten"
-            joint, place = self.texts[place], place + 1
-        if (
-            place >= len(self.words)
-            or joint not in {"and", "or", ","}
-            or any(one.start == place for one in chosen)
-        ):
+        joint, place = self._joined(piece.end)
+        if not joint or place >= len(self.words) or any(one.start == place for one in chosen):
             return []
         if self.doses.count(place):
             return []
@@ -60,7 +62,27 @@ class Further(Standing):
         found = [p for p in found if not any(one.start == p.end and _is_clocked(one) for one in chosen)]
         if joint == "," and found and self.around.follower(found[0]) not in {",", "and", "or"}:
             return []
+        if joint == THEN and found and self.around.follower(found[0]) not in ENDS:
+            return []
         return found + [more for one in found for more in self.continued(one, cells, chosen)]
+
+    def _further_stretches(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
+        """Give the stretch of hours behind another: "from 9 to 12 and 1 to 5"."""
+        joint, place = self._joined(piece.end)
+        if not joint or place >= len(self.words) or any(one.start == place for one in chosen):
+            return []
+        hours = cells[place].get("hours open", {}).values() if _has_hours(piece) else ()
+        found = [replace(p, category="said") for p in hours if _has_hours(p) and self.around.may_end(p)][:1]
+        return found + [more for one in found for more in self._further_stretches(one, cells, chosen)]
+
+    def _joined(self, place: int) -> tuple[str, int]:
+        """Give what joins a further time at a place, and where that begins: "or" of "at nine, or | ten"."""
+        joint = ""
+        for text in self.texts[place:]:
+            if text not in JOINTS or (joint and joint != "," and text != THEN):
+                break
+            joint, place = text, place + 1
+        return joint, place
 
     def _further_days(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
         """Give the days of a month behind another: "on the 1st and 15th", "on the 3rd, 10th and 17th"."""
@@ -94,6 +116,13 @@ def _is_day_of_month(piece: Piece) -> bool:
     wall = time.first if isinstance(time, Range) else time
     days = wall.days if isinstance(wall, Wall) else None
     return isinstance(days, Fields) and days.is_day_of_month
+
+
+def _has_hours(piece: Piece) -> bool:
+    """Whether it is from one time of day to another."""
+    time = piece.value.time
+    ends = (time.first, time.last) if isinstance(time, Range) else ()
+    return bool(ends) and all(isinstance(end, Wall) and end.clock is not None for end in ends)
 
 
 def _is_clocked(piece: Piece) -> bool:

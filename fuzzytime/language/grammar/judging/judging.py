@@ -208,6 +208,10 @@ class Judge:
         if "to" in {piece.value.preposition, self.around.before(piece)} or self._counts_things(piece):
             # "Hand over to nights"
             return False
+        named = self.around.before(piece) in self.closed.sure_noun_openers and piece.value.preposition is None
+        if named and self.around.may_end(piece):
+            # "Buy the daily"; but "a twice daily walk"
+            return False
         if self.texts[piece.end - 1] == "annual" and not self.around.may_end(piece):
             # "Book annual leave"
             return False

@@ -124,7 +124,7 @@ class Titles(Standing):
         )
         credited = by_whom and verb >= 0 and self.around.plays(verb)
         other = piece.value.preposition not in {None, "of"} or isinstance(time, TimeWord)
-        if other or (clocked and not credited):
+        if other or (clocked and not credited) or self._is_to_come(piece):
             return False
         if self.texts[piece.start] == "this" and self.texts[verb] not in self.lexicon.playing:
             # "Watch the sunset this evening"
@@ -135,6 +135,15 @@ class Titles(Standing):
         while verb > 0 and (named or self._is_titular(verb)) and not self.around.plays(verb):
             verb -= 1
         return verb >= 0 and self.around.plays(verb)
+
+    def _is_to_come(self, piece: Piece) -> bool:
+        """Whether a day to come ends what is said: "watch tomorrow"; but "play yesterday"."""
+        coming = not any(
+            one.category == "day" and one.value.days < 0 for one in self.around.pieces(piece.start)
+        )
+        small = not any(word.capital for word in self.words[piece.start : piece.end])
+        ends = self.around.follower(piece) in self.beside.polite_ends | {""}
+        return coming and small and ends and self.around.is_day_from_now(piece.start)
 
     @cached_property
     def _written_out(self) -> frozenset[int]:

@@ -4,6 +4,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.bare_hours import YEARS
 from fuzzytime.language.grammar.judging.dated_entries import dates_entry
 from fuzzytime.language.grammar.judging.standing import Standing
+from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.requirement import Constraint
@@ -43,11 +44,30 @@ class WeakWalls(Standing):
         dated = dates_entry(self.words, piece.start, piece.end, self.lexicon)
         # "In the summer of 2031 fly to Rome": nothing is counted by a year.
         ends = self.around.may_end(piece) or (piece.start == 0 and self.texts[piece.end - 1] in YEARS)
-        return dated or (bound and not clocked and ends)
+        return dated or (bound and not clocked and ends) or (numbered and self._ends_order(piece))
+
+    def _ends_order(self, piece: Piece) -> bool:
+        """Whether a typed day of a month ends what is asked for: "call mum the 9th", not "take the 2nd"."""
+        before, place = self.around.before(piece), piece.start - 1
+        typed = self.texts[piece.start] == "the" and self.texts[piece.end - 1] in self.beside.ordinal_endings
+        if not typed or not before.isalpha():
+            return False
+        ends = self.around.follower(piece) in self.beside.polite_ends | {""}
+        if self.around.opens(place):
+            # "Dentist the 9th"; but "call the 9th", "Henry the 8th"
+            met = has_time(before, self.lexicon) and before not in self.lexicon.names
+            return ends and met and before not in self.lexicon.orders
+        if before in self.closed.object_pronouns | self.lexicon.persons or self.words[place].capital:
+            # "Call Bob the 9th", "remind me the 9th to call him", but "show Bob the 9th"
+            called = self.texts[place - 1] in self.lexicon.addressing
+            return called and (ends or self.around.follower(piece) == "to")
+        return ends and before not in self.lexicon.function_words | self.lexicon.called_by_number
 
     def _begins_at_meal(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        """Whether more than "from" makes a meal a start: "any time from lunch", not "dishes from lunch"."""
-        led = said.constraint is Constraint.AFTER and self.texts[piece.start] != said.preposition
+        """Whether more than "from" makes a meal a start: "starting from lunch", not "dishes from lunch"."""
+        first, second = self.texts[piece.start], {*self.texts[piece.start + 1 : piece.end]}
+        more = first != said.preposition or not second.isdisjoint(self.beside.binding_ranges)
+        led = said.constraint is Constraint.AFTER and more
         return led and wall.part is not None and not wall.part.place
 
     def _is_left_out(self, piece: Piece) -> bool:

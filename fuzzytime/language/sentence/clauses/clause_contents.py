@@ -9,6 +9,7 @@ from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.conditions import (
     ITS,
+    POSSESSIVE,
     being,
     compared,
     condition_of,
@@ -23,6 +24,9 @@ STATED = frozenset({"when", "if", "until"})
 
 NAMING = frozenset({"after", "before", "until", "into", "within", "halfway"})
 """Clauses that may name an event."""
+
+AS = "as"
+"""A marker of what goes on, which is one of roles, too."""
 
 NAMED = ("NN", "JJ", "DT", "PDT", "PRP$", "CC", ",")
 """How tags of words begin that name things one by one."""
@@ -57,9 +61,11 @@ class Contents:
             condition = condition or state(self.tree, nodes, said)
             if condition is not None:
                 return replace(clause, condition=condition)
-        # "While its cooking"
-        its = clause.kind == "while" and self.tree.nodes[nodes[0]].lower == ITS
-        goes_on = being(self.tree, nodes, said) if its else None
+        # "While its cooking", "while the baby's asleep"; but "as mum's treat"
+        its = clause.marker != AS or self.tree.nodes[nodes[0]].lower == ITS
+        goes_on = None
+        if clause.kind == "while" and its:
+            goes_on = being(self.tree, nodes, said) or state(self.tree, nodes, said)
         return self.event(clause, nodes) if goes_on is None else replace(clause, condition=goes_on)
 
     def _done(self, clause: Clause, verb: int, nodes: Sequence[int]) -> Clause:
@@ -184,9 +190,11 @@ class Contents:
         for place in nodes:
             node = self.tree.nodes[place]
             timed = any(a <= node.start < b for a, b in (phrase.span for phrase in self.phrases))
+            # "After everyone's in bed"
+            is_so = self.tree.nodes[last].tag == POSSESSIVE and node.lower in self.lexicon.places
             if place > nodes[0] and (
                 timed
-                or node.tag in {"IN", "TO", "CC", ",", ".", ":", "WDT", "WP", "MD"}
+                or (not is_so and node.tag in {"IN", "TO", "CC", ",", ".", ":", "WDT", "WP", "MD"})
                 or node.is_verb
                 or (node.relation == "nsubj" and self.tree.nodes[last].tag not in DETERMINERS)
             ):

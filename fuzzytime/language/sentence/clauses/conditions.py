@@ -97,7 +97,7 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
         return Condition(text=text, subject=" ".join(named), word=last.lower)
     if (
         last.tag != "NNS"
-        or len(named) == len(before)
+        or (len(named) == len(before) and last.lower not in tree.lexicon.doing.surely_timed)
         or not named
         or not before[-1].tag.startswith(("NN", "JJ"))
     ):
@@ -121,19 +121,24 @@ def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
                 word=None if measured else last.lower,
                 hedges=() if measured else tuple(node.lower for node in hedges),
             )
-    subject = [node.lower for node in said[:-2] if node.tag not in ANY_DETERMINERS]
-    if not subject or said[-2].tag != POSSESSIVE:
+    mark = next((p for p in reversed(range(len(said) - 1)) if said[p].tag == POSSESSIVE), 0)
+    subject = [node.lower for node in said[:mark] if node.tag not in ANY_DETERMINERS]
+    # "Everyone's in bed", "mum's back from work"
+    whereabouts = tree.lexicon.places | tree.lexicon.closed.adverbs_of_arrival
+    where = said[mark + 1].lower in whereabouts and not said[-1].tag.startswith("VB")
+    if not subject or not (where or mark == len(said) - SHORTEST_BEING):
         return None
     return Condition(text=text, subject=" ".join(subject), word=said[-1].lower)
 
 
 def state(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
-    """Read "until golden brown", "once tender": what becomes so is not said."""
+    """Read "until golden brown", "once tender", "while at work": what becomes so is not said."""
     said = [tree.nodes[place] for place in nodes]
     words = [node.lower for node in said if node.tag not in {"CC", ","}]
     again = words[:1] in (["more"], ["again"])
+    where = len(said) > 1 and said[0].lower in tree.lexicon.places
     named = again or any(
-        node.tag in ANY_DETERMINERS or node.tag in {"PRP", "CD", "IN", "TO"} for node in said
+        node.tag in ANY_DETERMINERS or node.tag in {"PRP", "CD", "IN", "TO"} for node in said[where:]
     )
     if named or not 0 < len(words) <= LONGEST_STATE or not all(word.isalpha() for word in words):
         return None

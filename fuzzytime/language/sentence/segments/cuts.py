@@ -1,22 +1,24 @@
 """Where a segment is cut again, once its tree is known: at further verbs, names, and verbs left out."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_beside
 from fuzzytime.language.sentence.segments.further.further_orders import further_verbs
 from fuzzytime.language.sentence.segments.further.orders_behind_names import behind_told
-from fuzzytime.language.sentence.segments.further.overlooked_orders import governs_bare
 from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_left_out
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node
+from fuzzytime.language.sentence.verbs.actions import action_of
+from fuzzytime.language.sentence.verbs.called import person_due
 from fuzzytime.language.sentence.verbs.statements import second_statement
 
 CHAIN = re.compile(r",?w(?:,w)*,?&")
@@ -85,58 +87,80 @@ def _is_name(one: Waiting, part: Part, nodes: Sequence[Node], lexicon: Lexicon) 
     )
 
 
-def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
+def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     """Give the pieces of a segment around its first further verb; none where there is none."""
-    root = part.tree.root
-    first, last = one.segment.span
     onward = _onward(one, part)
     if onward is not None:
-        yield replace(one.segment, span=(first, onward[0]))
-        yield onward[1]
-        return
-    times = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in one.source.phrases)]
-    found = further_verbs(part.tree, root, lexicon, times, told=part.segment.doer is not None)
-    starts = [part.tree.nodes[place].start for place in sorted(found)]
-    starts = [start + part.offset for start in starts if not any(a < start < b for a, b in times)]
+        return [replace(one.segment, span=(one.segment.span[0], onward[0])), onward[1]]
+    starts = _further(one, part, lexicon)
     for start in starts:
         chain = _chain(one, part, start)
         if chain:
-            yield from chain
-            return
+            return chain
     denied = _denied_list(one, starts, lexicon)
     if denied:
-        yield from denied
-        return
-    timed = {place for span in times for place in part.tree.at(*span)}
-    told = (second_statement(part.tree, place, timed) for place in range(len(part.tree.nodes)))
-    statements = {part.tree.nodes[place].start + part.offset for place in told if place is not None}
-    orders = {
-        node.start + part.offset
-        for place, node in enumerate(part.tree.nodes)
-        if place > 1 and _is_overlooked_order(part, place, timed, lexicon)
-    }
-    behind = behind_told(part.tree, root, timed, lexicon)
-    orders |= set() if behind is None else {part.tree.nodes[behind].start + part.offset}
-    gaps = set(verbs_left_out(one, part, lexicon)) - statements - orders
+        return denied
     wishes = wishes_beside(one, part, lexicon)
-    for start in (*sorted(wishes), *starts, *sorted(gaps)):
-        end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
-        if end > part.offset:
-            yield replace(one.segment, span=(first, end))
+    gaps = _gaps(one, part, lexicon)
+    for start in (*sorted(wishes), *(start for start in starts if start not in gaps)):
+        pieces = _around(one, part, start, lexicon)
+        if pieces:
+            return [pieces[0], replace(pieces[1], borrowed=wishes.get(start, ()))]
+    return []
+
+
+def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+    """Give the pieces of a segment around the first place where a verb is left out: "… and the dog at 9"."""
+    for start in sorted(_gaps(one, part, lexicon)) if part.tree.nodes else ():
+        pieces = _around(one, part, start, lexicon)
+        if pieces:
             whole = _begins_order(one, part, start) or _is_told(one, start, lexicon)
             whole = whole or _is_back(one, part, start, lexicon)
-            borrowed = wishes.get(start, ())
-            verbless = start in gaps and not whole and not borrowed and not _happens(part, lexicon)
-            addressee = one.segment.addressee
-            yield Segment((start, last), addressee=addressee, verbless=verbless, borrowed=borrowed)
-            return
+            return [pieces[0], replace(pieces[1], verbless=not whole and not _happens(part, lexicon))]
+    return []
 
 
-def _is_overlooked_order(part: Part, place: int, timed: set[int], lexicon: Lexicon) -> bool:
-    """Whether what was taken for another thing is to be done: "and paint on tuesday", "and text ann"."""
-    return is_order_between_times(part.tree, place, timed, lexicon) or governs_bare(
-        part.tree, place, timed, lexicon
-    )
+def _around(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> list[Segment]:
+    """Give what stands before a place, without its joint, and what begins there."""
+    first, last = one.segment.span
+    end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
+    addressee = one.segment.addressee or _due_too(part, start, lexicon)
+    behind = Segment((start, last), addressee=addressee)
+    return [replace(one.segment, span=(first, end)), behind] if end > part.offset else []
+
+
+def _further(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
+    """Give where further verbs are in the text, but for those within a time."""
+    times = _times(one, part)
+    told = part.segment.doer is not None
+    found = further_verbs(part.tree, part.tree.root, lexicon, times, told=told)
+    starts = (part.tree.nodes[place].start for place in sorted(found))
+    return [start + part.offset for start in starts if not any(a < start < b for a, b in times)]
+
+
+def _times(one: Waiting, part: Part) -> list[Span]:
+    return [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in one.source.phrases)]
+
+
+def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> set[int]:
+    """Give where verbs are left out in the text, and nothing else is told or to be done."""
+    nodes, timed = part.tree.nodes, {place for span in _times(one, part) for place in part.tree.at(*span)}
+    others = [second_statement(part.tree, place, timed) for place in range(len(nodes))]
+    others += [behind_told(part.tree, part.tree.root, timed, lexicon)]
+    others += [p for p in range(2, len(nodes)) if is_order_between_times(part.tree, p, timed, lexicon)]
+    starts = {nodes[place].start + part.offset for place in others if place is not None}
+    return set(verbs_left_out(one, part, lexicon)) - starts
+
+
+def _due_too(part: Part, start: int, lexicon: Lexicon) -> str | None:
+    """Give who must do this, too: "Tim has to wash the car and feed the dog"; None for nobody."""
+    action = action_of(part.tree, lexicon)
+    place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
+    if action is None or place is None or part.tree.nodes[place - 1].lower not in {"and", "&"}:
+        return None
+    node = part.tree.nodes[place]
+    joined = node.relation == "conj" and node.head == action.place and node.tag == "VB"
+    return person_due(part.tree, action.place, lexicon) if joined else None
 
 
 def _happens(part: Part, lexicon: Lexicon) -> bool:
@@ -147,16 +171,14 @@ def _happens(part: Part, lexicon: Lexicon) -> bool:
 
 
 def _begins_order(one: Waiting, part: Part, start: int) -> bool:
-    """Whether what was taken for another thing is to be done: "and dust the shelves at ten"."""
+    """Whether what was taken for another thing is to be done: "thaw it for 2 min, spin at 300 g for 5"."""
     place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
     if place is None or place + 1 >= len(part.tree.nodes):
         return False
-    node, behind = part.tree.nodes[place], part.tree.nodes[place + 1]
-    counted = behind.tag == "IN" and any(n.tag == "CD" for n in part.tree.nodes[place + 2 : place + 3])
-    # "Thaw the cells for 2 min, spin at 300 g for 5"
-    measured = counted and bool(part.tree.nodes[place + 3 : place + 4]) and not node.tag.startswith("NNP")
-    led = behind.tag in DETERMINERS or measured or _is_terse(one, part, place)
-    return node.may_act and node.lower == node.lemma and led
+    node, behind, *further = part.tree.nodes[place : place + 4]
+    counted = behind.tag == "IN" and bool(further) and further[0].tag == "CD"
+    measured = counted and len(further) > 1 and not node.tag.startswith("NNP")
+    return node.may_act and node.lower == node.lemma and (measured or _is_terse(one, part, place))
 
 
 def _is_terse(one: Waiting, part: Part, place: int) -> bool:

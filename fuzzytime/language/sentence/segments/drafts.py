@@ -1,6 +1,6 @@
 """The first pass over texts: times by the grammar, instructions apart, a tree for each, in a few batches."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -12,14 +12,8 @@ from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.segments.cuts import addressed, pieces_of, reminded
 from fuzzytime.language.sentence.segments.events.in_between import said_apart
 from fuzzytime.language.sentence.segments.events.instances import NONE, Instances, instances_of
-from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
-from fuzzytime.language.sentence.segments.further.calls import called_first, called_next
-from fuzzytime.language.sentence.segments.further.orders_behind_joints import orders_behind_joints
-from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
-from fuzzytime.language.sentence.segments.further.same_doers import done_next
 from fuzzytime.language.sentence.segments.lists.dividers import divided
 from fuzzytime.language.sentence.segments.lists.hours_of_lines import (
     Timed,
@@ -35,10 +29,8 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.lists.runs import run_apart
 from fuzzytime.language.sentence.segments.lists.switches import switched_apart
-from fuzzytime.language.sentence.segments.mended.parsing import trees_of, uncapitalised
-from fuzzytime.language.sentence.segments.next_ones import next_one
 from fuzzytime.language.sentence.segments.order_words import order_words
-from fuzzytime.language.sentence.segments.segment import segments_of
+from fuzzytime.language.sentence.segments.rounds import parted
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
 from fuzzytime.language.sentence.segments.told.asides import Aside, asides_of, beside_each_other
 from fuzzytime.language.sentence.segments.told.asides_of_hours import asides_of_hours
@@ -49,18 +41,12 @@ from fuzzytime.language.sentence.segments.told.messages import (
     orders_beside,
     remarks_of,
 )
-from fuzzytime.language.sentence.segments.told.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.told.told_lengths import told_lengths
-from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
+from fuzzytime.language.sentence.segments.waiting import Part, Source
 from fuzzytime.language.sentence.trees.tree import Trees
-from fuzzytime.language.sentence.verbs.called import with_clause
 
 NAMING = "name"
 """The rule of a clock time that names an event."""
-
-ROUNDS = 12
-"""How often a segment may be cut again: instructions joined by "and" in one sentence."""
-
 
 HEADED = "heading"
 """The rule of a time that a line above says."""
@@ -182,7 +168,7 @@ def drafted(
         source = Source(now, scanned, tuple(phrases), tuple(remarks), apart=apart)
         orders = tuple(order_words(scanned.words, source.covered, lexicon))
         sources.append(replace(source, orders=orders))
-    parts = _parted(sources, lexicon, trees)
+    parts = parted(sources, lexicon, trees)
     return [
         Draft(
             text,
@@ -220,99 +206,3 @@ def _again(scanned: Scanned, text: str, grammar: Grammar) -> Scanned:
     return (
         scanned if text == scanned.text else Scanned.of(text, grammar, scanned.lexicon, hours=scanned.hours)
     )
-
-
-def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[list[Part]]:
-    """Parse every segment, and cut it again where its tree shows a further instruction."""
-    done: list[dict[int, Part]] = [{} for _ in sources]
-    waiting = [
-        Waiting.of(position, source, segment, lexicon)
-        for position, source in enumerate(sources)
-        for segment in segments_of(
-            source.scanned.text,
-            source.scanned.words,
-            source.phrases,
-            lexicon,
-            [remark.span for remark in source.remarks],
-        )
-    ]
-    for last_round in (False,) * ROUNDS + (True,):
-        if not waiting:
-            waiting = [] if last_round else _done_next(sources, done, lexicon)
-        if not waiting:
-            break
-        found = trees_of(waiting, trees, lexicon)
-        fronts = [with_clause(tree, lexicon) for tree in uncapitalised([one.front for one in waiting], trees)]
-        parsed = [
-            Part(one.segment, tree, one.main, front if front.nodes else None)
-            for one, tree, front in zip(waiting, found, fronts, strict=True)
-        ]
-        cuts: list[list[Waiting]] = [[] for _ in waiting]
-        if not last_round:
-            led = fronts_of(waiting, found, fronts, trees, lexicon)
-            cuts = _cut_again(waiting, parsed, led, trees, lexicon)
-        for one, part, cut in zip(waiting, parsed, cuts, strict=True):
-            if not cut:
-                done[one.position][one.segment.span[0]] = part
-        waiting = [one for cut in cuts for one in cut]
-    return [[own[start] for start in sorted(own)] for own in done]
-
-
-def _cut_again(
-    waiting: Sequence[Waiting],
-    parsed: Sequence[Part],
-    led: Mapping[int, Front],
-    trees: Trees,
-    lexicon: Lexicon,
-) -> list[list[Waiting]]:
-    """Give for each segment what waits anew in its place; nothing where it is one instruction."""
-    alone = [place for place in range(len(waiting)) if place not in led]
-    joined = [waiting[place] for place in alone], [parsed[place].tree for place in alone]
-    runs_on = {alone[at]: start for at, start in run_on_orders(*joined, trees, lexicon).items()}
-    cuts = [
-        list(one.cut_at(led[place].start, led[place].main, lexicon))
-        if place in led
-        else _cut(one, part, runs_on.get(place), lexicon)
-        for place, (one, part) in enumerate(zip(waiting, parsed, strict=True))
-    ]
-    whole = [place for place, cut in enumerate(cuts) if not cut]
-    uncut = [waiting[place] for place in whole], [parsed[place].tree for place in whole]
-    for at, start in orders_behind_joints(*uncut, trees, lexicon).items():
-        cuts[whole[at]] = list(waiting[whole[at]].cut_before(start, lexicon))
-    return cuts
-
-
-def _cut(one: Waiting, part: Part, runs_on: int | None, lexicon: Lexicon) -> list[Waiting]:
-    """Cut a segment where its tree shows several; before the order that ``runs_on``, if nothing leads it."""
-    apart = _order_apart(one)
-    if apart is not None:
-        return list(one.cut_before(apart, lexicon))
-    if not part.tree.nodes:
-        return []
-    cut = reason_in_front(one, part, lexicon) or called_next(one, part, lexicon)
-    if runs_on is not None and not cut:
-        return list(one.cut_before(runs_on, lexicon))
-    cut = (
-        cut
-        or called_first(one, part, lexicon)
-        or addressed(one, part, lexicon)
-        or next_one(one, part, lexicon)
-        or reminded(one, part, lexicon)
-        or list(pieces_of(one, part, lexicon))
-    )
-    return [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]
-
-
-def _order_apart(one: Waiting) -> int | None:
-    """Give where an order begins beside what is told; None where none does."""
-    first, end = one.segment.span
-    return next((start for start in one.source.apart if first < start < end), None)
-
-
-def _done_next(sources: Sequence[Source], done: Sequence[dict[int, Part]], lexicon: Lexicon) -> list[Waiting]:
-    """Give what waits anew for its tree, behind who does it: "…, then lands"."""
-    return [
-        Waiting.of(position, source, part.segment, lexicon)
-        for position, (source, own) in enumerate(zip(sources, done, strict=True))
-        for part in done_next(source, own, lexicon)
-    ]

@@ -8,11 +8,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.clauses.conditions import ITS, being, happening
+from fuzzytime.language.sentence.clauses.conditions import ITS, being, happening, state
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
 from fuzzytime.language.sentence.verbs.actions import is_doubtful
+from fuzzytime.language.sentence.verbs.orders_before import denied_from
 from fuzzytime.language.sentence.verbs.statement_trees import as_statement
 
 CARRIER = "please "
@@ -23,6 +24,9 @@ BINDING = frozenset({"DT", "PRP$", "TO", "MD", "IN", "CC", "PDT", "WDT", "EX"})
 
 OPENING = frozenset({"DT", "PRP", "PRP$"})
 """Tags of words that begin what an order is about."""
+
+HELPING = frozenset({"have", "do", "get"})
+"""Verbs that help another, beside "be" and the modals."""
 
 COMPARED = frozenset({"JJR", "RBR"})
 """Tags of words whose dictionary form is another, and that may be a verb: "lower the blinds"."""
@@ -74,7 +78,8 @@ def fronts_of(
     led: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
         order = carried.without_carrier(CARRIER, attempt.order, 0)
-        if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and is_order(order):
+        asks = is_order(order) or bool(order.nodes and _is_wish(order, 0, lexicon))
+        if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and asks:
             led[attempt.one] = attempt.front
     return led
 
@@ -88,8 +93,8 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     first, end = words[marker.end].start, one.segment.span[1]
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
-        bare = is_bare(node, lexicon)
-        if start <= first or here == 0 or not node.may_act or not bare:
+        opens = _may_be_done(tree, here, lexicon) or _is_wish(tree, here, lexicon)
+        if start <= first or here == 0 or not opens:
             continue
         timed = one.timed(tree)
         if here in timed or _is_counted(tree, here, lexicon) or binds(tree, here - 1, lexicon):
@@ -125,16 +130,40 @@ def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iter
 
 def _is_free(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word may be a bare verb that nothing before it binds."""
-    node = tree.nodes[place]
-    bare = place > 0 and node.may_act and is_bare(node, lexicon)
+    bare = place > 0 and _may_be_done(tree, place, lexicon)
     return bare and not _is_counted(tree, place, lexicon) and not binds(tree, place - 1, lexicon)
+
+
+def _may_be_done(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word may be a bare verb: by its dictionary, or as no noun is followed by an article.
+
+    "If it rains deburr the plate"
+    """
+    node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
+    known = node.may_act or node.lower in lexicon.addressing
+    led = any(one.tag in DETERMINERS for one in behind) and node.tag not in BINDING
+    # "When the light turns green"; but "when the timer goes varnish the chair"
+    becomes = node.tag in {"JJ", "RB"} and tree.nodes[place - 1].lemma in lexicon.doing.being
+    becomes = becomes and not (led and node.lower in lexicon.orders)
+    return (known or led) and is_bare(node, lexicon) and not becomes
+
+
+def _is_wish(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether somebody begins to say what is to be done: "when it is dark | I want to lock up"."""
+    behind = tree.nodes[place + 1 : place + 3]
+    asks = any(node.tag == "MD" or node.lemma in lexicon.wanting for node in behind[:1])
+    # "If it rains I have to bring in the washing"
+    asks = asks or [node.lemma for node in behind] == ["have", "to"]
+    return asks and tree.nodes[place].lower in lexicon.closed.first_and_second_person
 
 
 def _is_event_before_order(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether what may be a verb names an event, with an order behind: "the school run drop it off"."""
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     named = node.lower in lexicon.lasting | lexicon.happening | lexicon.taken
-    return named and bool(behind) and behind[0].may_act and is_bare(behind[0], lexicon)
+    # "Once ann is home call bob"
+    called = node.lower in lexicon.addressing and len(tree.nodes) == place + 2
+    return named and not called and any(one.may_act and is_bare(one, lexicon) for one in behind)
 
 
 def is_bare(node: Node, lexicon: Lexicon) -> bool:
@@ -159,8 +188,7 @@ def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     "The flight pack the bags", "the rice is done turn off the heat", "the pan is hot add butter".
     """
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    bare = is_bare(node, lexicon)
-    if not place or not node.may_act or not bare or _is_counted(tree, place, lexicon):
+    if not place or not _may_be_done(tree, place, lexicon) or _is_counted(tree, place, lexicon):
         return False
     before = tree.nodes[place - 1]
     if binds(tree, place - 1, lexicon):
@@ -188,34 +216,44 @@ def _is_counted(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 
 
 def is_order(tree: Tree) -> bool:
-    """Whether words begin with what is to be done."""
-    return tree.root == 0 and not is_doubtful(tree) and not tree.children(0, *SUBJECTS)
+    """Whether words begin with what is to be done, or is not: "don't open it"."""
+    denied = denied_from(tree, tree.root)
+    first = tree.root if denied is None else denied
+    return first == 0 and not is_doubtful(tree) and not tree.children(0, *SUBJECTS)
 
 
 def binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word needs others behind it; a particle needs none: "when the kettle clicks off"."""
-    node = tree.nodes[place]
-    apart = node.lower in lexicon.particles and all(below < place for below in tree.children(place))
+    node, before = tree.nodes[place], tree.nodes[place - 1]
+    carried = before.is_verb and before.lemma not in lexicon.closed.lemmas_of_be
+    # "When ann gets in book a table", "when the alarm goes off open the door"
+    led = carried and any(one.tag in DETERMINERS for one in tree.nodes[place + 2 : place + 3])
+    apart = node.lower in lexicon.particles and (led or all(below < place for below in tree.children(place)))
     if node.tag == "DT" and node.head < place and node.relation != "det":
         # "When you're done with that do the stairs"
         return False
-    if node.lower in lexicon.particles and tree.nodes[place - 1].lemma in lexicon.closed.lemmas_of_be:
+    if node.lower in lexicon.particles and before.lemma in lexicon.closed.lemmas_of_be:
         # "When the film is over dim the lights"
         return False
-    # "If the parcel hasn't come"
-    helps = node.relation in {"aux", "auxpass", "neg"} and node.head > place
-    return helps or (node.tag in BINDING and not apart)
+    # "If the parcel hasn't come"; but "as soon as the shop opens buy bread"
+    helping = node.tag == "MD" or node.lemma in HELPING | lexicon.closed.lemmas_of_be
+    helps = helping and node.relation in {"aux", "auxpass"} and node.head > place
+    # "If it rains I water the plants"
+    subject = (before if node.tag == "RB" and place else node).lower in lexicon.closed.first_and_third_person
+    denies = node.relation == "neg" and node.head > place
+    return helps or denies or subject or (node.tag in BINDING and not apart)
 
 
 def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     """Whether words say all that a clause says: that something is so, or done, or an event."""
-    root = tree.root
     if not tree.nodes or binds(tree, len(tree.nodes) - 1, lexicon):
         return False
     tree = as_statement(tree, frozenset(range(len(tree.nodes))), lexicon.travelling)
-    node = tree.nodes[root]
+    root, node = tree.root, tree.nodes[tree.root]
     if tree.children(root, *SUBJECTS, "expl") and node.is_verb:
-        return node.lemma not in lexicon.doing.being or bool(tree.children(root, *COMPLEMENTS))
+        # "When the timer goes"
+        does = node.lemma not in lexicon.doing.being or node.lemma in lexicon.doing.being_or_doing
+        return does or bool(tree.children(root, *COMPLEMENTS))
     if node.tag in {"VBG", "VBN", "JJ"}:
         return True
     if kind in EVENTFUL:
@@ -225,4 +263,6 @@ def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
             node.tag == "NNS" and bool(tree.children(root, "nummod"))
         )
     whole = range(len(tree.nodes))
-    return any(read(tree, whole, tree.text) is not None for read in (happening, being))
+    # "When in doubt call Ann"
+    where = tree.nodes[0].lower in lexicon.places and state(tree, whole, tree.text) is not None
+    return where or any(read(tree, whole, tree.text) is not None for read in (happening, being))

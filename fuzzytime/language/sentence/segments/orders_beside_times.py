@@ -57,8 +57,12 @@ def is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) ->
     led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
     # "On the 6th and 8th feed the hens": two times of one order.
     led = led and not timed.issuperset(range(first - 1))
-    called = node.lower in lexicon.addressing and bool(behind) and _is_called(tree, place + 1, lexicon)
-    bare = (node.may_act or called) and node.lower == node.lemma
+    addressing = node.lower in lexicon.addressing
+    called = addressing and bool(behind) and _is_called(tree, place + 1, lexicon)
+    bare = (node.may_act or addressing) and node.lower == node.lemma
+    if node.lower in lexicon.particles.get(behind, ()) and place + 2 < len(tree.nodes):
+        # "…, and at noon top up the oil"
+        behind = tree.nodes[place + 2].lower
     return led and bare and (called or behind in closed.noun_openers | closed.object_pronouns)
 
 

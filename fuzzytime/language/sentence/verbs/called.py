@@ -71,13 +71,17 @@ def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
 
 
 def person_due(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
-    """Give who must do something with a thing: "Tim must hand in his homework"; None for nobody."""
+    """Give who must do something with a thing: "Tim must hand in his homework"; None for nobody.
+
+    So it is who is asked for: "can Tim wash the car".
+    """
     over = tree.nodes[verb].head if tree.nodes[verb].relation == "xcomp" else verb
     helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")} - {"to"}
     helping |= set() if over == verb else {tree.nodes[over].lower}
     subjects = tree.children(over, "nsubj")
-    due = bool(helping) and helping <= lexicon.closed.verbs_of_obligation and tree.nodes[verb].tag == "VB"
-    if not due or len(subjects) != 1 or not tree.children(verb, "dobj"):
+    asked = tree.nodes[0].relation == "aux" and helping <= lexicon.closed.requesting_modals
+    due = bool(helping) and (asked or helping <= lexicon.closed.verbs_of_obligation)
+    if not due or tree.nodes[verb].tag != "VB" or len(subjects) != 1 or not tree.children(verb, "dobj"):
         return None
     name = tree.nodes[subjects[0]]
     known = name.lower in lexicon.persons - lexicon.closed.persons_addressed and name.tag != "PRP"

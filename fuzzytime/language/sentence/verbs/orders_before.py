@@ -20,7 +20,11 @@ def order_before(tree: Tree, root: int) -> int:
         bare = node.is_bare and not tree.children(place, "aux", *SUBJECTS)
         if bare and (node.relation == "csubj" or (node.lemma == "have" and _brings(tree, place, root))):
             return place
-    if tree.nodes[root].tag in {"VBZ", "VBD"} and tree.children(root, *SUBJECTS):
+    subjects = tree.children(root, *SUBJECTS)
+    begin = min((tree.reach(p)[0] for p in subjects), default=0)
+    # "Brief the crew by noon so I can relax"
+    so = begin > 0 and tree.nodes[begin - 1].lower in tree.lexicon.closed.subordinators_of_purpose
+    if subjects and (so or tree.nodes[root].tag in {"VBZ", "VBD"}):
         # "Serve the soup the second it boils": the clause was taken for the sentence.
         for place in tree.children(root, "advcl", "ccomp"):
             if place < min(tree.children(root, *SUBJECTS)) and tree.nodes[place].tag == "VB":
@@ -43,3 +47,10 @@ def is_order(tree: Tree, place: int) -> bool:
         and node.relation not in {"relcl", "acl", "advcl"}
         and not tree.children(place, *SUBJECTS)
     )
+
+
+def denied_from(tree: Tree, place: int) -> int | None:
+    """Give where a verb begins that is denied: "fill it but don't switch it on"."""
+    helping = tree.children(place, "aux")
+    denied = bool(tree.children(place, "neg")) and [tree.nodes[p].lower for p in helping] == ["do"]
+    return helping[0] if denied else None

@@ -36,10 +36,16 @@ class Places(Wording):
         particles = self.tree.children(verb, "prt")
         led = (p for particle in particles for p in self.tree.children(particle, "prep"))
         beside = () if self.tree.nodes[verb].tag == "VBN" else self.tree.children(verb, AGENT)
+        # "Buy bread for me"
+        given = (p for p in self.tree.children(verb, "dative") if self.names_company(p))
         below = [
-            p for p in (*self.tree.children(verb, *PLACES), *beside, *led) if p > verb and not self.timed(p)
+            p
+            for p in (*self.tree.children(verb, *PLACES), *beside, *led, *given)
+            if p > verb and not self.timed(p)
         ]
-        kept = [p for p in below if self._is_place(p)] + list(self._behind_times(verb))
+        kept = [p for p in below if self._is_place(p) or self.names_company(p)] + list(
+            self._behind_times(verb)
+        )
         kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if self._is_numbered(p)]
         kept += self.level(verb)
         # "Turn left": a participle too.
@@ -103,7 +109,10 @@ class Places(Wording):
             # "Go back to the dock"
             return bool(self.tree.children(place, "prep"))
         known = node.lower in self.lexicon.places | self.lexicon.becoming
-        return node.relation in {"prep", AGENT} or counted or known
+        # "Text Sam about tomorrow"
+        led = (self.tree.nodes[p].lower for p in self.tree.children(place, "advmod"))
+        about = not self.lexicon.closed.prepositions_of_nouns.isdisjoint(led)
+        return node.relation in {"prep", AGENT} or counted or known or about
 
     def _is_numbered(self, place: int) -> bool:
         """Whether a verb with "to" is a place with a number: "take it to station 4"."""
@@ -127,16 +136,31 @@ class Places(Wording):
         return any(below in words for below in self.tree.below(place) if below != place)
 
     def place_within(self, words: Sequence[int]) -> int:
-        """Give where, in an object, the words begin that say where it is: "the pancakes in the pan"."""
+        """Give where, in an object, the words begin that say where it is: "the pancakes in the pan".
+
+        So do those that say for whom something is done, and with whom: "hoover the stairs for Ann".
+        """
         inside = set(words)
         for position, place in enumerate(words[1:], start=1):
             node = self.tree.nodes[place]
             head = self.tree.nodes[node.head]
             of_noun = node.relation == "prep" and node.head in inside and head.relation in {"dobj", "pobj"}
-            where = node.lower in self.lexicon.places and of_noun and self.has_content(place, words)
+            said = node.lower in self.lexicon.places or self.names_company(place)
+            where = said and of_noun and self.has_content(place, words)
             if where and set(words[position:]) <= set(self._preposed(words[position:])):
                 return position
         return len(words)
+
+    def names_company(self, place: int) -> bool:
+        """Whether a preposition says for whom something is done, or with whom."""
+        closed, things = self.lexicon.closed, self.tree.children(place, "pobj")
+        persons = (self.lexicon.persons | closed.object_pronouns) - closed.it_or_them
+        said = (self.tree.nodes[p] for p in things)
+        known = any(node.lower in persons or node.tag == "NNP" for node in said)
+        # "A chat with Ann"
+        events = self.lexicon.happening | self.lexicon.taken | self.lexicon.events
+        known = known and self.tree.nodes[self.tree.nodes[place].head].lower not in events
+        return known and self.tree.nodes[place].lower in closed.prepositions_of_company
 
     def _preposed(self, words: Sequence[int]) -> Iterator[int]:
         """Give the words that are below a preposition among them."""

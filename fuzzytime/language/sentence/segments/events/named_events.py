@@ -24,7 +24,9 @@ def counts_event(words: Sequence[Word], place: int, phrases: Sequence[Phrase], l
         return True
     time = next((phrase.first for phrase in phrases if phrase.first > place), place)
     named = place + 1 < time <= place + LONGEST_NAME
-    return named and words[time - 1].text in lexicon.happening | lexicon.taken
+    # "First coat at three"
+    turns = lexicon.spacing["turns"]
+    return named and words[time - 1].text in lexicon.happening | lexicon.taken | turns
 
 
 def beside(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:

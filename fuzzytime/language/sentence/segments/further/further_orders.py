@@ -15,7 +15,6 @@ from fuzzytime.language.sentence.segments.further.orders_in_front import (
     ANY_SUBJECTS,
     COORDINATE,
     behind_joint,
-    denied_from,
     first_of,
     order_behind_order,
 )
@@ -26,6 +25,7 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.actions import action_of, gone_to_do
+from fuzzytime.language.sentence.verbs.orders_before import denied_from
 from fuzzytime.language.sentence.verbs.statements import (
     being_behind_order,
     due_too,
@@ -88,11 +88,10 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
         return place
     if place > 1 and (_follows_so(tree, place, timed) or _follows_statement(tree, place, root, timed)):
         return place
-    if place > 1 and place != root:
-        if is_overlooked(tree, place, timed, lexicon):
-            return place
-        if is_led_by_time(tree, place, timed, lexicon):
-            return behind_joint(tree, place, timed)
+    if place > 1 and place != root and is_overlooked(tree, place, timed, lexicon):
+        return place
+    if place > 1 and is_led_by_time(tree, place, timed, lexicon):
+        return behind_joint(tree, place, timed)
     if (
         place > 1
         and _is_passive_order(tree, place)

@@ -1,7 +1,8 @@
 """Orders behind "and" or a comma which the tree of both does not show: "shear the sheep and bleed the taps".
 
 A verb that is a noun too, or that the model does not know, is taken for a second thing. Where it has a thing
-of its own behind it, both parts are parsed apart; if both are orders, they were two.
+of its own behind it, both parts are parsed apart; if both are orders, they were two. So they are where words
+say it that no tree shows: "feed the cat at six and text ann".
 """
 
 from collections.abc import Iterator, Sequence
@@ -10,6 +11,7 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER
+from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.further.run_on_orders import governs, is_whole
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
@@ -23,10 +25,14 @@ NOUN = "NN"
 
 @dataclass(frozen=True, slots=True)
 class _Try:
-    """A place at which a further order may begin, in the text and behind its joint, with both parts."""
+    """A place at which a further order may begin, in the text and behind its joint, with both parts.
+
+    It is ``sure`` where its words alone say that it is one.
+    """
 
     one: int
     start: int
+    sure: bool
     before: str
     behind: str
 
@@ -47,7 +53,7 @@ def orders_behind_joints(
         one = first.without_carrier(CARRIER, attempt.before, 0)
         other = second.without_carrier(CARRIER, attempt.behind, 0)
         whole = is_whole(one, lexicon, timed=True) and governs(one)
-        if whole and governs(other) and other.nodes[0].tag in IMPERATIVE:
+        if whole and (attempt.sure or (governs(other) and other.nodes[0].tag in IMPERATIVE)):
             cut.setdefault(attempt.one, attempt.start)
     return cut
 
@@ -57,7 +63,9 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     main = one.main + one.behind_time
     for here in range(LEAST, len(tree.nodes) - 1):
         led = tree.nodes[here - 1]
-        if led.lower not in lexicon.closed.joints_of_orders or not _may_act_on(tree, here, timed, lexicon):
+        sure = _is_surely_done(tree, here, timed, lexicon)
+        joined = led.lower in lexicon.closed.joints_of_orders
+        if not joined or not (sure or _may_act_on(tree, here, timed, lexicon)):
             continue
         start = tree.nodes[here].start + one.main
         words = source.places(main, start)
@@ -65,7 +73,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             # "Stir it when the chef salts the soup and pepper the steak": what is in a clause.
             return
         before = source.sound[main : led.start + one.main].strip()
-        yield _Try(place, start, before, source.sound[start : one.segment.span[1]])
+        yield _Try(place, start, sure, before, source.sound[start : one.segment.span[1]])
 
 
 def _may_act_on(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
@@ -79,3 +87,10 @@ def _may_act_on(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexico
     # "Discharge bed four"
     counted = behind.tag == NOUN and third == "CD"
     return node.text.isalpha() and node.tag not in DETERMINERS and (opens or carried or counted)
+
+
+def _is_surely_done(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+    """Whether words say that it is an order, and not of one asked: "remind me to call Bob and text Ann"."""
+    root = tree.root
+    asked = tree.nodes[root].lemma in lexicon.addressing and tree.children(root, "xcomp", "ccomp")
+    return not asked and is_bare_order(tree, place, timed, lexicon)

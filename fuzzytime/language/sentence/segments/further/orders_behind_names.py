@@ -88,6 +88,9 @@ def behind_run_on(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
     if not speaks or not (tree.children(root, "aux") or tree.nodes[root].lemma == "be"):
         return None
     start = subjects[0]
+    if tree.nodes[start - 1].lower in lexicon.closed.subordinators_of_purpose:
+        # "Brief the crew by noon so I can relax"
+        return None
     tops = {p for p in range(start) if tree.nodes[p].head >= start}
     order = next(iter(tops), root)
     node = tree.nodes[order]

@@ -4,6 +4,7 @@ from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.verbs.orders_before import denied_from
 
 ANY_SUBJECTS = (*GRAMMATICAL_SUBJECTS, "csubj")
 COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
@@ -52,13 +53,6 @@ def order_behind_order(tree: Tree, root: int, timed: AbstractSet[int]) -> int | 
         for p in orders
     )
     return start if ordered else None
-
-
-def denied_from(tree: Tree, place: int) -> int | None:
-    """Give where a verb begins that is denied: "fill it but don't switch it on"."""
-    helping = tree.children(place, "aux")
-    denied = bool(tree.children(place, "neg")) and [tree.nodes[p].lower for p in helping] == ["do"]
-    return helping[0] if denied else None
 
 
 def behind_joint(tree: Tree, start: int, timed: AbstractSet[int]) -> int:

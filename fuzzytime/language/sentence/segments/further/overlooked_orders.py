@@ -1,5 +1,7 @@
 """Orders that a tree takes for something else: "wipe the rug and empty the bins"."""
 
+from collections.abc import Set as AbstractSet
+
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.further.further_steps import is_further_step
 from fuzzytime.language.sentence.segments.further.orders_in_front import COORDINATE
@@ -19,7 +21,6 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
     alone = tree.nodes[place].lower in lexicon.alone
     return (
         (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
-        or governs_bare(tree, place, timed, lexicon)
         or _follows_turning(tree, place, lexicon)
         or is_further_step(tree, place, timed, lexicon)
         or is_order_before_time(tree, place, timed)
@@ -30,21 +31,10 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
     )
 
 
-def governs_bare(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
-    """Whether what was taken for a thing is an order behind a joint: "feed the cat at six and text ann"."""
-    root = tree.root
-    joined = tree.nodes[place - 1].lower in lexicon.closed.joints_of_orders
-    # "Remind me to call Bob and email Ann"
-    within = tree.nodes[root].lemma in lexicon.addressing and tree.children(root, "xcomp", "ccomp")
-    if not joined or within:
-        return False
-    chore = place - 2 in timed and _is_chore(tree, place, lexicon)
-    return chore or _is_done_to_somebody(tree, place, lexicon)
-
-
-def is_bare_order(tree: Tree, place: int, lexicon: Lexicon) -> bool:
-    """Whether what was taken for a thing is done to somebody, or with things that have no article."""
-    return _is_done_to_somebody(tree, place, lexicon) or _is_chore(tree, place, lexicon)
+def is_bare_order(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+    """Whether what was taken for a thing is done to somebody, or behind a time with several things."""
+    behind_time = not timed.isdisjoint({place - 1, place - 2})
+    return _is_done_to_somebody(tree, place, lexicon) or (behind_time and _is_chore(tree, place, lexicon))
 
 
 def _is_done_to_somebody(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER, COMPLEMENTS, binds, is_bare, is_order
-from fuzzytime.language.sentence.segments.further.orders_in_front import denied_from
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
+from fuzzytime.language.sentence.verbs.orders_before import denied_from
 
 LEAST = 2
 """Words of an order that another may stand behind, at least."""
@@ -110,7 +110,9 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             # "Stir it when the chef asks the waiter": what is in a clause.
             return
         before, behind = source.sound[one.main : start].strip(), source.sound[verb:end]
-        sure = here - 1 in timed and (is_bare_order(tree, here, lexicon) or _is_carried(tree, here, timed))
+        sure = here - 1 in timed and (
+            is_bare_order(tree, here, timed, lexicon) or _is_carried(tree, here, timed)
+        )
         yield _Try(place, start, here - 1 in timed, tells, told, sure, before, behind)
 
 
@@ -144,7 +146,7 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     if place - 1 in timed:
         # "The fair is on friday book two tickets", "… at six order pizza", "… at six lock up"
         named = node.lower in lexicon.orders - lexicon.persons and behind.tag.startswith(NOUNS)
-        bare = is_bare_order(tree, place, lexicon) or _is_carried(tree, place, timed)
+        bare = is_bare_order(tree, place, timed, lexicon) or _is_carried(tree, place, timed)
         led = led or behind.tag == "CD" or named or bare
     further = tree.nodes[place + 2 : place + 3]
     carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
@@ -212,7 +214,7 @@ def is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
     """Whether an order is said to its end, and is none that leads to what others do: "let the kids"."""
     # "Don't boil the milk just warm it"
     denied = denied_from(tree, tree.root) == 0
-    if not denied and (not is_order(tree) or not is_bare(tree.nodes[0], lexicon)):
+    if not is_order(tree) or not is_bare(tree.nodes[0], lexicon):
         return False
     verb = tree.root if denied else 0
     doing, lemma = lexicon.doing, tree.nodes[verb].lemma

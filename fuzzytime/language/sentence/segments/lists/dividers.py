@@ -190,7 +190,9 @@ def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> 
         return all(entry.begins_with_stretch for entry in others)
     # "Croissants out at 6, baguettes at 7"
     named = [p for p in first.named if not p or first.words[p].text not in lexicon.beside.states]
-    if len(named) != 1 or not (first.clocked or first.bounded):
+    # "Remind me thursday, july 9 to call mum" is no thing with its time.
+    asked = not lexicon.closed.object_pronouns.isdisjoint(word.text for word in first.words)
+    if len(named) != 1 or asked or not (first.clocked or first.bounded):
         return False
     if first.bounded:
         # "Bake by noon, party at three": what is due, and what happens.

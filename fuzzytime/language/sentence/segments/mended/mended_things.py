@@ -5,10 +5,16 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from fuzzytime.language.sentence.trees.tags import SINGULAR, SUBJECTS
-from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.trees.tree import Tree
 
 BELOW_ZERO = re.compile(r"[-−]\d+(\.\d+)?$")
 """A number below zero, which a tree takes for a mark."""
+
+NAMES = SINGULAR | {"NNS"}
+"""Tags of what is named."""
+
+PARTS = ("det", "poss", "amod", "nummod", "compound", "nmod")
+"""Relations of the words before a thing that are said of it."""
 
 DESCRIBING = frozenset({"RB", "JJ"})
 """Tags of words that name nobody."""
@@ -27,12 +33,29 @@ def _with_people(tree: Tree) -> Tree:
     """Give "wake oliver at seven" who is woken, whose small letter makes a tree take a name for an adverb."""
     nodes = list(tree.nodes)
     for place, node in enumerate(nodes):
+        if _is_called_like_modal(tree, place):
+            # "Call ella and will at six"
+            nodes[place] = replace(node, tag="NNP", relation="conj", head=place - 2)
+            nodes[place - 1] = replace(nodes[place - 1], head=place - 2)
+            nodes[node.head] = replace(nodes[node.head], relation="prep", head=nodes[place - 2].head)
         if node.lower in tree.lexicon.persons and node.tag in DESCRIBING:
             behind_verb = node.head == place - 1 and nodes[place - 1].is_verb
             # "Wake oliver at seven am", where a tree has the last word for what is woken
             relation = "dative" if tree.children(place - 1, "dobj") else "dobj"
             nodes[place] = replace(node, tag="NNP", relation=relation if behind_verb else node.relation)
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
+def _is_called_like_modal(tree: Tree, place: int) -> bool:
+    """Whether what a tree has for a helping verb, and helps none, is somebody beside another."""
+    node = tree.nodes[place]
+    beside = (
+        node.tag == "MD"
+        and place > 1
+        and tree.nodes[place - 1].tag == "CC"
+        and tree.nodes[place - 2].tag.startswith("NN")
+    )
+    return beside and tree.nodes[node.head].tag == "IN" and node.head == place + 1
 
 
 def _with_second(tree: Tree) -> Tree:
@@ -149,19 +172,33 @@ def with_her(tree: Tree, timed: AbstractSet[int]) -> Tree:
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
 
 
-def with_object_of_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:
-    """Give "remind me later to call tim" who is called, whom a tree has for a measure of the reminding."""
-    root = tree.root
-    for aim in tree.children(root, "xcomp"):
-        behind = aim + 1
-        near = behind < len(tree.nodes) and behind not in timed and not tree.children(aim, "dobj")
-        if near and _is_named(tree.nodes[behind], root):
-            nodes = list(tree.nodes)
-            nodes[behind] = replace(nodes[behind], relation="dobj", head=aim)
-            return tree.with_nodes(nodes)
+def with_thing_before_time(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "give the cat her pill morning and night" its thing, which a tree takes for a part of the time."""
+    for place in sorted(timed):
+        thing, node = place - 1, tree.nodes[place]
+        parts = [p for p in tree.children(place, *PARTS) if p < place and p not in timed]
+        if thing not in parts or not tree.nodes[thing].tag.startswith("NN") or parts[0] == 0:
+            continue
+        verb = parts[0] - 1 if tree.nodes[parts[0] - 1].is_verb else node.head
+        if not tree.nodes[verb].is_verb or verb in timed or node.head == place:
+            continue
+        nodes = [replace(n, head=thing) if p in parts else n for p, n in enumerate(tree.nodes)]
+        nodes[thing] = replace(nodes[thing], relation="dobj", head=verb)
+        nodes[place] = replace(node, relation="npadvmod", head=verb)
+        if nodes[verb].head == place:
+            nodes[verb] = replace(nodes[verb], relation=node.relation, head=node.head)
+        return tree.with_nodes(nodes)
     return tree
 
 
-def _is_named(node: Node, root: int | None) -> bool:
-    """Whether a word names a thing or somebody, and hangs on the verb of the sentence."""
-    return node.head == root and node.relation == "npadvmod" and node.tag in SINGULAR
+def with_object_of_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "remind me later to call tim" who is called, whom a tree has for a measure of the reminding."""
+    root = tree.root
+    for aim in tree.children(root, "xcomp", "ccomp"):
+        behind = (p for p in tree.children(root, "npadvmod") if tree.reach(p)[0] == aim + 1)
+        thing = next((p for p in behind if timed.isdisjoint(range(aim + 1, p + 1))), None)
+        if thing is not None and tree.nodes[thing].tag in NAMES and not tree.children(aim, "dobj"):
+            nodes = list(tree.nodes)
+            nodes[thing] = replace(nodes[thing], relation="dobj", head=aim)
+            return tree.with_nodes(nodes)
+    return tree

@@ -38,7 +38,8 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
     if (then or part.segment.verbless) and counted is not None:
         return counted
-    if then and any(_goes_on(phrase.said) for phrase in sketch.phrases):
+    if then and sketch.phrases and (not rest or any(_goes_on(phrase.said) for phrase in sketch.phrases)):
+        # "Feed the cat at nine, then at five", "then for five minutes on high"
         return replace(before, place=rest or before.place)
     # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
     numbered = _is_next_numbered(before, sketch, lexicon)

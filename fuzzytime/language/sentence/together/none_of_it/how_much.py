@@ -1,11 +1,12 @@
 """Numbers that are taken for how many or how much, and for no hour: "dinner for seven", "raise it by two"."""
 
+import re
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import AMOUNTED
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Remark, RemarkKind
+from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
 HOURS = 12
@@ -13,12 +14,22 @@ HOURS = 12
 
 FOR = "for"
 
+AT_END = re.compile(r"\b(?P<noun>[^\W\d]+) (?P<number>(?:1[0-2]|[1-9])(?:\.[0-5]\d)?)\W*$")
+"""A number that may be an hour behind the thing that ends what is said."""
+
 
 def counted(text: str, sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Iterator[Remark]:
     """Say how the last numbers of an order without a time are taken: they may be meant as its hours."""
     first, end = sketch.part.segment.span
     said = [word for word in words if first <= word.start < end and word.text.isalnum()]
-    joint = 0 if sketch.phrases or sketch.clauses else _joint(said, lexicon)
+    if sketch.phrases or sketch.clauses:
+        return
+    joint = _joint(said, lexicon)
+    if not joint and (span := _number_at_end(text, sketch, lexicon)) is not None:
+        number = text[slice(*span)]
+        yield Remark(
+            RemarkKind.POLICY, span, f"{number!r} is not taken as a time: say 'at {number}' if it is"
+        )
     if not joint or (joint == 1 and said[joint].text == FOR):
         # "Table for seven"
         return
@@ -40,6 +51,19 @@ def _joint(said: Sequence[Word], lexicon: Lexicon) -> int:
     ):
         place -= 1
     return place if said[place].text in AMOUNTED | {FOR} else 0
+
+
+def _number_at_end(text: str, sketch: Sketch, lexicon: Lexicon) -> Span | None:
+    """Give where an hour ends what is said that no thing is called by: "milk 10", but "read chapter 4"."""
+    first, end = sketch.part.segment.span
+    found = AT_END.search(text[:end], first)
+    if found is None or (sketch.operation is not None and found["noun"] == sketch.operation.verb):
+        return None
+    noun = found["noun"].lower()
+    called = noun in lexicon.called_by_number | lexicon.function_words
+    # "Update Windows 11"
+    named = found["noun"] != noun and found.start() > first
+    return None if called or named else found.span("number")
 
 
 def _is_hour(word: Word, lexicon: Lexicon) -> bool:

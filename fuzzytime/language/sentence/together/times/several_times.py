@@ -48,6 +48,8 @@ def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) ->
     for place in range(len(sketch.phrases) - 1):
         group, joints = _joined(sketch.phrases[place:], words, lexicon)
         several = len(group) > LIST and (all(map(is_weekday, group)) or all(map(_is_clock, group)))
+        # "Friday at nine, saturday at ten"
+        several = several or all(map(_is_whole, group))
         if len(group) > 1 and (several or joints & joining - {","}):
             rest = [phrase for phrase in sketch.phrases if phrase not in group]
             if joints & closed.alternatives:
@@ -76,21 +78,20 @@ def _joined(
             # "Today if you can, otherwise tomorrow", "at noon or, failing that, at two"
             between -= lexicon.beside.courteous | closed.singular_anaphors
         if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
-            # "Monday wednesday and friday", as it is said; "mon/wed/fri"
-            between = {","}
+            # "Monday wednesday and friday", as it is said; "mon/wed/fri", "tue/thu at six"
+            between = {"&"} if between else {","}
         if between and between <= TYPED_JOINTS and _is_clock(group[-1]) and _is_clock(following):
             # "7am/7pm", "7am + 7pm"
             between = {"&"}
-        if not between and _is_clock(group[-1]) and _is_clock(following):
+        pair = (group[-1], following)
+        if not between and (all(map(_is_clock, pair)) or all(map(_is_whole, pair))):
             # "For 6 am 6 15 am and 6 30 am", as it is said
             between = {","}
         if not between or between - closed.additions - closed.alternatives:
             break
         either = not between.isdisjoint(closed.alternatives)
         both = not either and _are_two_of_a_day(group[-1], following)
-        if not both and not all(
-            _is_when(one) or (either and one.said.constraint in BOUNDS) for one in (group[-1], following)
-        ):
+        if not both and not all(_is_when(one) or (either and one.said.constraint in BOUNDS) for one in pair):
             break
         group.append(following)
         joints |= between
@@ -202,6 +203,12 @@ def _are_two_of_a_day(first: Phrase, second: Phrase) -> bool:
 def _is_clock(phrase: Phrase) -> bool:
     """Whether it is a clock time of a day that is not said."""
     return is_of_day(phrase.said.time) and phrase.said.time.clock is not None
+
+
+def _is_whole(phrase: Phrase) -> bool:
+    """Whether it is a clock time of a day that is said."""
+    time = phrase.said.time
+    return isinstance(time, Wall) and time.clock is not None and time.days is not None
 
 
 def _is_beside_meal(phrase: Phrase) -> bool:

@@ -1,0 +1,35 @@
+"""What somebody tells to have done, taken as done: "I've fed the cat", "the boards are cut"."""
+
+from fuzzytime.language import (
+    About,
+    AboutKind,
+    Operation,
+    Reading,
+    content_words,
+    perhaps_reported,
+    told_result,
+)
+from fuzzytime_cli.repl.leaving_out import Taken
+from fuzzytime_cli.repl.scene import Reply, Scene
+
+
+def perhaps_done(scene: Scene, reading: Reading, taken: Taken) -> Reply | None:
+    """Take as done what words may tell to be, where that is known: "plants watered", "the bins are out"."""
+    lexicon = scene.conversation.interpreter.language.lexicon
+    perhaps = perhaps_reported(reading, lexicon)
+    if perhaps is not None and (reply := done(scene, perhaps, taken)) is not None:
+        return reply
+    names = told_result(reading, lexicon)
+    return taken(scene, About(kind=AboutKind.DONE, names=names)) if names else None
+
+
+def done(scene: Scene, operation: Operation, taken: Taken) -> Reply | None:
+    """Take something as done; None where nothing that is planned, or has begun, is like it."""
+    lexicon = scene.conversation.interpreter.language.lexicon
+    anaphor = (operation.object or "").lower() in lexicon.closed.anaphors
+    things = frozenset[str]() if anaphor else content_words(operation.object)
+    # "Got the milk" is of whatever was to be done with it.
+    tried = [things | {operation.lemma}]
+    tried += [things] if things and (operation.lemma,) in lexicon.conversation["done with"] else []
+    replies = (taken(scene, About(kind=AboutKind.DONE, names=names)) for names in tried)
+    return next((reply for reply in replies if reply is not None), None)

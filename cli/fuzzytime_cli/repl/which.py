@@ -1,0 +1,176 @@
+"""Which of what was asked for is meant, by names or places; asked where several are called alike."""
+
+from dataclasses import dataclass, replace
+from datetime import datetime
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language import About, AboutKind, about_wishes, content_words
+from fuzzytime_cli.clock import Clock
+from fuzzytime_cli.repl.naming import (
+    called,
+    entries_named,
+    entry_of,
+    label_meant,
+    starts_of_entry,
+    unknown,
+    words_of_entry,
+)
+from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting, whole_number
+from fuzzytime_cli.session import Entry
+
+BOTH = 2
+"""How many "both" are."""
+
+
+def entries_meant(scene: Scene, about: About) -> list[Entry]:
+    """Give the entries that are meant by names, by their places, or as both that are left, as they stand.
+
+    Raises
+    ------
+    FuzzytimeError
+        If there are not so many.
+    """
+    left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
+    if about.both and about.kind is AboutKind.DROP:
+        # "Both done", of which one is running
+        running = {number_of(one.identifier) for one in scene.conversation.running(scene.now)}
+        left = [e for e in scene.conversation.state.entries if e in left or e.number in running]
+    if about.both:
+        left = [one for one in left if about.names <= words_of_entry(scene, one)]
+        if len(left) != BOTH:
+            what = f" that {'is' if len(left) == 1 else 'are'} about {' '.join(sorted(about.names))}"
+            count = f"{len(left) or 'none'} {'is' if len(left) == 1 else 'are'} left"
+            raise FuzzytimeError(f"{count}{what if about.names else ''}: say which, such as: the call")
+        return left
+    if about.other:
+        last = scene.told_last if scene.focus is None else scene.focus
+        left = [one for one in left if one.number != last]
+        if len(left) != 1:
+            raise FuzzytimeError(f"{len(left)} others are left: say which, such as: the call")
+        return left
+    if about.upcoming:
+        return _next_of(scene)
+    if about.places:
+        if max(abs(place) for place in about.places) > len(left):
+            raise FuzzytimeError(f"{len(left)} {'is' if len(left) == 1 else 'are'} left (:list shows which)")
+        return [left[place - 1 if place > 0 else place] for place in about.places]
+    entry = entry_of(scene, about.names)
+    if entry is None and about.each:
+        return _each_of(scene, about)
+    if entry is None or not about.several:
+        return [] if entry is None else [_only(scene, about, entry)]
+    asked = [one for one in scene.plan.everything if not one.stated]
+    named = {one.wish.identifier for one in asked if about.names <= content_words(one.skill.name)}
+    # "The guests" are those who come, and not what waits for them.
+    return [one for one in left if one.identifier in named] if entry.identifier in named else [entry]
+
+
+def _each_of(scene: Scene, about: About) -> list[Entry]:
+    """Give the entry of each of several things that are listed; none where none is known.
+
+    Raises
+    ------
+    FuzzytimeError
+        If only some are.
+    """
+    found = [entry_of(scene, names) for names in about.each]
+    if any(found) and None in found:
+        unknown(about.each[found.index(None)])
+    return list(dict.fromkeys(entry for entry in found if entry is not None))
+
+
+def _next_of(scene: Scene) -> list[Entry]:
+    """Give the entry of what starts next.
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing does.
+    """
+    schedule = scene.plan.schedule
+    starts = [
+        (schedule.start_times[place], one.wish.identifier)
+        for place, one in waiting(scene)
+        if scene.plan.has_time(place)
+    ]
+    if not starts:
+        raise FuzzytimeError("nothing starts next (:list shows what is asked for)")
+    return [one for one in scene.conversation.state.entries if one.identifier == min(starts)[1]]
+
+
+@dataclass(frozen=True, slots=True)
+class Called:
+    """What is still to be done and called by some words: what a line asks for, or one of several things."""
+
+    entry: Entry
+    label: str
+    name: str
+    names: frozenset[str]
+    start: datetime | None
+
+
+def alike(scene: Scene, names: frozenset[str]) -> list[Called]:
+    """Give what is called alike by some words and still to be done, in the order of the times."""
+    if not names or label_meant(scene, names):
+        return []
+    found = [one for entry in entries_named(scene, names) for one in _called_of(scene, entry, names)]
+    return sorted(found, key=lambda one: (one.start is None, one.start or scene.now, one.label))
+
+
+def _called_of(scene: Scene, entry: Entry, names: frozenset[str]) -> list[Called]:
+    """Give the things of an entry that are called so, where these are several; else the entry."""
+    left = [one for _, one in waiting(scene, entry.number)]
+    parts = {one.skill.name: one for one in left if names <= content_words(one.skill.name)}
+    if len(parts) < BOTH:
+        own = left[:1] if called(scene, entry.number) is not None else []
+        first = min(starts_of_entry(scene, entry), default=None)
+        label = entry.identifier
+        return [Called(entry, label, one.skill.name, frozenset({label}), first) for one in own]
+    return [
+        Called(entry, one.identifier, name, content_words(name), _start_of(scene, one.identifier))
+        for name, one in parts.items()
+    ]
+
+
+def _start_of(scene: Scene, identifier: str) -> datetime | None:
+    planned = enumerate(scene.plan.skills)
+    place = next((n for n, one in planned if one.identifier == identifier and scene.plan.has_time(n)), None)
+    return None if place is None else scene.plan.instant(scene.plan.schedule.start_times[place])
+
+
+def _only(scene: Scene, about: About, entry: Entry) -> Entry:
+    """Give the one that is meant of what is called alike: the one that was spoken of last.
+
+    Raises
+    ------
+    AskedBackError
+        If none of them was, or several.
+    """
+    found = alike(scene, about.names)
+    spoken_of = [one.entry for one in found if one.entry.number in {scene.focus, scene.told_last}]
+    if len(found) > 1 and len(spoken_of) != 1:
+        raise AskedBackError(f"which one: {' or '.join(_told(scene, one) for one in found)}?", about)
+    return spoken_of[0] if len(found) > 1 else entry
+
+
+def _told(scene: Scene, one: Called) -> str:
+    """Tell what tells something apart: "call mum (s1, 18:00)"."""
+    time = "" if one.start is None else f", {Clock(scene.now, with_seconds=False).at(one.start)}"
+    return f"{one.name} ({one.label}{time})"
+
+
+def which_one(scene: Scene, words: str, asked: About) -> About | None:
+    """Give what was asked about with the one that a line names: "the plumber", "the first one", "s2", "2"."""
+    found = alike(scene, asked.names)
+    number = whole_number(words)
+    lexicon = scene.conversation.interpreter.language.lexicon
+    said = about_wishes(f"{AboutKind.DROP} {words if number is None else f's{number}'}", scene.now, lexicon)
+    if len(found) <= 1 or said is None or said.kind is not AboutKind.DROP:
+        return None
+    if said.both:
+        return replace(asked, several=True)
+    if len(said.places) == 1 and -len(found) <= said.places[0] <= len(found):
+        meant = [found[said.places[0] - 1 if said.places[0] > 0 else said.places[0]]]
+    else:
+        meant = [one for one in found if said.names and said.names <= content_words(one.name) | {one.label}]
+    return replace(asked, names=meant[0].names) if len(meant) == 1 else None

@@ -1,0 +1,131 @@
+"""Segments get their trees, and are cut again, round by round, until each is one instruction.
+
+A segment is cut where its tree shows several; where that shows none, where an order stands behind a joint;
+and where there is none, either, where a verb is left out.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.segments.cuts import addressed, other_things, pieces_of, reminded
+from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
+from fuzzytime.language.sentence.segments.further.calls import called_first, called_next
+from fuzzytime.language.sentence.segments.further.orders_behind_joints import orders_behind_joints
+from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
+from fuzzytime.language.sentence.segments.further.same_doers import done_next
+from fuzzytime.language.sentence.segments.mended.parsing import trees_of, uncapitalised
+from fuzzytime.language.sentence.segments.next_ones import next_one
+from fuzzytime.language.sentence.segments.segment import Segment, segments_of
+from fuzzytime.language.sentence.segments.told.reasons import reason_in_front
+from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
+from fuzzytime.language.sentence.trees.tree import Trees
+from fuzzytime.language.sentence.verbs.called import with_clause
+
+ROUNDS = 12
+"""How often a segment may be cut again: instructions joined by "and" in one sentence."""
+
+
+def parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[list[Part]]:
+    """Parse every segment, and cut it again where its tree shows a further instruction."""
+    done: list[dict[int, Part]] = [{} for _ in sources]
+    waiting = [
+        Waiting.of(position, source, segment, lexicon)
+        for position, source in enumerate(sources)
+        for segment in segments_of(
+            source.scanned.text,
+            source.scanned.words,
+            source.phrases,
+            lexicon,
+            [remark.span for remark in source.remarks],
+        )
+    ]
+    for last_round in (False,) * ROUNDS + (True,):
+        if not waiting:
+            waiting = [] if last_round else _done_next(sources, done, lexicon)
+        if not waiting:
+            break
+        found = trees_of(waiting, trees, lexicon)
+        fronts = [with_clause(tree, lexicon) for tree in uncapitalised([one.front for one in waiting], trees)]
+        parsed = [
+            Part(one.segment, tree, one.main, front if front.nodes else None)
+            for one, tree, front in zip(waiting, found, fronts, strict=True)
+        ]
+        cuts: list[list[Waiting]] = [[] for _ in waiting]
+        if not last_round:
+            led = fronts_of(waiting, found, fronts, trees, lexicon)
+            cuts = _cut_again(waiting, parsed, led, trees, lexicon)
+        for one, part, cut in zip(waiting, parsed, cuts, strict=True):
+            if not cut:
+                done[one.position][one.segment.span[0]] = part
+        waiting = [one for cut in cuts for one in cut]
+    return [[own[start] for start in sorted(own)] for own in done]
+
+
+def _cut_again(
+    waiting: Sequence[Waiting],
+    parsed: Sequence[Part],
+    led: Mapping[int, Front],
+    trees: Trees,
+    lexicon: Lexicon,
+) -> list[list[Waiting]]:
+    """Give for each segment what waits anew in its place; nothing where it is one instruction."""
+    alone = [place for place in range(len(waiting)) if place not in led]
+    unled = [waiting[place] for place in alone], [parsed[place].tree for place in alone]
+    runs_on = {alone[at]: start for at, start in run_on_orders(*unled, trees, lexicon).items()}
+    cuts = [
+        list(one.cut_at(led[place].start, led[place].main, lexicon))
+        if place in led
+        else _cut(one, part, runs_on.get(place), lexicon)
+        for place, (one, part) in enumerate(zip(waiting, parsed, strict=True))
+    ]
+    whole = [place for place, cut in enumerate(cuts) if not cut]
+    uncut = [waiting[place] for place in whole], [parsed[place].tree for place in whole]
+    joined = orders_behind_joints(*uncut, trees, lexicon)
+    for at, place in enumerate(whole):
+        if at in joined:
+            cuts[place] = list(waiting[place].cut_before(joined[at], lexicon))
+        else:
+            things = other_things(waiting[place], parsed[place], lexicon)
+            cuts[place] = _waiting(waiting[place], things, lexicon)
+    return cuts
+
+
+def _cut(one: Waiting, part: Part, runs_on: int | None, lexicon: Lexicon) -> list[Waiting]:
+    """Cut a segment where its tree shows several; before the order that ``runs_on``, if nothing leads it."""
+    apart = _order_apart(one)
+    if apart is not None:
+        return list(one.cut_before(apart, lexicon))
+    if not part.tree.nodes:
+        return []
+    cut = reason_in_front(one, part, lexicon) or called_next(one, part, lexicon)
+    if runs_on is not None and not cut:
+        return list(one.cut_before(runs_on, lexicon))
+    cut = (
+        cut
+        or called_first(one, part, lexicon)
+        or addressed(one, part, lexicon)
+        or next_one(one, part, lexicon)
+        or reminded(one, part, lexicon)
+        or pieces_of(one, part, lexicon)
+    )
+    return _waiting(one, cut, lexicon)
+
+
+def _waiting(one: Waiting, pieces: Sequence[Segment], lexicon: Lexicon) -> list[Waiting]:
+    """Give the pieces of a segment, which wait anew."""
+    return [Waiting.of(one.position, one.source, piece, lexicon) for piece in pieces]
+
+
+def _order_apart(one: Waiting) -> int | None:
+    """Give where an order begins beside what is told; None where none does."""
+    first, end = one.segment.span
+    return next((start for start in one.source.apart if first < start < end), None)
+
+
+def _done_next(sources: Sequence[Source], done: Sequence[dict[int, Part]], lexicon: Lexicon) -> list[Waiting]:
+    """Give what waits anew for its tree, behind who does it: "…, then lands"."""
+    return [
+        Waiting.of(position, source, part.segment, lexicon)
+        for position, (source, own) in enumerate(zip(sources, done, strict=True))
+        for part in done_next(source, own, lexicon)
+    ]
