@@ -46,3 +46,11 @@ def test_what_goes_on_for_days_is_planned_for_the_day_to_come(hours: float) -> N
     assert found[-1] == "22:00"
     assert "03:00" not in found
     assert len(found) <= 17
+
+
+def test_what_begins_far_ahead_goes_on_until_people_sleep() -> None:
+    for line in (
+        "Water the pit every hour from 2 pm on saturday",
+        "Saturday:\nwater the pit every hour from 2 pm",
+    ):
+        assert len(told(line.split("\n")).schedule.skills) == 9

@@ -11,6 +11,7 @@ from fuzzytime.requirement import Recurrence
 from fuzzytime.times import instant_after
 
 HOUR = 3600.0
+A_DAY = 24 * HOUR
 
 Window = tuple[float, float]
 
@@ -37,6 +38,16 @@ def within_hours(
     awake = recurrence.all_day or _is_awake(windows[0][0], given, policy)
     alike = [window for window in windows if _is_awake(window[0], given, policy) is awake]
     return tuple(_until_a_break(alike, passed, interval))
+
+
+def far_ahead(recurrence: Recurrence, until: float) -> tuple[Window, ...]:
+    """Give the first occurrence, however far away: "every monday"; and a day of what comes more often."""
+    ahead = A_DAY
+    while not (coming := recurrence.windows(min(ahead, until))) and ahead < until:
+        ahead *= 2
+    if coming and recurrence.interval is not None and recurrence.interval < A_DAY:
+        return tuple(recurrence.windows(min(coming[0][0] + A_DAY, until)))
+    return tuple(coming[:1])
 
 
 def _is_awake(time: float, given: datetime, policy: Policy) -> bool:

@@ -95,7 +95,8 @@ def _with_marks(words: Sequence[Word], hours: frozenset[int]) -> list[Word]:
     found: list[Word] = []
     for word in words:
         if word.start - 1 in hours and not word.glued:
-            found.append(Word(MARKS[" "], word.start, word.start, glued=False))
+            found += (Word(MARKS[" "], word.start, word.start, glued=False), replace(word, glued=True))
+            continue
         found.append(replace(word, text=MARKS["."]) if word.start in hours else word)
     return found
 
