@@ -146,12 +146,17 @@ def test_what_counts_or_is_a_name_is_no_hour_beside_them(line: str) -> None:
         ("Wool dyeing: 11.20", ["11:20"]),
         ("Sweep the yard 11", ["11:00"]),
         ("Phones on 11.30", ["11:30"]),
+        ("Lunch rush 12-2 no deliveries", ["12:00"]),
         ("Milk round 11", ["11:00"]),
+        ("Make-up: Ana 11.10, Tom 11.40", ["11:10", "11:40"]),
+        ("Bread: mix 11, bake 1.15, 30 min", ["11:00", "13:15"]),
+        ("Glue-up on the top 11.30, leave clamped for an hour", ["11:30"]),
+        ("Party of 14 at 7.30 pm, cake ten minutes after the doors", ["19:30", "12:10"]),
         ("Evening guests from 7 pm, first dance 7.30", ["19:00", "19:30"]),
     ],
 )
 def test_a_number_alone_is_an_hour_where_most_lines_say_when(line: str, hours: list[str]) -> None:
-    made = starts(told(["Open the hall at 9", "Rehearsal 10.15", "Tea at 10.45", line]))
+    made = starts(told(["Open the hall at 9", "Rehearsal 10.15", "Tea at 10.45", line, "Doors at noon"]))
     assert [made[name] for name in made if name.startswith("s4")][: len(hours)] == hours
 
 
@@ -178,3 +183,21 @@ def test_what_lines_say_is_hardly_before_the_day_of_those_above_begins() -> None
     found = starts(told([*lines, "Doors 6.45, concert 7.30"]))
     assert [found["s5"], found["s5.2"]] == ["18:45", "19:30"]
     assert "08:15" in starts(told([*lines[:2], "Doors 8.15"])).values()
+
+
+def test_what_a_line_below_a_day_says_next_may_be_shortly_before() -> None:
+    found = starts(told(["Thursday", "Open 9, lights on 8.45", "Towels at 9.30", "Perm at 11.30"]))
+    assert list(found.values()) == ["09:00", "08:45", "09:30", "11:30"]
+
+
+@pytest.mark.parametrize("line", ["Fish delivered 10.30", "Bread picked up at 10.30", "Noah collected 10.30"])
+def test_what_is_done_with_things_among_lines_with_times_is_to_come(line: str) -> None:
+    assert starts(told(["Open the hall at 9", "Tea at 9.45", line, "Lunch 12"]))["s3"] == "10:30"
+    assert "10:30" not in starts(told([line])).values()
+
+
+def test_who_awaits_a_delivery_does_other_things_too() -> None:
+    found = starts(
+        told(["Tea at 9", "Timber delivery 9.30-11.30", "Measure the stairs at 10", "Doors at 12"])
+    )
+    assert (found["s2"], found["s3"]) == ("09:30", "10:00")

@@ -41,6 +41,24 @@ def test_a_day_that_nothing_follows_is_a_time_alone() -> None:
     assert friday.text == "on friday"
 
 
+def test_a_bound_on_a_day_of_its_own_is_on_that_day() -> None:
+    (print_it,) = _times("Saturday:", "print the programmes by noon on friday")
+    assert [(part.constraint, part.latest) for part in print_it] == [(Constraint.BEFORE, 2 * DAY + 3 * 3600)]
+
+
+@pytest.mark.parametrize("title", ["Concert Saturday 7 March", "Saturday plot", "Sat 7 March lunch + dinner"])
+def test_a_first_line_with_a_day_heads_many_hours_whatever_it_names(title: str) -> None:
+    hours = ("doors open at 10", "tea at 11.30", "lunch at 1", "bar from 6 pm", "lock up at 10 pm")
+    *_, doors, tea, _, _, _ = _times(title, "order the cake by friday", *hours)
+    assert [part.earliest for part in doors + tea] == [3 * DAY + 3600, 3 * DAY + 2.5 * 3600]
+
+
+@pytest.mark.parametrize("title", ["Mow the lawn Saturday", "Call Ann saturday"])
+def test_an_order_for_a_day_heads_no_hours(title: str) -> None:
+    hours = ("doors open at 10", "tea at 11.30", "lunch at 1", "bar from 6 pm", "lock up at 10 pm")
+    assert _times(title, *hours)[1][0].earliest == 3600
+
+
 def test_what_a_day_above_holds_for_is_said() -> None:
     heading, _ = Language.shipped().read_all([("Friday", NOW), ("mow the lawn", NOW)])
     assert [remark.kind for remark in heading.remarks] == [RemarkKind.POLICY]

@@ -218,6 +218,9 @@ def test_nothing_is_said_to_be_unused_where_all_is_read() -> None:
         ("Paint the fence on bank holiday monday", ["monday"]),
         ("Paint the fence over the weekend", []),
         ("Visit the weekend market", []),
+        ("Ring dad on his birthday", ["on his birthday"]),
+        ("Paint the room over half term", ["over half term"]),
+        ("Plan the birthday party at six", []),
     ],
 )
 def test_days_that_are_not_known_are_pointed_at(text: str, left: list[str]) -> None:
@@ -343,9 +346,13 @@ def test_a_number_that_names_a_thing_is_not_pointed_at() -> None:
         ("dentist 3/15", "3/15"),
         ("call mum 15/3.", "15/3"),
         ("pay the rent 4/2026, please", "4/2026"),
+        ("call mum 2026-09", "2026-09"),
+        ("paint the fence, 2-4", "2-4"),
+        ("paint the fence on my birthday", "on my birthday"),
+        ("paint the fence on payday", "on payday"),
     ],
 )
-def test_numbers_that_may_be_a_date_or_hours_are_pointed_at(text: str, said: str) -> None:
+def test_what_may_be_a_date_or_hours_is_pointed_at(text: str, said: str) -> None:
     messages = [remark.message for remark in language().read(text, now=NOW).remarks]
     assert f"{said!r} looks like a time and was not understood" in messages
 

@@ -100,10 +100,15 @@ class BehindTimes(LookedUp):
 
     def _ends_in_number(self, piece: Piece) -> bool:
         """Whether it ends in a number of more than one: "by six", "at six or so"."""
-        if piece.end - piece.start == 1 or self.texts[piece.end - 1] in self.closed.singular_determiners:
+        # "At five or | six football"
+        alone = piece.end - piece.start == 1 and not self._follows_time(piece.start)
+        if alone or self.texts[piece.end - 1] in self.closed.singular_determiners:
+            return False
+        hedged = isinstance(piece.value, Said) and bool(piece.value.hedges)
+        if hedged and piece.value.preposition is None and self.is_counting(piece.end - 1):
+            # "Only 5 left"
             return False
         # A hedge behind the number ends it.
-        hedged = isinstance(piece.value, Said) and bool(piece.value.hedges)
         ends = range(piece.start if hedged else piece.end - 1, piece.end)
         # "On friday the thirteenth add a film night"
         dated = self.texts[piece.end - 2] == "the" and self.is_weekday(piece.end - 3)

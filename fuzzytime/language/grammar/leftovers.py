@@ -24,7 +24,7 @@ TELLING = frozenset(
 )
 """Categories of pieces that look like time."""
 
-WEEKEND = "weekend"
+WEEKEND, IN = "weekend", "in"
 
 LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
@@ -45,6 +45,8 @@ TYPED = ("n/n", "n/y", "y/n")
 
 DAY = "day"
 """What words of days end in: "holidays", "match days", "birthday"."""
+
+HOLIDAY = "holiday"
 
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
@@ -88,6 +90,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     yield from _halves(scanned, explained, lexicon)
     yield from _ones(scanned, explained, around)
     yield from _moments(scanned, explained, around)
+    yield from _untold(scanned, explained, around)
     yield from _typed(scanned, explained, around)
     yield from _left_out(scanned, explained, around)
     for start, cell in enumerate(scanned.cells):
@@ -216,6 +219,27 @@ def _moments(scanned: Scanned, explained: Sequence[Span], around: Surroundings) 
                 break
 
 
+def _untold(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of days of which nobody said when they are: "on his birthday", "over half term"."""
+    beside, texts = around.beside, around.texts
+    binding = beside.before_weekends - around.closed.prepositions_of_recipients | {IN}
+    for place, word in enumerate(scanned.words):
+        first = place - (" ".join(texts[max(0, place - 1) : place + 1]) in beside.untold_days)
+        untold = " ".join(texts[first : place + 1]) in beside.untold_days
+        untold = untold or (word.text.endswith(DAY) and not any(around.pieces(place)))
+        if not untold or _meets(explained, word, word):
+            continue
+        near = range(first - 1, max(-1, first - LONGEST_MOMENT), -1)
+        led = next((p for p in near if texts[p] in binding), -1)
+        behind = "".join(texts[place + 1 : place + 2])
+        more = behind.isalpha() and behind not in around.lexicon.function_words
+        if led < 0 or (more and not around.opens(led)) or (led == first - 1 and word.text == HOLIDAY):
+            # "Write it on my birthday card"; "book a week on holiday"
+            continue
+        if led == first - 1 or texts[led + 1] in around.closed.noun_openers:
+            yield from range(led, place + 1)
+
+
 def _typed(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
     """Give the places of two numbers that end what is asked for: "dentist 3/15", "book the court 12-2"."""
     lexicon = around.lexicon
@@ -223,9 +247,10 @@ def _typed(scanned: Scanned, explained: Sequence[Span], around: Surroundings) ->
     counted = numbered | lexicon.no_times.set_to | lexicon.function_words
     for piece in (piece for shape in TYPED for piece in scanned.pieces(shape)):
         first, last = scanned.words[piece.start], scanned.words[piece.end - 1]
-        before = around.before(piece)
+        comma = around.before(piece) == "," and piece.start > 1
+        before = around.texts[piece.start - 2] if comma else around.before(piece)
         named = before.isalpha() and counted.isdisjoint({before, before.removesuffix("s")})
-        ends = around.follower(piece) in around.beside.polite_ends | {""}
+        ends = around.follower(piece) in around.beside.polite_ends | around.closed.coordinators_of_days | {""}
         if named and ends and not first.glued and not _meets(explained, first, last):
             yield from range(piece.start, piece.end)
 

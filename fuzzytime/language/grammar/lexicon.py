@@ -152,6 +152,10 @@ class Lexicon:
         What is meant by words as they are often mistyped.
     clipped
         What may be meant by words whose last letter is left out or doubled: they are pointed at.
+    orders
+        Verbs of what is done at home, which trees may have for nouns: "order pizza", "bath ella".
+    called_by_number
+        What a number right behind is the name of: "room 12", "season 2".
     """
 
     entries: Mapping[str, tuple[Entry, ...]]
@@ -243,6 +247,15 @@ class Lexicon:
     transliterated: Names[Entry]
     usual_hours: Mapping[tuple[str, ...], Hours]
     policy: Policy = field(default_factory=Policy)
+    orders: frozenset[str] = field(init=False)
+    called_by_number: frozenset[str] = field(init=False)
+
+    def __post_init__(self) -> None:
+        alone = self.chores | self.ordering | self.alone | self.causing - self.wanting
+        orders = alone.union(self.doing.by_the_day, self.doing.by_then, self.doing.of_events)
+        object.__setattr__(self, "orders", orders)
+        numbered = self.measure_nouns | self.machines | self.no_times.numbered
+        object.__setattr__(self, "called_by_number", numbered)
 
     def pieces(self, words: Sequence[Word], start: int) -> Iterator[Piece]:
         """Give what the tables say of the words from one place on."""
@@ -255,17 +268,6 @@ class Lexicon:
                 yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
         for end, entry in self.transliterated.at(words, start):
             yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
-
-    @property
-    def orders(self) -> frozenset[str]:
-        """Verbs of what is done at home, which trees may have for nouns: "order pizza", "bath ella"."""
-        alone = self.chores | self.ordering | self.alone | self.causing - self.wanting
-        return alone.union(self.doing.by_the_day, self.doing.by_then, self.doing.of_events)
-
-    @property
-    def called_by_number(self) -> frozenset[str]:
-        """What a number right behind is the name of: "room 12", "season 2"."""
-        return self.measure_nouns | self.machines | self.no_times.numbered
 
     def means(self, text: str, *categories: str) -> bool:
         """Whether a word alone has a meaning of one of some categories: "friday" is a "weekday"."""

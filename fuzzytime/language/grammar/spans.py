@@ -26,7 +26,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.quotes import quotes_in
 from fuzzytime.language.grammar.timetables import holds_stretch
-from fuzzytime.language.grammar.typed_hours import clock_of_alarm, gone_by, lasting_on_day
+from fuzzytime.language.grammar.typed_hours import clock_of_alarm, going_on, gone_by, lasting_on_day
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Phrase
 
@@ -236,7 +236,9 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     for place in range(1, len(found)):
         found[place] = in_unit(found[place], found[place - 1], scanned.words, lexicon)
     found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]
-    found = [lasting_on_day(phrase, scanned.words, lexicon) for phrase in found]
+    found = [
+        going_on(lasting_on_day(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found
+    ]
     found = [
         gone_by(clock_of_alarm(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found
     ]

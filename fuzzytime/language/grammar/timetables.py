@@ -83,8 +83,10 @@ def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon)
     """
     if (start, end) == (0, len(words)):
         numbers = [word.text for word in words if word.is_digits]
-        hours = [int(text) for text in numbers if text[0] != "0" and int(text) <= HALF_DAY]
-        return len(hours) == len(numbers) == PAIR
+        hours = [int(text) for text in numbers if text[0] != "0" and int(text) <= DAY]
+        # "12-2", "14-16"; but "9-14"
+        alike = len({hour <= HALF_DAY for hour in hours}) == 1
+        return len(hours) == len(numbers) == PAIR and alike
     entries = [(_behind_day(words, first, last, lexicon), last) for first, last in _entries(words)]
     if not any((first == start and end < last) or (first < start and end == last) for first, last in entries):
         return False

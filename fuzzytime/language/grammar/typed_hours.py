@@ -1,4 +1,4 @@
-"""Hours and minutes typed as "1h30", or "1:30 h": how long something takes, or a clock time."""
+"""Hours, and minutes, typed as "8h", "1h30", or "1:30 h": how long something takes, or a clock time."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -12,6 +12,9 @@ from fuzzytime.requirement import Constraint, Unit
 
 NOUN = 3
 """Words behind a preposition among which its noun is."""
+
+HALF_DAY = 12
+"""Hours that something goes on for at most, where they may be of a clock: "8h"."""
 
 FEW_HOURS = 8
 """Hours below which they are how long, where a day stands beside; others are of a clock."""
@@ -33,6 +36,24 @@ def lasting_on_day(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> P
     return replace(
         phrase, said=replace(said, time=replace(wall, clock=None), preposition=None, lasting=length)
     )
+
+
+def going_on(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
+    """Read hours with an h as how long something goes on: "soak the beans 12h"; but "dentist 9h"."""
+    said, wall = phrase.said, phrase.said.time
+    clock = wall.clock if isinstance(wall, Wall) and said.preposition is None else None
+    typed = [word.text for word in words[phrase.first + 1 : phrase.first + 2]] == ["h"]
+    if not isinstance(wall, Wall) or clock is None or not typed or clock.minute or clock.hour > HALF_DAY:
+        return phrase
+    goes_on = lexicon.lasting - lexicon.doing.errands
+    goes_on |= lexicon.timing | lexicon.timing_alone | lexicon.doing.resting
+    happens = lexicon.happening | lexicon.taken | lexicon.addressing
+    if (goes_on - happens).isdisjoint(word.text for word in words[: phrase.first]):
+        return phrase
+    length = Duration(((clock.hour, Unit.HOUR),))
+    if wall.days is None and wall.part is None:
+        return replace(phrase, said=replace(said, time=length, constraint=Constraint.FOR))
+    return replace(phrase, said=replace(said, time=replace(wall, clock=None), lasting=length))
 
 
 def clock_of_alarm(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:

@@ -149,6 +149,7 @@ class BesideTimes:
     """Words around a time, and around its lengths, by what they make of it: ``beside_times``."""
 
     before_weekends: Words
+    untold_days: Words
     switched: Words
     ordinal_endings: Words
     restricting: Words
@@ -258,6 +259,7 @@ class BesideTimes:
     listing: Words
     lists: Words
     open_things: Words
+    awaited_in_a_stretch: Words
     sites: Words
     things_in_days: Words
     turnings: Words
@@ -298,6 +300,7 @@ class NoTimes:
     spelling: Words
     writing: Words
     speaking: Words
+    sending: Words
     works: Words
     naming: Words
     meaning: Words

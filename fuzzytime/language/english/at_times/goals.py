@@ -5,6 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.clock_times.clocks import with_half
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.days.relations import Away, days_away
 from fuzzytime.language.meaning.expressions import (
@@ -48,6 +49,7 @@ def goal(time: Time) -> Goal:
     "this|same time on? <days>|<date>",
     "at? the? same time on? <days>|<date>",
     "<days> at? this|the same? time",
+    "<days>|<date> ,? same time",
     weight=0.3,
 )
 def same_time(days: Calendar) -> SameTime:
@@ -276,10 +278,12 @@ def _hedged_days(duration: Duration, anchor: Calendar, direction: int) -> Goal |
     return side(nearest, replace(duration, hedges=()), Goal(Wall(anchor), duration.hedges))
 
 
-@grammar.rule("goal", "<goal> ,? give or take <duration>", weight=0.6)
+@grammar.rule("goal", "<goal> ,? give or take <duration>|<integer>", weight=0.6)
 @grammar.rule("goal", "<goal> plus|+ or|/? minus|- <duration>", "<goal> ± <duration>", weight=0.6)
-def give_or_take(goal: Goal, width: Duration) -> Goal | None:
-    """Ten, give or take five minutes: on either side."""
+def give_or_take(goal: Goal, width: Duration | Integer) -> Goal | None:
+    """Ten, give or take five (minutes): on either side."""
+    if isinstance(width, Integer):
+        width = Duration(((width.value, Unit.MINUTE),))
     clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
     return near(width, _as_hour(goal)) if clocked else None
 

@@ -112,7 +112,7 @@ def this_or_next(which: Which, series: Calendar) -> Calendar | None:
     return None if isinstance(series, Workday) and which is Which.THIS else Deictic(which, series)
 
 
-@grammar.rule("days", "midweek", "midweek <days>", weight=0.5)
+@grammar.rule("days", "midweek <days>?", "mid -? week <days>?", weight=0.5)
 def midweek(week: Calendar | None = None) -> Calendar:
     """Midweek: the middle days of the week."""
     return Share(*MIDDLE, week or Cycle(Unit.WEEK))

@@ -123,7 +123,7 @@ def day_of_month(day: int, month: Calendar) -> Calendar | None:
     return Nth(day, Cycle(Unit.DAY), month) if month.grain is Unit.MONTH else None
 
 
-@grammar.rule("date", "week <integer> of? <whole>?", weight=0.1)
+@grammar.rule("date", "calendar? week|wk <integer> of? <whole>?", weight=0.1)
 def numbered_week(number: Integer, outer: Calendar | None) -> Calendar | None:
     """Week 27 of last year."""
     if not 1 <= number.value <= 53:

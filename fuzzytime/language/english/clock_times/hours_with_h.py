@@ -32,12 +32,12 @@ def spaced_with_h(hour: Integer, minute: Integer) -> Clock | None:
 
 @grammar.rule("clock", "<integer> h", weight=-0.2)
 def hour_with_h(hour: Integer) -> Clock | None:
-    """15h, 1830h; but 3h alone is a length."""
+    """15h, 1830h; but 3h alone is a length, and so is 24h."""
     if len(hour.digits) == FULL_DIGITS:
         return military(hour)
     return (
         Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True)
-        if hour.digits and EARLIEST_WITH_H <= hour.value <= 24
+        if hour.digits and EARLIEST_WITH_H <= hour.value < 24
         else None
     )
 

@@ -130,6 +130,18 @@ def so_many_parts(number: Integer, part: Part) -> Repeat | None:
     return replace(every_part(part), until=Offset(Duration(((number.value, Unit.DAY),))))
 
 
+@grammar.rule("repeat", "for|over|on the? next|coming? <integer> <weekdays>", weight=0.8)
+@grammar.rule("repeat", "for|over|on the? next|coming? <integer> weekends", weight=0.8)
+@grammar.rule(
+    "repeat", "the? next|coming <integer> <weekdays>", "the? next|coming <integer> weekends", weight=0.8
+)
+def so_many_weeks(number: Integer, weekday: int | None = None) -> Repeat | None:
+    """For the next three mondays, for three weekends."""
+    days = weekends() if weekday is None else every_weekday(weekday)
+    weeks = Offset(Duration(((number.value, Unit.WEEK),)))
+    return replace(days, until=weeks) if 1 < number.value <= LONGEST_MONTH else None
+
+
 @grammar.rule("repeat", "<share> every|each single? <part>", "every|each <part> ,? <share>", weight=0.4)
 def early_every_part(first: tuple[float, float] | Part, second: Part | tuple[float, float]) -> Repeat | None:
     """First thing every morning, late every evening."""

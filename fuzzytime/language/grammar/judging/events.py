@@ -78,7 +78,9 @@ class Events:
             return False
         before = self.around.before(piece)
         given = before in self.lexicon.moving or before in self.lexicon.appointing
-        return given and self.around.is_part(piece.start)
+        # "Meeting noon to 2pm" is until then.
+        parts = (one.value for one in self.around.pieces(piece.start) if one.category == "part")
+        return given and any(not part.is_point for part in parts)
 
     def _is_in_name(self, piece: Piece) -> bool:
         """Whether its part of the day is in the name of what happens then: "after the night shift, sleep"."""

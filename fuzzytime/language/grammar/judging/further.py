@@ -38,7 +38,9 @@ class Further(Standing):
         place = piece.end + 1
         if not isinstance(time, (Wall, Range)) or place >= len(self.words):
             return []
-        if isinstance(time, Range) or time.clock is None:
+        if isinstance(time, Range):
+            return self._further_stretches(piece, cells, chosen) or self._further_days(piece, cells, chosen)
+        if time.clock is None:
             return self._further_days(piece, cells, chosen)
         run_on = self.run_on.behind(time.clock, piece.end) if _is_open(piece) else []
         if run_on:
@@ -63,6 +65,15 @@ class Further(Standing):
         if joint == THEN and found and self.around.follower(found[0]) not in ENDS:
             return []
         return found + [more for one in found for more in self.continued(one, cells, chosen)]
+
+    def _further_stretches(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
+        """Give the stretch of hours behind another: "from 9 to 12 and 1 to 5"."""
+        joint, place = self._joined(piece.end)
+        if not joint or place >= len(self.words) or any(one.start == place for one in chosen):
+            return []
+        hours = cells[place].get("hours open", {}).values() if _has_hours(piece) else ()
+        found = [replace(p, category="said") for p in hours if _has_hours(p) and self.around.may_end(p)][:1]
+        return found + [more for one in found for more in self._further_stretches(one, cells, chosen)]
 
     def _joined(self, place: int) -> tuple[str, int]:
         """Give what joins a further time at a place, and where that begins: "or" of "at nine, or | ten"."""
@@ -105,6 +116,13 @@ def _is_day_of_month(piece: Piece) -> bool:
     wall = time.first if isinstance(time, Range) else time
     days = wall.days if isinstance(wall, Wall) else None
     return isinstance(days, Fields) and days.is_day_of_month
+
+
+def _has_hours(piece: Piece) -> bool:
+    """Whether it is from one time of day to another."""
+    time = piece.value.time
+    ends = (time.first, time.last) if isinstance(time, Range) else ()
+    return bool(ends) and all(isinstance(end, Wall) and end.clock is not None for end in ends)
 
 
 def _is_clocked(piece: Piece) -> bool:

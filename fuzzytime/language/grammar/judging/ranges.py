@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from fuzzytime.english import singular
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.meaning.calendar import Fields
@@ -58,11 +59,18 @@ class Ranges(Standing):
             # "Keep it above 15 until the end of april"
             return False
         if ends and all(end.bare or end.weak for end in ends):
-            between = said.preposition == "between" and (said.denied or self._binds(piece))
             # "Book a room from the 10th to the 12th", "let the flat from may to august"
             dated = all(isinstance(end.days, Fields) for end in ends)
-            return between and (dated or not self.measures.measured(piece)) and self.around.may_end(piece)
+            bound = said.denied or self._binds(piece) or (dated and self._has_dash(piece))
+            # "Book a room from lunch to dinner"
+            sure = not any(end.bare for end in ends) or not self.measures.measured(piece)
+            return said.preposition == "between" and bound and sure and self.around.may_end(piece)
         return True
+
+    def _has_dash(self, piece: Piece) -> bool:
+        """Whether a dash joins days of a month, or months: "3rd-5th", "june-august"; not "rows 3rd-5th"."""
+        named = {self.around.before(piece), singular(self.around.before(piece))}
+        return "-" in self.texts[piece.start : piece.end] and named.isdisjoint(self.lexicon.called_by_number)
 
     def _is_meal_until(self, piece: Piece, time: Range) -> bool:
         """Whether a meal is served until then: "serve lunch until three", not "tomorrow lunch to two"."""

@@ -10,7 +10,7 @@ ASKED = "what"
 TOPICAL = frozenset({"about", "of"})
 """Prepositions before what is spoken of."""
 
-SAY = "say"
+SAY, ABOUT, TO = "say", "about", "to"
 CONVERT = "convert"
 
 RECKONED = frozenset({("what", "is"), ("what's",), ("how", "much", "is"), ("how", "long", "is")})
@@ -18,6 +18,9 @@ RECKONED = frozenset({("what", "is"), ("what's",), ("how", "much", "is"), ("how"
 
 FAR = 4
 """Words of a question before the word that is asked about, at most."""
+
+FARTHEST = 6
+"""Words from a verb of speaking to what is spoken of, at most: "ring the vet at six about monday"."""
 
 LONGEST_HAVING = 3
 """Words of what has units of time, with its preposition: "of the week"."""
@@ -59,13 +62,17 @@ def _is_topic(piece: Piece, around: Surroundings) -> bool:
         return False
     if texts[joint - 1] in kinds.works:
         return True
-    verb = joint - 1
-    if around.words[verb].capital or texts[verb] in around.closed.object_pronouns | around.lexicon.persons:
-        verb -= 1
-        verb -= texts[max(0, verb)] in around.closed.noun_openers
-    said = piece.value
-    clocked = isinstance(said, Said) and isinstance(said.time, Wall) and said.time.clock is not None
-    return verb >= 0 and texts[verb] in kinds.speaking and around.opens(verb) and not clocked
+    said = piece.value.time if isinstance(piece.value, Said) else None
+    clocked = isinstance(said, Wall) and said.clock is not None
+    dated = isinstance(said, Wall) and said.days is not None
+    verbs = kinds.speaking | (kinds.sending if dated and texts[joint] == ABOUT else frozenset())
+    first = next((p for p in range(joint - 1, max(-1, joint - FARTHEST - 1), -1) if texts[p] in verbs), None)
+    if first is None or clocked or not (around.opens(first) or texts[first - 1] == TO):
+        return False
+    # "Ring mum tonight about sunday", "talk to Ann about friday"; but "ask Ann to come about friday"
+    parting = around.closed.coordinators | {TO}
+    between = texts[first + 1 + (texts[first + 1] == TO) : joint]
+    return parting.isdisjoint(between) and all(text.isalpha() for text in between)
 
 
 def _is_called(piece: Piece, around: Surroundings) -> bool:

@@ -73,6 +73,8 @@ class Walls(Standing):
             ends = self.around.may_end(piece) and self.around.follower(piece) != "of"
             return said.preposition not in {None, "to"} and ends
         alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
+        # "Check the baby in the night"
+        alone = alone and (wall.part is None or not led)
         entered = self._is_listed(piece) or self._heads_entry(piece) or self._ends_entry(piece)
         return not alone or (weekly and entered)
 
@@ -281,10 +283,15 @@ class Walls(Standing):
             follower = self.around.follower(piece)
             ends = follower in {""} | self.beside.behind_things
             # "First thing water the plants"
-            led = self.around.opens(piece.start) and "the" not in self.texts[piece.end - 3 : piece.end]
-            return not ends and not (
-                led and follower.isalpha() and follower not in self.lexicon.function_words
-            )
+            bare = "the" not in self.texts[piece.end - 3 : piece.end]
+            if bare and follower == "to" and self.around.before(piece) in self.closed.object_pronouns:
+                # "Remind me first thing to water the plants"
+                return False
+            led = self.around.opens(piece.start) and follower.isalpha()
+            led = led and follower not in self.lexicon.function_words
+            # "Phone Ann first thing about the bins"
+            more = follower in self.closed.prepositions_behind_times
+            return not ends and not (bare and (led or more))
         served = self.is_ambiguous(piece.end - 1) or not self.around.may_end(piece)
         greeting = self.around.before(piece) in self.beside.greeting and (
             wall.clock is None or wall.days is not None

@@ -54,8 +54,9 @@ class WeakWalls(Standing):
             return False
         ends = self.around.follower(piece) in self.beside.polite_ends | {""}
         if self.around.opens(place):
-            # "Dentist the 9th"; but "call the 9th"
-            return ends and has_time(before, self.lexicon) and before not in self.lexicon.orders
+            # "Dentist the 9th"; but "call the 9th", "Henry the 8th"
+            met = has_time(before, self.lexicon) and before not in self.lexicon.names
+            return ends and met and before not in self.lexicon.orders
         if before in self.closed.object_pronouns | self.lexicon.persons or self.words[place].capital:
             # "Call Bob the 9th", "remind me the 9th to call him", but "show Bob the 9th"
             called = self.texts[place - 1] in self.lexicon.addressing
@@ -63,8 +64,10 @@ class WeakWalls(Standing):
         return ends and before not in self.lexicon.function_words | self.lexicon.called_by_number
 
     def _begins_at_meal(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        """Whether more than "from" makes a meal a start: "any time from lunch", not "dishes from lunch"."""
-        led = said.constraint is Constraint.AFTER and self.texts[piece.start] != said.preposition
+        """Whether more than "from" makes a meal a start: "starting from lunch", not "dishes from lunch"."""
+        first, second = self.texts[piece.start], {*self.texts[piece.start + 1 : piece.end]}
+        more = first != said.preposition or not second.isdisjoint(self.beside.binding_ranges)
+        led = said.constraint is Constraint.AFTER and more
         return led and wall.part is not None and not wall.part.place
 
     def _is_left_out(self, piece: Piece) -> bool:

@@ -15,6 +15,9 @@ FOLLOWING = timedelta(hours=6)
 CLOSE = timedelta(hours=3)
 """The same where another text said that clock time, as lines need not be in the order of the day."""
 
+SHORTLY = timedelta(hours=1)
+"""How long before a clock time the next one of a text may be, where nothing follows the first."""
+
 EVENING = time(19)
 """From here on, what lines say goes on into the night."""
 
@@ -73,6 +76,9 @@ def _following(
     known = plausible if here.listed or here.carried or here.usual else moments
     within = CLOSE if here.carried and not here.in_order else FOLLOWING
     follows = [moment for moment in known if since < moment <= since + within]
+    if not follows and not here.carried and not here.onto:
+        # "Open at nine, lights on at 8.45"
+        follows = [moment for moment in plausible if since - SHORTLY <= moment < since]
     if wall.days is not None and not here.carried:
         # "On friday mow at ten and rake at six": the six of that day that follows, however late.
         follows += [moment for moment in plausible if since < moment]

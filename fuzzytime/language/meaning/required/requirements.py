@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from datetime import timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
+from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -209,6 +210,9 @@ class _Grounder:
         here = replace(self.moment.grounding(zone), lasting=lasting, ends=ends, opens=opens)
         time = at_middle(time) if self.said.constraint in {Constraint.BEFORE, Constraint.AFTER} else time
         found = here.instants(time)
+        if isinstance(time, Wall) and _is_at_place(time) and self._has_begun(time, found, zone):
+            # "Before work", said at work: before that of tomorrow.
+            found = here.instants(replace(time, days=Relative(1)))
         if self.said.preposition == "since" and isinstance(time, Wall):
             found = since(here, time, found)
         start, end = self._bounds(time, found, zone)
@@ -297,6 +301,11 @@ class _Grounder:
         part = time.part if isinstance(time, Wall) else None
         # A meal is something that begins: "no later than lunch".
         return part is not None and (self.said.edge is Edge.DUE or part.meal)
+
+
+def _is_at_place(wall: Wall) -> bool:
+    """Whether it is a part of any day that somebody is somewhere: "school"."""
+    return wall.part is not None and wall.part.place and wall.days is None
 
 
 def _bounded(said: Said) -> Said:

@@ -121,8 +121,12 @@ def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
                 word=None if measured else last.lower,
                 hedges=() if measured else tuple(node.lower for node in hedges),
             )
-    subject = [node.lower for node in said[:-2] if node.tag not in ANY_DETERMINERS]
-    if not subject or said[-2].tag != POSSESSIVE:
+    mark = next((p for p in reversed(range(len(said) - 1)) if said[p].tag == POSSESSIVE), 0)
+    subject = [node.lower for node in said[:mark] if node.tag not in ANY_DETERMINERS]
+    # "Everyone's in bed", "mum's back from work"
+    whereabouts = tree.lexicon.places | tree.lexicon.closed.adverbs_of_arrival
+    where = said[mark + 1].lower in whereabouts and not said[-1].tag.startswith("VB")
+    if not subject or not (where or mark == len(said) - SHORTEST_BEING):
         return None
     return Condition(text=text, subject=" ".join(subject), word=said[-1].lower)
 

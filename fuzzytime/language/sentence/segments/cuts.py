@@ -15,7 +15,7 @@ from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_le
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node
 from fuzzytime.language.sentence.verbs.actions import action_of
 from fuzzytime.language.sentence.verbs.called import person_due
@@ -115,6 +115,7 @@ def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
         pieces = _around(one, part, start, lexicon)
         if pieces:
             whole = _begins_order(one, part, start) or _is_told(one, start, lexicon)
+            whole = whole or _is_back(one, part, start, lexicon)
             return [pieces[0], replace(pieces[1], verbless=not whole and not _happens(part, lexicon))]
     return []
 
@@ -170,16 +171,14 @@ def _happens(part: Part, lexicon: Lexicon) -> bool:
 
 
 def _begins_order(one: Waiting, part: Part, start: int) -> bool:
-    """Whether what was taken for another thing is to be done: "and dust the shelves at ten"."""
+    """Whether what was taken for another thing is to be done: "thaw it for 2 min, spin at 300 g for 5"."""
     place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
     if place is None or place + 1 >= len(part.tree.nodes):
         return False
-    node, behind = part.tree.nodes[place], part.tree.nodes[place + 1]
-    counted = behind.tag == "IN" and any(n.tag == "CD" for n in part.tree.nodes[place + 2 : place + 3])
-    # "Thaw the cells for 2 min, spin at 300 g for 5"
-    measured = counted and bool(part.tree.nodes[place + 3 : place + 4]) and not node.tag.startswith("NNP")
-    led = behind.tag in DETERMINERS or measured or _is_terse(one, part, place)
-    return node.may_act and node.lower == node.lemma and led
+    node, behind, *further = part.tree.nodes[place : place + 4]
+    counted = behind.tag == "IN" and bool(further) and further[0].tag == "CD"
+    measured = counted and len(further) > 1 and not node.tag.startswith("NNP")
+    return node.may_act and node.lower == node.lemma and (measured or _is_terse(one, part, place))
 
 
 def _is_terse(one: Waiting, part: Part, place: int) -> bool:
@@ -201,6 +200,15 @@ def _is_told(one: Waiting, start: int, lexicon: Lexicon) -> bool:
     before = [p.first for p in one.source.phrases if p.span[0] > start and p.first]
     last = one.source.scanned.words[min(before) - 1] if before else None
     return last is not None and last.start > start and last.text in lexicon.doing.timed
+
+
+def _is_back(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:
+    """Whether somebody is somewhere again, and nothing is put there: "leave at eight, back about noon"."""
+    again = lexicon.closed.adverbs_of_repetition & lexicon.particles.keys()
+    root = part.tree.root
+    acts_on = part.tree.children(root, "dobj") and not part.tree.children(root, *SUBJECTS)
+    back = any(word.start == start and word.text in again for word in one.source.scanned.words)
+    return back and not acts_on
 
 
 def _denied_list(one: Waiting, starts: Sequence[int], lexicon: Lexicon) -> list[Segment]:

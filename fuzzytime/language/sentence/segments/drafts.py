@@ -86,8 +86,9 @@ class Draft:
 
     ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
     of its parts, nor are ``messages``, which somebody is told. ``heading`` is the time that a line above
-    names for it; one that ``leads`` names that of the lines below. ``instances`` are several of one kind,
-    of which each has a time, ``orders`` the words that say where something comes among others.
+    names for it; one that ``leads`` names that of the lines below, and a ``listed`` one is among lines with
+    times. ``instances`` are several of one kind, of which each has a time, ``orders`` the words that say
+    where something comes among others.
     """
 
     text: str
@@ -101,6 +102,7 @@ class Draft:
     messages: tuple[Message, ...] = ()
     heading: Heading | None = None
     leads: bool = False
+    listed: bool = False
     instances: Instances = NONE
     orders: tuple[tuple[Span, Order], ...] = ()
 
@@ -137,13 +139,14 @@ def drafted(
     together: bool,
 ) -> list[Draft]:
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
-    sources, steps, asides, several, messages, tags = [], [], [], [], [], []
+    sources, steps, asides, several, messages, tags, listed = [], [], [], [], [], [], []
     timed = how_timed([text for text, _ in texts], lexicon) if together else Timed.NO
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         tags.append(leading_tags(text))
         own = max(timed, how_timed([text], lexicon))
+        listed.append(own)
         plain = blanked(without_marks(text, marks), tags[-1])
         plain = without_colons(plain, lexicon, own) if own else plain
         plain = blanked(plain, leading_labels(plain, lexicon))
@@ -179,9 +182,10 @@ def drafted(
             told,
             instances=each,
             orders=s.orders,
+            listed=many is Timed.MOST,
         )
-        for (text, _), s, own, step, aside, told, each, tagged in zip(
-            texts, sources, parts, steps, asides, messages, several, tags, strict=True
+        for (text, _), s, own, step, aside, told, each, tagged, many in zip(
+            texts, sources, parts, steps, asides, messages, several, tags, listed, strict=True
         )
     ]
 

@@ -9,7 +9,7 @@ from itertools import pairwise, takewhile
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Wall
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.what_is_told import is_of_telling, recalled_from, told_from
 from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS, SUBJECTS
@@ -22,6 +22,10 @@ NAMING = ("NN", "PRP", "DT", "CD")
 """How tags begin of what a relative clause says more of: "the film that starts at eight"."""
 WITH = "with"
 ARTICLES = frozenset({"a", "an", "one"})
+
+TO = "to"
+WHEN = frozenset({None, Constraint.AT})
+"""How times bind that say when something is done."""
 
 BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 
@@ -39,7 +43,8 @@ def elsewhere(
     own = said is not None and any(place is None or place < said for place in starts.values())
     if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
         said = recalled_from(part, action)
-    found = _of_moved(part, phrases, action, lexicon) + _of_prepared(part, phrases, action)
+    found = _of_moved(part, phrases, action, lexicon) + _of_aim(part, phrases, action)
+    found += _of_prepared(part, [phrase for phrase in phrases if phrase not in found], action)
     found += _of_inner(part, phrases) + _of_subject(part, phrases, action, told=told)
     past: int | None = None
     for phrase in phrases:
@@ -146,6 +151,29 @@ def _of_moved(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
         return []
     behind = nodes[several[-1]].end + part.offset
     return [phrase for phrase in phrases if behind <= phrase.span[0] <= behind + 1]
+
+
+def _of_aim(part: Part, phrases: Sequence[Phrase], action: Action) -> list[Phrase]:
+    """Give when that is which something else is for: "remind me tonight to call Bob tomorrow"."""
+    nodes = part.tree.nodes
+    aims = (
+        p for p in range(action.place + 2, len(nodes) - 1) if nodes[p].lower == TO and nodes[p + 1].is_bare
+    )
+    to = next((nodes[p].start + part.offset for p in aims if nodes[p].head == p + 1), None)
+    own = [phrase for phrase in phrases if to is not None and phrase.span[0] < to]
+    return [
+        phrase for phrase in phrases if phrase not in own and any(_is_another(one, phrase) for one in own)
+    ]
+
+
+def _is_another(first: Phrase, second: Phrase) -> bool:
+    """Whether two times both name a day, or both an hour, so that one does not say more of the other."""
+    moments = [phrase.said.time for phrase in (first, second) if phrase.said.constraint in WHEN]
+    walls = [time for time in moments if isinstance(time, Wall)]
+    if len(walls) < len(moments) == 2:
+        return all(isinstance(time, (Wall, Offset, Duration)) for time in moments)
+    both = len(walls) == 2
+    return both and any(all(getattr(wall, said) is not None for wall in walls) for said in ("days", "clock"))
 
 
 def _of_prepared(part: Part, phrases: Sequence[Phrase], action: Action) -> list[Phrase]:

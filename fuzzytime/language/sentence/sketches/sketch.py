@@ -187,7 +187,8 @@ def _happening(
     heard = [*places, *(place for clause in clauses for place in _at(part, clause))]
     # "Dog walked this morning" may be news.
     news = {place for p in phrases for place in _at(part, p) if p.said.is_day} - due - moments
-    so = due_by_then(part.tree, due, moments, [place for place in heard if place not in news], lexicon)
+    heard_now = [place for place in heard if place not in news]
+    so = due_by_then(part.tree, due, moments, heard_now, lexicon, listed=draft.listed)
     if so is not None and not part.segment.verbless:
         return so.moved(part.offset)
     if part.segment.verbless or not timed:

@@ -22,13 +22,20 @@ PLURALS = frozenset({"NNS", "VBZ"})
 
 
 def due_by_then(
-    tree: Tree, due: Collection[int], moments: Collection[int], timed: Collection[int], lexicon: Lexicon
+    tree: Tree,
+    due: Collection[int],
+    moments: Collection[int],
+    timed: Collection[int],
+    lexicon: Lexicon,
+    *,
+    listed: bool = False,
 ) -> Operation | None:
     """Give what a thing must have become, or where it must be, by the deadline right behind that.
 
     Nothing but times stands behind; ``due`` are the places of the deadline, ``timed`` those of all times. At
     one of ``moments`` all of a kind must be somewhere, and things put off, out or down. At any other time
-    something must be done with things that have no article: "actors called for 14:00".
+    something must be done with things that have no article: "actors called for 14:00"; and at a moment where
+    it is ``listed`` among what is to come: "fish delivered 9.30", "Ella dropped off 8.15".
     """
     nodes = tree.nodes
     whole = bool(nodes) and nodes[0].lower in lexicon.closed.universal_determiners and len(nodes) > 1
@@ -37,11 +44,14 @@ def due_by_then(
     behind = (place for place in range(end, len(nodes)) if nodes[place].relation != "punct")
     if end not in timed or any(place not in timed for place in behind):
         return None
-    state = _state(nodes[:end], lexicon)
+    state = _state(nodes[:end], lexicon, listed=listed)
     if state <= first or _is_ordered(nodes[first:state], lexicon):
         return None
-    headlined = nodes[state].tag in PARTICIPLES and not first and nodes[0].tag in HEADLINED
-    wished = _is_wished(nodes[:end], state, lexicon) if end in moments else headlined
+    headlined = (
+        nodes[state].tag in PARTICIPLES and not first and nodes[0].tag in (NOUNS if listed else HEADLINED)
+    )
+    wished = headlined and (listed or end not in moments)
+    wished = wished or (end in moments and _is_wished(nodes[:end], state, lexicon))
     if end not in due and not wished:
         return None
     thing = tree.text[nodes[0].start : nodes[state - 1].end]
@@ -59,12 +69,12 @@ def due_by_then(
     return Operation(verb=BE, lemma=BE, span=span, object=thing, place=said, due=MUST)
 
 
-def _state(nodes: Sequence[Node], lexicon: Lexicon) -> int:
+def _state(nodes: Sequence[Node], lexicon: Lexicon, *, listed: bool) -> int:
     """Give where it begins what is so by then: at what is done last, or else where it is; 0 for nothing."""
     last = len(nodes) - 1
     # "Miked up"
     last -= last > 1 and nodes[last].lower in lexicon.particles and nodes[last - 1].tag in PARTICIPLES
-    if last > 0 and _is_done(nodes[last], nodes[last - 1], lexicon):
+    if last > 0 and _is_done(nodes[last], nodes[last - 1], lexicon, listed=listed):
         both = last > 2 and nodes[last - 1].lower in {"and", "&"} and nodes[last - 2].tag in PARTICIPLES
         # "Washed and hoovered"
         return last - 2 if both else last
@@ -95,12 +105,12 @@ def _is_wished(nodes: Sequence[Node], state: int, lexicon: Lexicon) -> bool:
     return away and things[-1].tag in PLURALS and known.isdisjoint(node.lower for node in things)
 
 
-def _is_done(node: Node, before: Node, lexicon: Lexicon) -> bool:
+def _is_done(node: Node, before: Node, lexicon: Lexicon, *, listed: bool) -> bool:
     """Whether a word is what is done with something: "fed"; but "mum arrived" by herself."""
     comes = lexicon.intransitive | lexicon.doing.arriving | lexicon.doing.leaving
     done = node.tag == "VBN" or (node.tag == "VBD" and node.lower != node.lemma)
     # "Ann called by six" may tell what was.
-    done = done and not (node.tag == "VBD" and before.tag == "NNP")
+    done = done and (listed or not (node.tag == "VBD" and before.tag == "NNP"))
     return done and (node.lemma not in comes or before.lower in lexicon.animals)
 
 

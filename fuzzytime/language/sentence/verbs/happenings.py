@@ -132,7 +132,7 @@ def happening_at(
     """Give what happens, which a tree's root names beside its time.
 
     Who speaks takes part in what keeps people from all else, and in what is said from when to when, unless
-    that goes on around other work.
+    that goes on around other work, or is awaited.
     """
     node = tree.nodes[root]
     spans = any(phrase.said.constraint is Constraint.BETWEEN or is_window(phrase) for phrase in phrases)
@@ -148,7 +148,7 @@ def happening_at(
         .removesuffix("'s")
         .removesuffix("\u2019s"),
         stated=True,
-        attended=node.lower not in lexicon.frames
+        attended=node.lower not in lexicon.frames | lexicon.beside.awaited_in_a_stretch
         and (spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening)),
     )
 

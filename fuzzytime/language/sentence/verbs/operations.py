@@ -17,7 +17,7 @@ AIMS = ("advcl", "xcomp", "acl", "relcl")
 NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
 
-IF, FIND = "if", "find"
+IF, WHEN, FIND = "if", "when", "find"
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +147,7 @@ class Reader(Particles):
         level = [*level, *self._let(verb)]
         direct = [p for p in found if p > verb and p not in level and not self._is_apart(p)]
         direct = [p for p in direct if not self.names_company(p)]
-        yield self.words([p for p in direct if not self.timed(p) or self._is_joined(p)], verb)
+        yield self.words([p for p in direct if not self.timed(p)], verb)
         yield self._inquired(verb)
         # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
         named = self.words(direct, verb)
@@ -166,8 +166,9 @@ class Reader(Particles):
             # "Turn off oven": without an article, the tree has the thing for an adverb.
             near = [p for p in self.tree.children(verb, "advmod") if p == verb + 2 and not self.timed(p)]
             yield [p for p in near if self.tree.nodes[p].lower not in self.lexicon.places]
-        # "Clear it away": a pronoun behind the verb was taken for who does it.
+        # "Clear it away": a pronoun behind the verb was taken for who does it, "put both away" for how much.
         yield [p for p in self.tree.children(verb, *SUBJECTS) if p == verb + 1]
+        yield [p for p in range(verb + 1, verb + 2) if self._are_all(p)]
         yield self.numbers_from(verb + 1)
         if particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
@@ -175,13 +176,16 @@ class Reader(Particles):
 
     def _inquired(self, verb: int) -> list[int]:
         """Give what is found out: "check if the parcel is there", which trees take for a condition."""
-        node = self.tree.nodes[verb]
-        if node.lemma not in self.lexicon.doing.inquiring | {FIND}:
+        node, words = self.tree.nodes[verb], self.tree.nodes[verb : verb + 2]
+        found = " ".join(word.lower for word in words) in self.lexicon.doing.finding_out
+        if not found and node.lemma not in self.lexicon.doing.inquiring | {FIND}:
             return []
+        # "Find out when the next bus leaves"
+        marks = {IF, WHEN} if found else {IF}
         asked = (
             p
             for p in self.tree.children(verb, "advcl", "ccomp")
-            if any(self.tree.nodes[mark].lower == IF for mark in self.tree.children(p, "mark"))
+            if any(self.tree.nodes[m].lower in marks for m in self.tree.children(p, "mark", "advmod"))
         )
         return self.words([p for p in asked if p > verb], verb)
 
@@ -194,9 +198,7 @@ class Reader(Particles):
         # "Text Jo Smith at five"
         owned += [p for p in near if self.tree.children(p, "det") or self.tree.nodes[p].tag == "NNP"]
         named = owned or [p for p in names if p == behind and self._is_named(p)]
-        # "Walk the dog morning and night"
-        led = [p for p in near if self.timed(p) and self.tree.children(p, "compound")]
-        return self.words([p for p in named if not self.timed(p)] or led, verb)
+        return self.words([p for p in named if not self.timed(p)], verb)
 
     def _is_apart(self, place: int) -> bool:
         """Whether a sentence says what for, or is its own: "so it's done by seven", ", he never eats"."""
@@ -207,9 +209,11 @@ class Reader(Particles):
         behind_mark = any(self.tree.nodes[p - 1].text == "," for p in starts if p)
         return self.tree.nodes[min(starts) - 1].lower == "so" or (bool(subjects) and behind_mark)
 
-    def _is_joined(self, place: int) -> bool:
-        """Whether a tree joined a word about time to the thing before it: "send me the file asap"."""
-        return any(not self.timed(p) for p in self.tree.children(place, "compound") if p == place - 1)
+    def _are_all(self, place: int) -> bool:
+        """Whether a word alone is all that is meant: "put both away"."""
+        node = self.tree.nodes[place] if place < len(self.tree.nodes) else None
+        alone = node is not None and node.lower in self.lexicon.closed.both | self.lexicon.closed.wholes
+        return alone and self.tree.nodes[place + 1 : place + 2] != ()
 
     def _is_named(self, place: int) -> bool:
         """Whether a word names somebody, or what has no article: "move bingo to two"; but "walk home"."""

@@ -109,7 +109,10 @@ class Places(Wording):
             # "Go back to the dock"
             return bool(self.tree.children(place, "prep"))
         known = node.lower in self.lexicon.places | self.lexicon.becoming
-        return node.relation in {"prep", AGENT} or counted or known
+        # "Text Sam about tomorrow"
+        led = (self.tree.nodes[p].lower for p in self.tree.children(place, "advmod"))
+        about = not self.lexicon.closed.prepositions_of_nouns.isdisjoint(led)
+        return node.relation in {"prep", AGENT} or counted or known or about
 
     def _is_numbered(self, place: int) -> bool:
         """Whether a verb with "to" is a place with a number: "take it to station 4"."""

@@ -37,7 +37,7 @@ SIDES = MOMENTS | {Constraint.BEFORE, Constraint.AFTER}
 def _turns_to_particle(between: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words between two times are a verb's other particle: "on at six and off again at eight"."""
     texts = [word.text for word in between]
-    said = [text for text in texts[1:] if text not in lexicon.closed.adverbs_of_repetition]
+    said = [text for text in texts[1:] if text not in lexicon.closed.adverbs_of_repetition] or texts[1:]
     # "And back up to 37 degrees"
     numbered = said[1:2] == ["to"] and said[2:3] != [] and said[2].isdecimal()
     alone = len(said) == 1 or numbered

@@ -74,9 +74,11 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon, *, listed: bool = Fal
             text = _with_stops(text, bullets)
         commas = _found(COMMA, text, line)
         items = _between(text, line, commas)
-        kinds = (*BY_COMMAS, _each_ends_timed) if listed else BY_COMMAS
-        if commas and any(told(items, grammar, lexicon) for told in kinds):
+        if commas and any(told(items, grammar, lexicon) for told in BY_COMMAS):
             text = _with_stops(text, commas)
+        elif commas and listed and any(map(str.isdigit, items[0])):
+            starts = _timed_items(items, grammar, lexicon)
+            text = _with_stops(text, [comma for place, comma in enumerate(commas, 1) if place in starts])
         for kind in MARKS:
             marks = _found(kind, text, line)
             if marks and _divide(_between(text, line, marks), grammar, lexicon):
@@ -202,26 +204,26 @@ def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> 
     )
 
 
-def _each_ends_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
-    """Whether commas stand between things that each end in their time: "tenors from 2.30, first altos 3.15".
+def _timed_items(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> set[int]:
+    """Give which texts around commas are things that end in their time: "tenors from 2, altos 3.15, 20 min".
 
-    The first is nothing to do, that may be done with the others, too.
+    The first has a time, too, may have a label, and is nothing to do that may be done with the others.
     """
-    first, *others = (Entry.of(item, grammar, lexicon) for item in items)
+    label, colon, said = items[0].partition(": ")
+    first, *others = (Entry.of(one, grammar, lexicon) for one in (said if colon else label, *items[1:]))
     doing = lexicon.doing
-    verbs = lexicon.orders.union(
-        lexicon.addressing,
-        lexicon.circling,
-        *(doing.errands, doing.putting, doing.several_timed, doing.shutting),
-    )
-    if not first.words or first.words[0].text in verbs:
-        return False
-    if any(one.words and one.words[0].text in doing.timed for one in others):
-        # "Coach leaves at 8, arrives 9.30"
-        return False
-    return all(
-        (one.clocked or one.bounded) and one.ends and one.named[:1] == (0,) for one in (first, *others)
-    )
+    verbs = lexicon.orders.union(lexicon.addressing, lexicon.circling)
+    verbs = verbs.union(doing.errands, doing.putting, doing.several_timed, doing.shutting)
+    ordered = bool(first.words) and first.words[0].text in verbs and len(first.named) > 1
+    # "Coach leaves at 8, arrives 9.30"
+    goes_on = any(one.words and one.words[0].text in doing.timed for one in others)
+    if ordered or goes_on or not first.ends_timed:
+        return set()
+    timed = {place for place, one in enumerate(others, 1) if one.ends_timed}
+    # "Party of 14 at 7.30, canapes ten minutes after they sit down"
+    named = others[0].named[:1] == (0,)
+    apart = named and (others[0].words[0].text in verbs | lexicon.letting or others[0].bound)
+    return timed | {1} if apart else timed
 
 
 BY_COMMAS = (_head_entries, headed, _last_so_long, _each_is_timed)

@@ -69,6 +69,17 @@ class Entry:
         return self._has_wall({Constraint.BEFORE, Constraint.AFTER})
 
     @property
+    def ends_timed(self) -> bool:
+        """Whether it begins with what it names, and ends in its time."""
+        return (self.clocked or self.bounded) and self.ends and self.named[:1] == (0,)
+
+    @property
+    def bound(self) -> bool:
+        """Whether it says before or after what it is, behind what it names."""
+        sides = ("preposition_before", "preposition_after")
+        return any(self.lexicon.means(word.text, *sides) for word in self.words[1:])
+
+    @property
     def counted(self) -> bool:
         """Whether it ends so long before or after another, behind what it names: "mains 40 minutes later"."""
         offsets = (p for p in self.times if isinstance(p.said.time, Offset) and p.said.time.anchor is None)

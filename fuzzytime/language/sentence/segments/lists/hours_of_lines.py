@@ -86,11 +86,12 @@ def _hours(halves: frozenset[str]) -> re.Pattern[str]:
 
 
 @cache
-def _sure(prepositions: frozenset[str]) -> re.Pattern[str]:
+def _sure(prepositions: frozenset[str], halves: frozenset[str]) -> re.Pattern[str]:
     """Give what finds a time that is surely one by how it is typed, or by what stands in front of it."""
+    half = "|".join(map(re.escape, sorted(halves, key=len, reverse=True)))
     return re.compile(
         rf"""
-        (?<![\d.:]) \d{{1,2}} : [0-5]\d (?![\d:])
+        (?<![\d.:]) \d{{1,2}} (?: : [0-5]\d (?![\d:]) | (?:\.[0-5]\d)?\s?(?:{half})(?!\w) )
         | \b (?:{"|".join(sorted(prepositions))}) \s (?:[01]?\d|2[0-3]) (?:\.[0-5]\d)? (?= \s* (?:[,;.)]|$) )
         """,
         re.VERBOSE | re.IGNORECASE,
@@ -101,10 +102,14 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     """Give whether lines are a list of times, as two are surely timed, or three have numbers like hours."""
     lines = [line[0] for text in texts for line in LINE.finditer(without_colons(text, lexicon))]
     halves = _hours(lexicon.beside.of_hours)
-    surely = _sure(lexicon.closed.prepositions_of_points | lexicon.closed.prepositions_of_time)
+    prepositions = lexicon.closed.prepositions_of_points | lexicon.closed.prepositions_of_time
+    surely = _sure(prepositions, lexicon.beside.of_hours)
     sure = [surely.search(line) is not None for line in lines]
     decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
-    typed = [any(found["minutes"] for found in halves.finditer(line)) for line in lines]
+    typed = [
+        LEADING.match(line) is not None or any(found["minutes"] for found in halves.finditer(line))
+        for line in lines
+    ]
     odd = sum(digits >= 60 or digits % FIVES != 0 for digits in decimals)
     planned = len(decimals) >= TYPED and len(decimals) >= FEW_ODD * odd
     if sum(sure) < SURELY and not (planned and sum(typed) >= TYPED):
@@ -149,7 +154,12 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         before = words_of(text[: found.start()])
         behind = words_of(text[found.end() :])[:1]
         sure = ":" in found[0]
-        if sure or not before or _is_amount(behind, lexicon) or _costs(before, lexicon):
+        if (
+            not before
+            or (sure and not lexicon.means(before[-1].text, "hedge"))
+            or _is_amount(behind, lexicon)
+            or _costs(before, lexicon)
+        ):
             # "Panel 9:15" needs no mark.
             continue
         if found["last"] and found["dash"] and not found["minutes"] and _is_called(before[-1], lexicon):
@@ -163,7 +173,7 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         thing = _thing_of(before, lexicon)
         named = _is_thing(thing, lexicon) if typed else _is_timed(thing, lexicon, timed)
         goes_on = found["until"] is not None and _goes_on(before, lexicon)
-        if (goes_on or named) and _may_end(found, behind, lexicon):
+        if (goes_on or named) and _may_end(found, behind, lexicon, timed):
             yield found.start("mark")
 
 
@@ -175,11 +185,11 @@ def _in_front(text: str, lexicon: Lexicon) -> Iterator[int]:
             yield line.start() + found.start(1)
 
 
-def _may_end(found: re.Match[str], behind: Sequence[Word], lexicon: Lexicon) -> bool:
+def _may_end(found: re.Match[str], behind: Sequence[Word], lexicon: Lexicon, timed: Timed) -> bool:
     """Whether nothing is behind an hour, or beside minutes where or whose it is: "10-11.30 group A"."""
     if found["ends"] is not None:
         return True
-    typed = found["minutes"] or found["last"]
+    typed = found["minutes"] or found["last"] or (found["until"] and timed is Timed.MOST)
     placed = all(word.text in lexicon.function_words for word in behind)
     return bool(typed) and (found["until"] is not None or placed)
 

@@ -13,6 +13,9 @@ BELOW_ZERO = re.compile(r"[-−]\d+(\.\d+)?$")
 NAMES = SINGULAR | {"NNS"}
 """Tags of what is named."""
 
+PARTS = ("det", "poss", "amod", "nummod", "compound", "nmod")
+"""Relations of the words before a thing that are said of it."""
+
 DESCRIBING = frozenset({"RB", "JJ"})
 """Tags of words that name nobody."""
 
@@ -30,12 +33,29 @@ def _with_people(tree: Tree) -> Tree:
     """Give "wake oliver at seven" who is woken, whose small letter makes a tree take a name for an adverb."""
     nodes = list(tree.nodes)
     for place, node in enumerate(nodes):
+        if _is_called_like_modal(tree, place):
+            # "Call ella and will at six"
+            nodes[place] = replace(node, tag="NNP", relation="conj", head=place - 2)
+            nodes[place - 1] = replace(nodes[place - 1], head=place - 2)
+            nodes[node.head] = replace(nodes[node.head], relation="prep", head=nodes[place - 2].head)
         if node.lower in tree.lexicon.persons and node.tag in DESCRIBING:
             behind_verb = node.head == place - 1 and nodes[place - 1].is_verb
             # "Wake oliver at seven am", where a tree has the last word for what is woken
             relation = "dative" if tree.children(place - 1, "dobj") else "dobj"
             nodes[place] = replace(node, tag="NNP", relation=relation if behind_verb else node.relation)
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
+def _is_called_like_modal(tree: Tree, place: int) -> bool:
+    """Whether what a tree has for a helping verb, and helps none, is somebody beside another."""
+    node = tree.nodes[place]
+    beside = (
+        node.tag == "MD"
+        and place > 1
+        and tree.nodes[place - 1].tag == "CC"
+        and tree.nodes[place - 2].tag.startswith("NN")
+    )
+    return beside and tree.nodes[node.head].tag == "IN" and node.head == place + 1
 
 
 def _with_second(tree: Tree) -> Tree:
@@ -150,6 +170,25 @@ def with_her(tree: Tree, timed: AbstractSet[int]) -> Tree:
         if node.tag == "PRP$" and node.relation == "poss" and place + 1 in timed and before.is_verb:
             nodes[place] = replace(node, tag="PRP", relation="dobj", head=place - 1)
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
+def with_thing_before_time(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "give the cat her pill morning and night" its thing, which a tree takes for a part of the time."""
+    for place in sorted(timed):
+        thing, node = place - 1, tree.nodes[place]
+        parts = [p for p in tree.children(place, *PARTS) if p < place and p not in timed]
+        if thing not in parts or not tree.nodes[thing].tag.startswith("NN") or parts[0] == 0:
+            continue
+        verb = parts[0] - 1 if tree.nodes[parts[0] - 1].is_verb else node.head
+        if not tree.nodes[verb].is_verb or verb in timed or node.head == place:
+            continue
+        nodes = [replace(n, head=thing) if p in parts else n for p, n in enumerate(tree.nodes)]
+        nodes[thing] = replace(nodes[thing], relation="dobj", head=verb)
+        nodes[place] = replace(node, relation="npadvmod", head=verb)
+        if nodes[verb].head == place:
+            nodes[verb] = replace(nodes[verb], relation=node.relation, head=node.head)
+        return tree.with_nodes(nodes)
+    return tree
 
 
 def with_object_of_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:

@@ -22,7 +22,7 @@ def with_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give an order whose tree has another word for its verb that verb; None where it has none."""
     orders = (
         *(_orders_verb, _does_event, _does_led, _does_owned, _calls_person, _lists_order, _does_compound),
-        *(_goes_to_do, _has_done, _does_that),
+        *(_goes_to_do, _has_done, _does_that, _is_asked),
     )
     return next((mended for does in orders if (mended := does(tree, lexicon)) is not None), None)
 
@@ -159,6 +159,23 @@ def _calls_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     person = person or (who[-1].may_act and who[-1].lower not in things)
     calls = tree.nodes[0].lower in lexicon.addressing - lexicon.persons
     return tree.with_nodes(with_thing_done(tree, root, root)) if calls and person else None
+
+
+def _is_asked(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "could you hoover under the beds" its verb, which a tree takes for no verb."""
+    root = tree.root
+    helping, subjects = tree.children(root, "aux"), tree.children(root, "nsubj")
+    asked = bool(helping) and tree.nodes[helping[0]].tag == "MD" and bool(subjects)
+    if (
+        not asked
+        or subjects[-1] > root
+        or tree.nodes[root].is_verb
+        or tree.nodes[root].lower not in lexicon.orders
+    ):
+        return None
+    nodes = list(tree.nodes)
+    nodes[root] = replace(nodes[root], tag="VB", lemma=nodes[root].lower)
+    return tree.with_nodes(nodes)
 
 
 def _lists_order(tree: Tree, lexicon: Lexicon) -> Tree | None:

@@ -11,6 +11,7 @@ from fuzzytime.language.sentence.segments.mended.mended_things import (
     with_event_names,
     with_her,
     with_object_of_aim,
+    with_thing_before_time,
     with_whole_things,
 )
 from fuzzytime.language.sentence.segments.mended.mended_trees import as_acting, as_done, as_order
@@ -70,7 +71,8 @@ def _mended(one: Waiting, tree: Tree, lexicon: Lexicon) -> Tree:
     if not tree.nodes:
         return tree
     timed = one.timed(tree)
-    tree = with_aim(with_her(with_whole_things(tree), timed), timed, lexicon)
+    tree = with_thing_before_time(with_her(with_whole_things(tree), timed), timed)
+    tree = with_aim(tree, timed, lexicon)
     tree = with_event_names(with_object_of_aim(tree, timed), timed)
     tree = with_event(with_clause(with_reminded(tree, lexicon), lexicon), lexicon)
     tree = with_called(with_worker(with_needed_deed(tree, timed, lexicon), lexicon), timed, lexicon)

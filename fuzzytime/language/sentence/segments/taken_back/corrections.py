@@ -15,6 +15,7 @@ from fuzzytime.language.meaning.expressions import (
     Offset,
     Phrase,
     Quantity,
+    Range,
     Repeat,
     Said,
     Time,
@@ -170,7 +171,9 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
     start = _behind_who_says(scanned, start, lexicon)
     lets_be = marker in lexicon.conversation["retracting"]
     cell = scanned.cells[start]
-    for category in ("said", "wall", "duration", "clock", "quantity"):
+    # "From two to four, no, three to five"
+    stretches = ("hours open",) if isinstance(phrase.said.time, Range) else ()
+    for category in (*stretches, "said", "wall", "duration", "clock", "quantity"):
         pieces = sorted(cell.get(category, {}).values(), key=lambda piece: -piece.end)
         for piece in pieces:
             if lets_be and not _is_bare(scanned, piece.end):

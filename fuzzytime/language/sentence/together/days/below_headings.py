@@ -49,7 +49,9 @@ def under_heading(sketch: Sketch, heading: Heading) -> Sketch:
     if operation is not None and operation.addressee is None and not operation.stated:
         operation = replace(operation, addressee=heading.addressee)
         sketch = replace(sketch, operation=operation)
-    if operation is None or any(_tells_when(phrase) for phrase in sketch.phrases):
+    if operation is None or any(
+        _tells_when(phrase) or _is_on_another_day(phrase, heading) for phrase in sketch.phrases
+    ):
         return sketch
     if operation.stated and all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases):
         # "It takes an hour"
@@ -112,6 +114,13 @@ def _due_on_day(sketch: Sketch, heading: Heading) -> Sketch | None:
     (bound,) = due
     kept = replace(bound, said=replace(bound.said, within=Wall(day.days)))
     return replace(sketch, phrases=tuple(kept if one is bound else one for one in sketch.phrases))
+
+
+def _is_on_another_day(phrase: Phrase, heading: Heading) -> bool:
+    """Whether a time has a day of its own: "Saturday:", then "print them by noon on friday"."""
+    day, wall = heading.day, phrase.said.time
+    above = day.said.time.days if day is not None and isinstance(day.said.time, Wall) else None
+    return above is not None and isinstance(wall, Wall) and wall.days not in {None, above}
 
 
 def _tells_when(phrase: Phrase) -> bool:

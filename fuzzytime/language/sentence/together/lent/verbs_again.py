@@ -75,12 +75,14 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
 def _said_shortly(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
     """Give the operation before where a particle alone, or that it is done again, is said beside a time."""
     turned, _, level = rest.partition(" to ")
-    particle = _particle_alone(turned, lexicon)
+    particle = _particle_alone(before, turned, lexicon)
     if particle is not None:
         # "And back up to 37 degrees at six"
         return replace(before, particle=particle, place=f"to {level}" if level else before.place)
     # "Ring the bell at six, then again at seven"
-    again = rest and set(rest.lower().split()) <= lexicon.closed.adverbs_of_repetition
+    again = (
+        rest and set(rest.lower().split()) <= lexicon.closed.adverbs_of_repetition - lexicon.particles.keys()
+    )
     return before if again else None
 
 
@@ -146,9 +148,12 @@ def _is_next_numbered(before: Operation, sketch: Sketch, lexicon: Lexicon) -> bo
     return len(first) > 1 and first[1].tag == "CD" and first[0].lower in lexicon.machines & {*named}
 
 
-def _particle_alone(text: str, lexicon: Lexicon) -> str | None:
+def _particle_alone(before: Operation, text: str, lexicon: Lexicon) -> str | None:
     """Give the particle that is all that is said of a verb: "switch it on at six and off again at eight"."""
-    said = [word for word in text.lower().split() if word not in lexicon.closed.adverbs_of_repetition]
+    words = text.lower().split()
+    said = [word for word in words if word not in lexicon.closed.adverbs_of_repetition]
+    # "Put the chairs out at eight, back at five"; but who leaves at eight is back at five.
+    said = said or (words if before.object and before.verb == before.lemma else [])
     return said[0] if len(said) == 1 and said[0] in lexicon.particles else None
 
 
