@@ -31,6 +31,13 @@ def test_a_repetition_without_an_end_ends_with_the_day_or_the_night(
     assert (found[0], found[-1], len(found)) == (first, last, count)
 
 
+@pytest.mark.parametrize("hour", [2, 9, 21])
+@pytest.mark.parametrize("often", ["twice", "three times"])
+def test_what_is_done_so_often_a_day_is_done_while_people_are_up(often: str, hour: int) -> None:
+    found = starts(told([f"take the pills {often} a day"], now=SEVEN.replace(hour=hour))).values()
+    assert all("07:00" <= start <= "22:00" for start in found)
+
+
 def test_a_horizon_says_how_far_else() -> None:
     wish = SpokenWish(text="check the wires every hour", given=SEVEN)
     made = plan(Request(now=SEVEN, wishes=(wish,), horizon=20 * 3600.0), interpreter())
