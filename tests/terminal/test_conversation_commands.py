@@ -299,7 +299,7 @@ def test_a_defect_costs_who_types_one_turn_only(monkeypatch: pytest.MonkeyPatch)
     def broken(*_: object) -> None:
         raise ZeroDivisionError("by design")
 
-    monkeypatch.setattr("fuzzytime_cli.repl.looking.date_of", broken)
+    monkeypatch.setattr("fuzzytime_cli.repl.commands.looking.date_of", broken)
     out = io.StringIO()
     turns = Talk().turns
     talk = start.Dialogue(turns, lambda: NINE, Screen.of(out, {}), bell=False)

@@ -1,16 +1,12 @@
 """The conversation in the terminal: instructions as one types, and commands that start with a colon.
 
-On the terminal: ``start`` reads lines, with ``completion`` and ``history``; ``turn`` answers each, with
-the question that is ``pending``. What is known: ``conversation``, and for commands the ``scene``.
-
-Commands
-    ``commands`` by name: ``changing``, ``moving``, ``looking``, ``rating``, ``saving``.
-
-Plain words, ``speaking`` of what was asked for
-    The command that is ``meant``, and its ``taking``; ``which`` wishes that is of, by their ``naming`` or as
-    ``parts`` of a line; ``retiming``, ``leaving_out``, ``progress``, and what is ``leaning`` on another.
-    News: ``telling`` how things are, what ``happened``, what one ``has_done``.
-    Questions: ``answering``, ``gaps``; ``stretches`` of time.
+On the terminal
+    ``start`` reads lines, with ``completion`` and ``history``; ``turn`` answers each, with the question
+    that is ``pending``.
+What a line may be, beside an instruction
+    One of the ``commands``, or ``plain_words`` that mean one, or one of the ``questions``.
+What is known
+    The ``conversation``, and for commands the ``scene``; ``which`` wishes are meant, by their ``naming``.
 """
 
 from fuzzytime_cli.repl.start import converse

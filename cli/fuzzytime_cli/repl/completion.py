@@ -6,7 +6,7 @@ from prompt_toolkit.completion import CompleteEvent, Completer, Completion
 from prompt_toolkit.document import Document
 
 from fuzzytime.rulebook import Rulebook
-from fuzzytime_cli.repl.commands import COMMANDS
+from fuzzytime_cli.repl.commands.by_name import COMMANDS
 
 
 class WordCompleter(Completer):

@@ -23,7 +23,7 @@ from fuzzytime_cli.options import Moment, Solving, Understanding
 from fuzzytime_cli.places import data_folder
 from fuzzytime_cli.render import Screen, plain, terminal_width
 from fuzzytime_cli.repl.conversation import Conversation
-from fuzzytime_cli.repl.retiming import IDLE
+from fuzzytime_cli.repl.plain_words.retiming import IDLE
 from fuzzytime_cli.repl.scene import Reply
 from fuzzytime_cli.repl.turn import Line, Turns
 from fuzzytime_cli.session import KeptReading, NotKeptError, open_store

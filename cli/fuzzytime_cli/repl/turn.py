@@ -20,10 +20,11 @@ from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.inputs.lines import is_ticked_off, said_in
 from fuzzytime_cli.render import plain, wrapped
-from fuzzytime_cli.repl.commands import command_of, without_colon
+from fuzzytime_cli.repl.commands.by_name import command_of, without_colon
+from fuzzytime_cli.repl.commands.looking import move_lines, start_line
 from fuzzytime_cli.repl.conversation import Conversation, answered, lengths_of, news_of
-from fuzzytime_cli.repl.looking import move_lines, start_line
 from fuzzytime_cli.repl.pending import Pending, asked_late, question_lines, question_of, untold_notes
+from fuzzytime_cli.repl.plain_words.speaking import are_about, reply_about
 from fuzzytime_cli.repl.scene import (
     UNREAD,
     AskedBackError,
@@ -35,7 +36,6 @@ from fuzzytime_cli.repl.scene import (
     said,
     whole_number,
 )
-from fuzzytime_cli.repl.speaking import are_about, reply_about
 from fuzzytime_cli.session import NotKeptError, Started
 
 Line = Text | str

@@ -9,7 +9,7 @@ from fuzzytime.language import (
     perhaps_reported,
     told_result,
 )
-from fuzzytime_cli.repl.leaving_out import Taken
+from fuzzytime_cli.repl.plain_words.leaving_out import Taken
 from fuzzytime_cli.repl.scene import Reply, Scene
 
 

@@ -23,7 +23,7 @@ from fuzzytime.language import (
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration
 from fuzzytime_cli.repl.naming import starts_of_entry
-from fuzzytime_cli.repl.parts import with_time_of_part
+from fuzzytime_cli.repl.plain_words.parts import with_time_of_part
 from fuzzytime_cli.repl.scene import Scene, number_of, waiting
 from fuzzytime_cli.repl.which import entries_meant
 from fuzzytime_cli.session import Entry

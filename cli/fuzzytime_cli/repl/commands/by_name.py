@@ -7,8 +7,8 @@ from pathlib import Path
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import Lexicon
 from fuzzytime_cli.render import wrapped
-from fuzzytime_cli.repl import changing, looking, moving, saving
-from fuzzytime_cli.repl.rating import rate
+from fuzzytime_cli.repl.commands import changing, looking, moving, saving
+from fuzzytime_cli.repl.commands.rating import rate
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.session import State
 

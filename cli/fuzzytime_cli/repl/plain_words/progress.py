@@ -7,7 +7,7 @@ from fuzzytime.language import About, AboutKind
 from fuzzytime.times import instant_after
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown
-from fuzzytime_cli.repl.retiming import some_time, without_thing
+from fuzzytime_cli.repl.plain_words.retiming import some_time, without_thing
 from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting
 from fuzzytime_cli.repl.which import alike
 

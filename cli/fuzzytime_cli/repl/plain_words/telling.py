@@ -13,10 +13,10 @@ from fuzzytime.language import (
 )
 from fuzzytime.requirement import Condition, Constraint
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.changing import ctx
+from fuzzytime_cli.repl.commands.changing import ctx
 from fuzzytime_cli.repl.conversation import context_of
-from fuzzytime_cli.repl.leaving_out import Taken
-from fuzzytime_cli.repl.retiming import IDLE
+from fuzzytime_cli.repl.plain_words.leaving_out import Taken
+from fuzzytime_cli.repl.plain_words.retiming import IDLE
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.told_states import as_news, is_waited_for, tells_a_state, told_of
 

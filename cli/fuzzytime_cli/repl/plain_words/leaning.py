@@ -22,9 +22,9 @@ from fuzzytime.language import (
     reworded,
 )
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl import changing
-from fuzzytime_cli.repl.leaving_out import Taken
+from fuzzytime_cli.repl.commands import changing
 from fuzzytime_cli.repl.naming import entry_of, unknown
+from fuzzytime_cli.repl.plain_words.leaving_out import Taken
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.repl.which import entries_meant
 from fuzzytime_cli.session import Entry

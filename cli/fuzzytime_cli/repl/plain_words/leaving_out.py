@@ -12,7 +12,7 @@ from fuzzytime.language import About, AboutKind, find_times, reworded
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import instant_after
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl import changing
+from fuzzytime_cli.repl.commands import changing
 from fuzzytime_cli.repl.naming import entry_of, starts_of_entry, words_of_entry
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.repl.which import entries_meant

@@ -24,18 +24,19 @@ from fuzzytime.language import (
 )
 from fuzzytime.language.sentence.trees.model import is_verb
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl import answering, gaps, looking
-from fuzzytime_cli.repl.commands import how_to, what_if
-from fuzzytime_cli.repl.happened import happened
-from fuzzytime_cli.repl.has_done import done, perhaps_done
-from fuzzytime_cli.repl.leaning import leaning, the_other
-from fuzzytime_cli.repl.leaving_out import left_out, left_out_then, next_left_out
-from fuzzytime_cli.repl.meant import command_meant
+from fuzzytime_cli.repl.commands import looking
+from fuzzytime_cli.repl.commands.by_name import how_to, what_if
 from fuzzytime_cli.repl.naming import LABEL, entry_of, label_meant, unknown
-from fuzzytime_cli.repl.retiming import said_anew, same_anew, timed_now, wished_instead
+from fuzzytime_cli.repl.plain_words.happened import happened
+from fuzzytime_cli.repl.plain_words.has_done import done, perhaps_done
+from fuzzytime_cli.repl.plain_words.leaning import leaning, the_other
+from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, next_left_out
+from fuzzytime_cli.repl.plain_words.meant import command_meant
+from fuzzytime_cli.repl.plain_words.retiming import said_anew, same_anew, timed_now, wished_instead
+from fuzzytime_cli.repl.plain_words.taking import run, run_each
+from fuzzytime_cli.repl.plain_words.telling import behind_how_a_day_is, is_news, told_state
+from fuzzytime_cli.repl.questions import answering, gaps
 from fuzzytime_cli.repl.scene import Reply, Scene
-from fuzzytime_cli.repl.taking import run, run_each
-from fuzzytime_cli.repl.telling import behind_how_a_day_is, is_news, told_state
 from fuzzytime_cli.repl.which import entries_meant, which_one
 from fuzzytime_cli.told_states import tells_what_is
 

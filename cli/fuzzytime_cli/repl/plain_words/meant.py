@@ -14,11 +14,11 @@ from fuzzytime_cli.repl.naming import (
     unknown,
     words_of_entry,
 )
-from fuzzytime_cli.repl.parts import first_part, swapped_parts, without_part
-from fuzzytime_cli.repl.progress import late, length_said, progress, unstarted
-from fuzzytime_cli.repl.retiming import days_on, with_time, without_thing
+from fuzzytime_cli.repl.plain_words.parts import first_part, swapped_parts, without_part
+from fuzzytime_cli.repl.plain_words.progress import late, length_said, progress, unstarted
+from fuzzytime_cli.repl.plain_words.retiming import days_on, with_time, without_thing
+from fuzzytime_cli.repl.questions.stretches import is_within
 from fuzzytime_cli.repl.scene import Scene, waiting
-from fuzzytime_cli.repl.stretches import is_within
 from fuzzytime_cli.repl.which import entries_meant, sole
 from fuzzytime_cli.session import Entry
 
