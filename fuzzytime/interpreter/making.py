@@ -23,7 +23,7 @@ from fuzzytime.interpreter.turns.behind import Behind
 from fuzzytime.interpreter.turns.each_turn import EachTurn
 from fuzzytime.interpreter.turns.inside import GoingOn
 from fuzzytime.interpreter.turns.of_each import OfEach
-from fuzzytime.interpreter.turns.waking_hours import within_hours
+from fuzzytime.interpreter.turns.waking_hours import far_ahead, within_hours
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
@@ -105,13 +105,11 @@ class Maker:
             rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
             times = islice(inside.times(repeated, recurrence, until), MAX_OCCURRENCES)
             return [self._interpreted(wish, reading, instruction, (*time, *rest)) for time in times]
-        windows = recurrence.windows(until)
+        windows = tuple(recurrence.windows(until))
         if self.request.horizon is None:
+            windows = windows if len(windows) > 1 else far_ahead(recurrence, MAX_HORIZON - passed)
             windows = within_hours(windows, recurrence, wish.given, -passed, self.lexicon.policy)
         windows = windows[:MAX_OCCURRENCES]
-        if not windows and self.request.horizon is None:
-            # "Every monday" has one, however far away the monday is.
-            windows = recurrence.windows(MAX_HORIZON - passed)[:1]
         operation = instruction.operation
         # "I have a class every day from nine to ten"
         whole = operation is not None and operation.stated and repeated.recurrence.spans

@@ -105,7 +105,7 @@ def names_thing(thing: str, now: datetime, language: Language) -> bool:
     """
     lexicon = language.lexicon
     words = [word.text for word in words_of(thing)]
-    if not words or len(words) > MOST_WORDS or words[0] in lexicon.closed.anaphors:
+    if not words or len(words) > MOST_WORDS or words[0].partition("'")[0] in lexicon.closed.anaphors:
         return False
     openers = lexicon.closed.noun_openers | lexicon.closed.anaphors
     if words[0] not in openers and not openers.isdisjoint(words[1:]):

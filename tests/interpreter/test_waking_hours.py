@@ -31,6 +31,13 @@ def test_a_repetition_without_an_end_ends_with_the_day_or_the_night(
     assert (found[0], found[-1], len(found)) == (first, last, count)
 
 
+@pytest.mark.parametrize("hour", [2, 9, 21])
+@pytest.mark.parametrize("often", ["twice", "three times"])
+def test_what_is_done_so_often_a_day_is_done_while_people_are_up(often: str, hour: int) -> None:
+    found = starts(told([f"take the pills {often} a day"], now=SEVEN.replace(hour=hour))).values()
+    assert all("07:00" <= start <= "22:00" for start in found)
+
+
 def test_a_horizon_says_how_far_else() -> None:
     wish = SpokenWish(text="check the wires every hour", given=SEVEN)
     made = plan(Request(now=SEVEN, wishes=(wish,), horizon=20 * 3600.0), interpreter())
@@ -46,3 +53,11 @@ def test_what_goes_on_for_days_is_planned_for_the_day_to_come(hours: float) -> N
     assert found[-1] == "22:00"
     assert "03:00" not in found
     assert len(found) <= 17
+
+
+def test_what_begins_far_ahead_goes_on_until_people_sleep() -> None:
+    for line in (
+        "Water the pit every hour from 2 pm on saturday",
+        "Saturday:\nwater the pit every hour from 2 pm",
+    ):
+        assert len(told(line.split("\n")).schedule.skills) == 9

@@ -64,6 +64,9 @@ def test_who_gets_ready_before_a_call_calls_nobody() -> None:
         ("Make up rooms 201-206, 25 min each", 150),
         ("Wrap both orders, 6 min each", 12),
         ("Grill two steaks for 3 minutes each", 3),
+        ("Weld a batch of 12, 90 seconds each", 18),
+        ("Weld the hooks from 9 am, ten of them, 6 min each", 60),
+        ("See patients 2-4 pm, 15 mins each", 120),
     ],
 )
 def test_what_is_done_one_by_one_lasts_for_all(line: str, minutes: float) -> None:
@@ -201,3 +204,11 @@ def test_who_awaits_a_delivery_does_other_things_too() -> None:
         told(["Tea at 9", "Timber delivery 9.30-11.30", "Measure the stairs at 10", "Doors at 12"])
     )
     assert (found["s2"], found["s3"]) == ("09:30", "10:00")
+
+
+@pytest.mark.parametrize(
+    ("line", "hours"), [("11 cut bars", ["11:00"]), ("12 baptism (Jones)", ["12:00"]), ("12 eggs", [])]
+)
+def test_a_number_in_front_is_an_hour_where_most_lines_begin_with_theirs(line: str, hours: list[str]) -> None:
+    found = starts(told(["9.15 open the hall", "10.30 tea", line, "2 pm delivery", "4.30 lock the hall"]))
+    assert [found[name] for name in found if name == "s3"] == hours

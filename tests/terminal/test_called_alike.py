@@ -46,6 +46,15 @@ def test_what_was_spoken_of_last_is_meant_and_so_are_all() -> None:
     assert ":drop 1,2" in talk_of(*CALLS, OTHER).say("cancel the calls")
 
 
+def test_what_is_swapped_is_asked_for_and_swapped_back() -> None:
+    talk = talk_of(*CALLS, OTHER)
+    assert "Say: swap s1 and s2" in talk.say("swap the call and the dog")
+    talk.say("swap s1 and the dog")
+    swapped = talk.entries
+    assert "undone" in talk.say("no wait, swap them back")
+    assert talk.entries == [*CALLS, OTHER] != swapped
+
+
 def test_the_next_one_is_done() -> None:
     talk = talk_of("feed the cat at noon", "feed the cat at six pm", OTHER)
     talk.say("the cat is fed")

@@ -73,7 +73,7 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
         return None
     if about.corrects:
         return _instead(scene, about, taken)
-    return _continued(f"and {words}", last, scene)
+    return None if words.endswith("?") else _continued(f"and {words}", last, scene)
 
 
 def _going_on(scene: Scene, words: str, last: Entry) -> Reply | None:

@@ -19,7 +19,7 @@ from fuzzytime_cli.repl.progress import late, length_said, progress, unstarted
 from fuzzytime_cli.repl.retiming import days_on, with_time, without_thing
 from fuzzytime_cli.repl.scene import Scene, waiting
 from fuzzytime_cli.repl.stretches import is_within
-from fuzzytime_cli.repl.which import entries_meant
+from fuzzytime_cli.repl.which import entries_meant, sole
 from fuzzytime_cli.session import Entry
 
 ONE_AT_A_TIME = (
@@ -228,13 +228,16 @@ def _started(scene: Scene, about: About) -> str | None:
 
 
 def _swap(scene: Scene, about: About) -> str | None:
+    if about.both and not about.names and scene.taken is not None and scene.taken.kind is AboutKind.SWAP:
+        # "Swap them back"
+        return ":undo"
     if about.both:
         left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
         left = [one for one in left if about.names <= words_of_entry(scene, one)]
         if len(left) != 2:
             raise FuzzytimeError("which two? Say: swap the call and the soup")
         return f":swap {left[0].number} {left[1].number}"
-    found = [entry_of(scene, names) for names in (about.names, about.others)]
+    found = [sole(scene, about, names) for names in (about.names, about.others)]
     if found[0] is None and found[1] is None:
         return None
     for entry, names in zip(found, (about.names, about.others), strict=True):

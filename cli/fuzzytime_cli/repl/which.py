@@ -153,6 +153,21 @@ def _only(scene: Scene, about: About, entry: Entry) -> Entry:
     return spoken_of[0] if len(found) > 1 else entry
 
 
+def sole(scene: Scene, about: About, names: frozenset[str]) -> Entry | None:
+    """Give the entry that is meant by some of the words that are said; None where none is.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is one of several that are called alike.
+    """
+    entry = entry_of(scene, names)
+    try:
+        return None if entry is None else _only(scene, replace(about, names=names), entry)
+    except AskedBackError as error:
+        raise FuzzytimeError(f"{error} Say: {about.kind.value} s1 and s2") from error
+
+
 def _told(scene: Scene, one: Called) -> str:
     """Tell what tells something apart: "call mum (s1, 18:00)"."""
     time = "" if one.start is None else f", {Clock(scene.now, with_seconds=False).at(one.start)}"

@@ -4,13 +4,11 @@
 """
 
 from collections.abc import Iterator, Sequence
-from datetime import datetime
+from datetime import datetime, timedelta
 
 from fuzzytime.language import Policy
 from fuzzytime.requirement import Recurrence
-from fuzzytime.times import instant_after
-
-HOUR = 3600.0
+from fuzzytime.times import DAY, HOUR, instant_after, seconds_between
 
 Window = tuple[float, float]
 
@@ -21,7 +19,8 @@ def within_hours(
     """Give the occurrences of a repetition that one goes on with.
 
     Those of which no end is said are in waking hours where the first one is, else at night; and they end
-    with these hours, those of them that are not over. What comes at long intervals goes on round the clock.
+    with these hours, those of them that are not over. What comes at long intervals goes on round the clock;
+    what is done so often a day is done in waking hours, as far as its share of the day has any.
 
     Parameters
     ----------
@@ -32,11 +31,39 @@ def within_hours(
     """
     interval = recurrence.interval
     open_end = recurrence.endless or recurrence.all_day
-    if not open_end or interval is None or interval >= policy.round_the_clock_hours * HOUR or not windows:
+    if not open_end or interval is None or not windows:
         return tuple(windows)
+    if interval >= policy.round_the_clock_hours * HOUR:
+        shared = interval < DAY and all(end - start >= interval for start, end in windows)
+        return tuple(_awake_part(window, given, policy) if shared else window for window in windows)
     awake = recurrence.all_day or _is_awake(windows[0][0], given, policy)
     alike = [window for window in windows if _is_awake(window[0], given, policy) is awake]
     return tuple(_until_a_break(alike, passed, interval))
+
+
+def far_ahead(recurrence: Recurrence, until: float) -> tuple[Window, ...]:
+    """Give the first occurrence, however far away: "every monday"; and a day of what comes more often."""
+    ahead = DAY
+    while not (coming := recurrence.windows(min(ahead, until))) and ahead < until:
+        ahead *= 2
+    if coming and recurrence.interval is not None and recurrence.interval < DAY:
+        return tuple(recurrence.windows(min(coming[0][0] + DAY, until)))
+    return tuple(coming[:1])
+
+
+def _awake_part(window: Window, given: datetime, policy: Policy) -> Window:
+    """Give the waking hours of an occurrence, as of "twice a day"; all of it where it has none of them."""
+    start, end = window
+    begin = instant_after(given, start)
+    day = begin.replace(hour=0, minute=0, second=0, microsecond=0)
+    for later in (0, 1):
+        opens, closes = (
+            seconds_between(given, datetime.combine(day + timedelta(days=later), time, day.tzinfo))
+            for time in (policy.plausible_from, policy.plausible_to)
+        )
+        if max(start, opens) < min(end, closes):
+            return max(start, opens), min(end, closes)
+    return window
 
 
 def _is_awake(time: float, given: datetime, policy: Policy) -> bool:

@@ -172,7 +172,9 @@ def _corrected(said: Said) -> About | None:
     proposed = rest.after("proposing")
     if proposed is not None and proposed.words and (about := _corrected(proposed)) is not None:
         return replace(about, corrects=True)
-    proposed = None if proposed is None else proposed.without_end(said.table("instead"))
+    proposed = (
+        None if proposed is None else proposed.without_end(said.table("instead") | said.table("preferring"))
+    )
     if proposed is not None and (time := proposed.as_time()):
         # "Let's say nine"
         bare = proposed.is_bare(time)

@@ -43,7 +43,7 @@ def restated(text: str, now: datetime, lexicon: Lexicon) -> str | None:
 def added_time(text: str, now: datetime, lexicon: Lexicon, *, wish: bool = False) -> About | None:
     """Read a line that is a time and nothing else, as what was asked for last has it; else give None.
 
-    What is read as a ``wish`` is one, but for "one pm works better".
+    What is read as a ``wish`` is one, but for "one pm works better", "tomorrow, I mean".
 
     >>> from datetime import datetime
     >>> from fuzzytime.language.finding import shipped_lexicon
@@ -52,7 +52,7 @@ def added_time(text: str, now: datetime, lexicon: Lexicon, *, wish: bool = False
     """
     said = Said.of(text, now, lexicon).without_exclamations()
     told = said.without_end(lexicon.courtesies | said.table("instead"))
-    said = told.without_end(said.table("preferring"))
+    said = told.without_end(said.table("preferring") | said.table("meaning"))
     if wish and said == told:
         return None
     if (counted := _counted_at(said)) is not None:

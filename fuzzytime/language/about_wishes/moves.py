@@ -3,9 +3,10 @@
 from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.awaited import written_out
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, by_length, minutes_alone
 from fuzzytime.language.about_wishes.meant import about_thing, is_last
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import Said, one_time
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.sentence.trees.content_words import content_words
 
@@ -76,7 +77,7 @@ def moved(said: Said) -> About | None:
     if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
         # "I need it by three"
         return About(kind=AboutKind.MOVE, time=time, certain=True)
-    if (able := _able(said) or _now_at(said) or _left_for(said)) is not None:
+    if (able := _able(said) or _now_at(said) or _is_then(said) or _left_for(said)) is not None:
         return able
     delaying = said.after("delaying")
     if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
@@ -124,6 +125,19 @@ def _able(said: Said) -> About | None:
             names, sure = frozenset() if last else who.names, last or told is None
             return About(kind=AboutKind.MOVE, names=names, time=time, bare=rest.is_bare(time), certain=sure)
     return None
+
+
+def _is_then(said: Said) -> About | None:
+    """Read when what was said last is: "that's for tomorrow"; but "it's friday" tells the day."""
+    who, mark, behind = written_out(said.text).partition(" is ")
+    new = Said(behind, said.now, said.lexicon)
+    last = bool(mark) and Said(who, said.now, said.lexicon).is_in("last")
+    time = new.as_time() if last else ""
+    told = one_time(time, said.now, said.lexicon) if time else None
+    joint = told is not None and (told.preposition is not None or new.forms[0] == FOR)
+    if not joint or not behind.lower().endswith(time.lower()):
+        return None
+    return About(kind=AboutKind.MOVE, time=time, corrects=True, certain=True)
 
 
 def _left_for(said: Said) -> About | None:

@@ -16,6 +16,8 @@ FOR = "for"
 FIRST = "first"
 NO = "no"
 AND = "and"
+SHORTEST = 3
+"""Words of one thing, and of the one that it is not."""
 
 
 def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
@@ -151,8 +153,12 @@ def _instead(said: Said) -> About | None:
         new = new.behind(1) if new.forms[:1] == (BUT,) else new
     elif joint is not None and forms[joint + 1 : joint + 2] == (NOT,):
         old, new = said.behind(joint + 2), said.until(joint)
-    elif joint is None and NOT in forms[1:-1] and said.until(forms.index(NOT)).as_time():
-        # "At three not two"
+    elif (
+        joint is None
+        and NOT in forms[1:-1]
+        and (len(forms) == SHORTEST or said.until(forms.index(NOT)).as_time())
+    ):
+        # "At three not two", "dad not mum"
         old, new = said.behind(forms.index(NOT) + 1), said.until(forms.index(NOT))
     elif (place := _instead_of(said)) is not None:
         old, new = said.behind(place).after("in its place of") or said, said.until(place)

@@ -120,7 +120,9 @@ class BehindTimes(LookedUp):
         behind = self.words[place + 1 : place + 2]
         if self.texts[place] not in done or self.words[place].capital or not behind:
             return False
-        return behind[0].capital or self.is_counting(place + 1)
+        # "On the 12th make sure the gate is shut"
+        sure = behind[0].text in self.lexicon.doing.sure
+        return behind[0].capital or sure or self.is_counting(place + 1)
 
     def opens(self, place: int) -> bool:
         """Whether nothing but who is called, or asked, stands before a place: "hey olly", "could you"."""

@@ -97,7 +97,9 @@ class Measures:
         thing = before[verb + 1 :]
         inside = self.closed.prepositions_of_time | self.lexicon.particles.keys() | self.closed.additions
         timed = self.lexicon.events | self.lexicon.happening | self.lexicon.taken | self.lexicon.results
-        if not inside.isdisjoint(thing) or not timed.isdisjoint(thing[-1:]):
+        # "Hold the door for me at nine", "get hold of Bob at six"
+        timed |= self.closed.object_pronouns - self.closed.it_or_them
+        if not inside.isdisjoint(thing) or not timed.isdisjoint(thing[-1:]) or thing[:1] == ["of"]:
             return False
         # "Leave the fridge at four", "put the price at 11"
         levelled = (self.beside.with_levels | self.lexicon.amount_nouns).intersection(thing[-1:])
@@ -205,7 +207,7 @@ class Measures:
             first -= 2
         named = self.texts[first - 2 : first - 1] if first > 1 else []
         called = {text.removesuffix(end) for text in named for end in ("", "s")}
-        again = self.texts[first] in self.beside.first_of_repetitions
+        again = self.texts[piece.start] in self.beside.first_of_repetitions
         if self.is_number(piece.start - 1) and not again and not (self.lexicon.measure_nouns & called):
             # "Within two working days"; but "pick from bin 4 daily", "take 2 every four hours"
             return True

@@ -95,7 +95,8 @@ def _with_marks(words: Sequence[Word], hours: frozenset[int]) -> list[Word]:
     found: list[Word] = []
     for word in words:
         if word.start - 1 in hours and not word.glued:
-            found.append(Word(MARKS[" "], word.start, word.start, glued=False))
+            found += (Word(MARKS[" "], word.start, word.start, glued=False), replace(word, glued=True))
+            continue
         found.append(replace(word, text=MARKS["."]) if word.start in hours else word)
     return found
 
@@ -222,10 +223,12 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
         or is_moved(scanned.words, piece.start, piece.end, lexicon)
     ]
     called += [piece for piece in scanned.pieces("hours open") if judge.walls.is_open(piece.start)]
+    called += [piece for piece in scanned.pieces("so many each") if judge.lengths.counts_each(piece)]
     instead = {(piece.start, piece.end) for piece in called}
     said = [piece for piece in scanned.pieces("said") if (piece.start, piece.end) not in instead]
     chosen = _best_of(called, said, len(scanned.words), judge)
     chosen += [piece for one in chosen for piece in judge.further.continued(one, scanned.cells, chosen)]
+    chosen += [piece for one in chosen for piece in judge.further.before(one, scanned.cells, chosen)]
     read = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
     found = [
         one

@@ -192,9 +192,9 @@ def for_the_first(duration: Duration) -> Said:
 
 @grammar.rule("said", "for the? first <unit>", "for the? first <unit> and a? <fraction>", weight=0.5)
 def for_the_first_one(unit: UnitWord, fraction: float = 0.0) -> Said | None:
-    """For the first hour, for the first hour and a half."""
+    """For the first hour, for the first hour and a half; but "for the first quarter" is of a year."""
     length = Duration(((unit.count * (1 + fraction), unit.unit),))
-    return for_the_first(length) if len(unit.form) > 1 else None
+    return for_the_first(length) if len(unit.form) > 1 and unit.unit is not Unit.QUARTER else None
 
 
 @grammar.rule("said", "during|in|within the? first <duration>", weight=0.5)

@@ -204,6 +204,19 @@ def bounded(repeat: Repeat, said: Said) -> Repeat | None:
     return bounded_repeat(repeat, said)
 
 
+@grammar.rule("so many each", "<so many each> ,? <said>", weight=0.1)
+def so_many_each_bounded(each: Said, said: Said) -> Said | None:
+    """(Learn five words) a day until friday."""
+    found = bounded_repeat(each.time, said) if isinstance(each.time, Repeat) else None
+    return None if found is None else replace(each, time=found)
+
+
+@grammar.rule("repeat", "<hours open> ,|on? <repeat>", weight=-0.5)
+def hours_repeated(said: Said, repeat: Repeat) -> Repeat | None:
+    """(homework) 4 to 5 on weekdays."""
+    return within_range(said, repeat)
+
+
 @grammar.rule("repeat", "<said> ,|on? <repeat>", weight=-1)
 def within_range(said: Said, repeat: Repeat) -> Repeat | None:
     """From nine to five every day, between lunch and three on fridays."""

@@ -181,6 +181,12 @@ def on_a_basis(often: Repeat) -> Repeat:
     return often
 
 
+@grammar.rule("so many each", "a|an|per <unit>")
+def so_many_each(unit: UnitWord) -> Said | None:
+    """(Two tablets) a day: what is counted is done each day."""
+    return None if unit.unit in SMALL or len(unit.form) == 1 else Said(of_unit(unit), Constraint.EVERY)
+
+
 @grammar.rule("times", "once", "one time")
 def once() -> int:
     """Once."""

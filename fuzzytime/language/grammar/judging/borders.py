@@ -12,6 +12,7 @@ from fuzzytime.language.grammar.judging.events import Events
 from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.no_times import NoTime
 from fuzzytime.language.grammar.judging.particles import Particles
+from fuzzytime.language.grammar.judging.things_of_times import is_from_the_past
 from fuzzytime.language.grammar.judging.titles import Titles
 from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -19,7 +20,6 @@ from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.days.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.requirement import Constraint
 
@@ -95,7 +95,7 @@ class Borders:
             or self._offers_more(piece)
             or self._begins_order(piece)
             or (piece.rule == CHANGED_LENGTH and not self.given.changes_length(piece))
-            or self._is_from_the_past(piece)
+            or is_from_the_past(piece, self.around)
             or self._is_asked(piece)
             or tells_when_due(piece, self.texts, self.lexicon)
             or self._counts_nothing(piece)
@@ -163,20 +163,6 @@ class Borders:
         ]
         opens = {*self.texts[piece.end + 1 : piece.end + 2]} & self.closed.condition_openers
         return asked or (self.around.follower(piece) == "and" and bool(opens) and piece.start > 0)
-
-    def _is_from_the_past(self, piece: Piece) -> bool:
-        """Whether it says of which time a thing is that was: "the report of last week at nine"."""
-        time = piece.value.time
-        days = time.days if isinstance(time, Wall) else None
-        past = (isinstance(days, Deictic) and days.which is Which.LAST) or (
-            isinstance(days, Relative) and days.days < 0
-        )
-        first = piece.start + (self.texts[piece.start] in self.beside.belonging)
-        *_, led, said = ("", "", *self.texts[: piece.start])
-        if said in self.beside.past_deictics and led in self.beside.belonging:
-            # "The episode from last | tuesday"
-            return True
-        return past and self.around.belongs(first)
 
     def _begins_other_bound(self, piece: Piece) -> bool:
         """Whether its last words begin another bound: "around noon but not before eleven"."""

@@ -68,7 +68,9 @@ class Events:
         # "Wash up evening at six"
         acted = self.lexicon.alone | self.lexicon.intransitive | self.lexicon.addressing
         led = self.texts[max(0, first - BESIDE) : first - 1]
+        # "Parents evening tues 23 june"
         bound = self.around.follower(piece) in self.closed.prepositions_of_points | {"on"}
+        bound = bound or self.around.is_day(piece.end)
         named = piece.end - first > 1 or bound or not self.closed.noun_openers.isdisjoint(led)
         return named and self.around.before(piece) not in acted
 

@@ -84,6 +84,20 @@ class Further(Standing):
             joint, place = text, place + 1
         return joint, place
 
+    def before(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
+        """Give the typed day of a month in front of another: "the play 25th & 26th at seven"."""
+        place = piece.start - 1
+        joined = place > 2 and self.texts[place] in JOINTS - {THEN} and _is_dated(piece)
+        typed = joined and self.texts[place - 1] in self.beside.ordinal_endings
+        if not typed or self.texts[place - 3] in self.closed.noun_openers:
+            # "Hang the 2nd & 3rd at six"
+            return []
+        if any(one.end >= place for one in chosen if one.start < place):
+            return []
+        said = (p for p in cells[place - 2].get("said", {}).values() if p.end == place)
+        found = [p for p in said if _is_day_of_month(p) and isinstance(p.value.time, Wall)][:1]
+        return found + [more for one in found for more in self.before(one, cells, chosen)]
+
     def _further_days(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
         """Give the days of a month behind another: "on the 1st and 15th", "on the 3rd, 10th and 17th"."""
         place = piece.end + 1
@@ -108,6 +122,12 @@ def _is_open(piece: Piece) -> bool:
     """Whether it is a number alone, or two that a full stop joins: "12.30"."""
     clock = piece.value.time.clock
     return piece.value.time.bare or (clock is not None and clock.pair and piece.value.preposition is None)
+
+
+def _is_dated(piece: Piece) -> bool:
+    """Whether it is on a day of a month: "26th july"."""
+    days = piece.value.time.days if isinstance(piece.value.time, Wall) else None
+    return isinstance(days, Fields) and days.day is not None
 
 
 def _is_day_of_month(piece: Piece) -> bool:

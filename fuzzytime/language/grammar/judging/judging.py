@@ -145,7 +145,9 @@ class Judge:
         if isinstance(time, HourMark) and time.open:
             # "Walk at ten to the gate", "half past the volume"
             follower = self.around.follower(piece)
-            sure = said.preposition in OF_HOURS or bool(said.hedges)
+            # "Take the cake out ten past"
+            ends = follower in {""} | self.beside.polite_ends and self.around.before(piece).isalpha()
+            sure = said.preposition in OF_HOURS or bool(said.hedges) or ends
             counts = follower in self.closed.noun_openers or self.measures.is_number(piece.end)
             return sure and not counts and self.around.may_end(piece)
         if self._is_past(piece, said):
@@ -211,6 +213,8 @@ class Judge:
             return False
         if self.texts[piece.end - 1] == "annual" and not self.around.may_end(piece):
             # "Book annual leave"
+            return False
+        if self.ranges.are_amounts(piece):
             return False
         if piece.rule == "repeated_days.parts_alone":
             # "The morning and evening", "dawn, noon and dusk", "morning and evening classes"

@@ -97,6 +97,22 @@ class Lengths(Standing):
         )
         return named and self.measures.is_number(place - 2)
 
+    def counts_each(self, piece: Piece) -> bool:
+        """Whether so many of something stand before a length that they are done in: "two tablets | a day"."""
+        place = piece.start - 1
+        while place > 0 and not self.measures.is_number(place) and self._is_of_thing(place):
+            place -= 1
+        counted = 0 < place < piece.start - 1 and self.measures.is_number(place)
+        costs = not self.lexicon.no_times.costing.isdisjoint(self.texts[:place])
+        done = self.texts[place - 1].isalpha() and self.texts[place - 1] not in self.lexicon.function_words
+        return counted and done and not costs and self.around.may_end(piece)
+
+    def _is_of_thing(self, place: int) -> bool:
+        """Whether a word may be one of those that name what is counted: "8 | glasses of water"."""
+        text = self.texts[place]
+        named = text.isalpha() and text not in self.lexicon.function_words and not self.around.timely(place)
+        return named or text in {"-", "of"}
+
     def _is_of_timer(self, piece: Piece) -> bool:
         """Whether it stands between "a" and what goes on for so long: "a thirty second timer"."""
         led = self.around.before(piece) in self.closed.indefinite_determiners

@@ -64,6 +64,18 @@ class Ranges(Standing):
             return said.preposition == "between" and bound and sure and self.around.may_end(piece)
         return True
 
+    def are_amounts(self, piece: Piece) -> bool:
+        """Whether two numbers before a repetition are none of its hours: "take 1 to 2 every day".
+
+        Nor are those of what has a level ("the heating 17 to 20 on weekdays"), as those of homework are.
+        """
+        before, doing = self.around.before(piece), self.lexicon.doing
+        done = (self.lexicon.orders | doing.errands | doing.putting) - self.lexicon.lasting
+        levels = self.beside.with_levels | self.lexicon.amount_nouns | self.lexicon.called_by_number
+        numbers = self.measures.is_number(piece.start) and self.measures.is_number(piece.start + 2)
+        joined = numbers and self.texts[piece.start + 1] in self.closed.range_joints | {"-"}
+        return joined and (before in done | levels or self.measures.measured(piece))
+
     def _has_dash(self, piece: Piece) -> bool:
         """Whether a dash joins days of a month, or months: "3rd-5th", "june-august"; not "rows 3rd-5th"."""
         named = {self.around.before(piece), singular(self.around.before(piece))}

@@ -4,8 +4,8 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.proper_names import is_whom
 from fuzzytime.language.grammar.judging.spoken_of import is_converted, is_spoken_of
 from fuzzytime.language.grammar.surroundings import Surroundings
-from fuzzytime.language.meaning.days.relations import Relative, Which
-from fuzzytime.language.meaning.expressions import UnitWord
+from fuzzytime.language.meaning.days.relations import Deictic, Relative, Stretch, Which
+from fuzzytime.language.meaning.expressions import UnitWord, Wall
 from fuzzytime.requirement import Unit
 
 MINUTES = 60
@@ -158,3 +158,22 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""
     bound = behind in BOUND
     return piece.category == "unit" and named and not bound
+
+
+def is_from_the_past(piece: Piece, around: Surroundings) -> bool:
+    """Whether it says of which time a thing is that was: "the report of last week at nine"."""
+    days = piece.value.time.days if isinstance(piece.value.time, Wall) else None
+    stretch = isinstance(days, Stretch) and days.count < 0
+    if stretch and around.follower(piece) == "of":
+        # "Keep the last 3 days of logs"
+        return True
+    last = isinstance(days, Deictic) and days.which is Which.LAST
+    past = last or stretch or (isinstance(days, Relative) and days.days < 0)
+    first = piece.start + (around.texts[piece.start] in around.beside.belonging)
+    # "Back up files from the | last week"
+    first -= around.texts[first - 1 : first] == ["the"]
+    *_, led, said = ("", "", *around.texts[: piece.start])
+    if said in around.beside.past_deictics and led in around.beside.belonging:
+        # "The episode from last | tuesday"
+        return True
+    return past and around.belongs(first)

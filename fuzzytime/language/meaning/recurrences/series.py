@@ -169,10 +169,11 @@ def _begins_on_day(first: Time | None) -> TypeGuard[Wall]:
 
 
 def _is_of_one_day(repeat: Repeat) -> bool:
-    """Whether it is done by an interval all through one day: "every hour on thursday"."""
-    first, interval = repeat.starting, repeat.every is not None and not repeat.walls
-    one = _begins_on_day(first) and first.days is not None and first.days.grain is Unit.DAY
-    return interval and one and repeat.until == first
+    """Whether it is done by an interval all through one day, or the rest of it: "every hour on thursday"."""
+    first, last = repeat.starting, repeat.until
+    interval = repeat.every is not None and not repeat.walls
+    one = _begins_on_day(last) and last.days is not None and last.days.grain is Unit.DAY
+    return interval and one and isinstance(first, Wall) and isinstance(last, Wall) and first.days == last.days
 
 
 def _is_even(repeat: Repeat) -> bool:

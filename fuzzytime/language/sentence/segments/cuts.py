@@ -14,7 +14,7 @@ from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_le
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node
 from fuzzytime.language.sentence.verbs.actions import action_of
 from fuzzytime.language.sentence.verbs.called import person_due
@@ -162,14 +162,18 @@ def _due_too(part: Part, start: int, lexicon: Lexicon) -> str | None:
 
 
 def _begins_order(one: Waiting, part: Part, start: int) -> bool:
-    """Whether what was taken for another thing is to be done: "thaw it for 2 min, spin at 300 g for 5"."""
+    """Whether what was taken for another thing is to be done: "thaw it for 2 min, spin at 300 g for 5".
+
+    So is what has an article behind it: "can you hang the curtains after lunch and water the basil at six".
+    """
     place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
     if place is None or place + 1 >= len(part.tree.nodes):
         return False
     node, behind, *further = part.tree.nodes[place : place + 4]
     counted = behind.tag == "IN" and bool(further) and further[0].tag == "CD"
     measured = counted and len(further) > 1 and not node.tag.startswith("NNP")
-    return node.may_act and node.lower == node.lemma and (measured or _is_terse(one, part, place))
+    led = behind.tag in DETERMINERS or measured or _is_terse(one, part, place)
+    return node.may_act and node.lower == node.lemma and led
 
 
 def _is_terse(one: Waiting, part: Part, place: int) -> bool:

@@ -151,7 +151,7 @@ def drafted(
         plain = without_colons(plain, lexicon, own) if own else plain
         plain = blanked(plain, leading_labels(plain, lexicon))
         hours = hours_in(plain, lexicon, own)
-        scanned = _in_entries(plain, hours, grammar, lexicon, listed=own is Timed.MOST)
+        scanned = _in_entries(plain, hours, grammar, lexicon, listed=own >= Timed.MOST)
         messages.append(messages_of(scanned, lexicon))
         told = (message.span for message in messages[-1])
         scanned = _again(scanned, blanked(scanned.text, told), grammar)
@@ -182,7 +182,7 @@ def drafted(
             told,
             instances=each,
             orders=s.orders,
-            listed=many is Timed.MOST,
+            listed=many >= Timed.MOST,
         )
         for (text, _), s, own, step, aside, told, each, tagged, many in zip(
             texts, sources, parts, steps, asides, messages, several, tags, listed, strict=True

@@ -93,7 +93,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     first, end = words[marker.end].start, one.segment.span[1]
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
-        opens = _may_be_done(tree, here, lexicon) or _is_wish(tree, here, lexicon)
+        opens = may_be_done(tree, here, lexicon) or _is_wish(tree, here, lexicon)
         if start <= first or here == 0 or not opens:
             continue
         timed = one.timed(tree)
@@ -130,11 +130,11 @@ def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iter
 
 def _is_free(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word may be a bare verb that nothing before it binds."""
-    bare = place > 0 and _may_be_done(tree, place, lexicon)
+    bare = place > 0 and may_be_done(tree, place, lexicon)
     return bare and not _is_counted(tree, place, lexicon) and not binds(tree, place - 1, lexicon)
 
 
-def _may_be_done(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def may_be_done(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word may be a bare verb: by its dictionary, or as no noun is followed by an article.
 
     "If it rains deburr the plate"
@@ -168,7 +168,8 @@ def _is_event_before_order(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 
 def is_bare(node: Node, lexicon: Lexicon) -> bool:
     """Whether a word may be a verb's bare form, whatever it was taken for: "lower", "lay"."""
-    known = node.tag in COMPARED or node.lower in lexicon.doing.past_alike
+    # "When it's done ring the bell": a tree has that for what goes on.
+    known = node.tag in COMPARED or node.lower in lexicon.doing.past_alike | lexicon.addressing
     return node.lower == node.lemma.lower() or known
 
 
@@ -188,7 +189,7 @@ def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     "The flight pack the bags", "the rice is done turn off the heat", "the pan is hot add butter".
     """
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    if not place or not _may_be_done(tree, place, lexicon) or _is_counted(tree, place, lexicon):
+    if not place or not may_be_done(tree, place, lexicon) or _is_counted(tree, place, lexicon):
         return False
     before = tree.nodes[place - 1]
     if binds(tree, place - 1, lexicon):

@@ -90,6 +90,9 @@ def segments_of(
             continue
         opens = _opens(words, place, vague, lexicon) and not counts_event(words, place, phrases, lexicon)
         found = longest_match(words, place, lexicon.connectives) if opens else None
+        if found is not None and len(longest_match(words, place, lexicon.clauses) or ()) > len(found):
+            # "Next time I'm at the shop"
+            found = None
         end = 0 if found is None else _end_of(words, place, len(found))
         if found is not None and lexicon.connectives[found] == MEANWHILE and end < len(words):
             # "At the same time every evening"
@@ -101,10 +104,18 @@ def segments_of(
             cuts.append((place, end, lexicon.connectives[found]))
             place = end
             continue
-        if words[place].text in ENDS and _is_end(text, words, place, lexicon):
+        ends = words[place].text in ENDS and _is_end(text, words, place, lexicon)
+        begun = any(p not in inside for p in range(cuts[-1][1] if cuts else 0, place))
+        if ends or (begun and _parts_what_is_told(words, place, lexicon)):
             cuts.append((place, place + 1, ""))
         place += 1
     return list(_between(text, words, cuts, {phrase.first: phrase.end for phrase in phrases}, lexicon))
+
+
+def _parts_what_is_told(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a dash stands before what is told of somebody, or of something: "buy milk - we're out"."""
+    behind = words[place + 1].text.partition("'")[0] if place + 1 < len(words) else ""
+    return words[place].text == "-" and behind in lexicon.closed.subject_pronouns
 
 
 def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:

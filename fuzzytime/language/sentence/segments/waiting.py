@@ -27,7 +27,7 @@ from fuzzytime.language.sentence.verbs.actions import is_doubtful
 from fuzzytime.language.sentence.verbs.happenings import happens, may_be_ordered
 from fuzzytime.language.sentence.verbs.statement_trees import leaves
 
-JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but|or|nor)\b)?[\s,;&]*$", re.IGNORECASE)
+JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but|or|nor)\b)?[\s,;&]*(\bplease\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
 
 AT = "at"

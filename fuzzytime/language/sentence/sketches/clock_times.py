@@ -72,7 +72,8 @@ def last_said(requirements: Iterable[TimeRequirement], before: LastSaid) -> Last
             # Of a weekend, its last day.
             named = requirement.grain in {*SUB_DAY, Unit.DAY} or length > A_DAY
             before = replace(before, day=begin + max(0.0, length - A_DAY)) if named else before
-        if requirement.constraint in SAID_WHEN | BOUNDS and requirement.grain in SUB_DAY:
+        offered = requirement.constraint is Constraint.AFTER and requirement.alternative
+        if requirement.constraint in SAID_WHEN | BOUNDS and requirement.grain in SUB_DAY and not offered:
             if latest is not None and (begin is None or latest - begin > FOLLOWING.total_seconds()):
                 # "Charge overnight and be ready at seven"
                 begin = latest

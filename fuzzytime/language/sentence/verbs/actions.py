@@ -93,12 +93,18 @@ def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
     leads = (
         lemma in lexicon.forgetting
         or lemma in lexicon.wanting
+        or (lemma in lexicon.doing.remembering and _has_to(tree, below) and _is_said_of(tree, root))
         or (lemma in lexicon.indicators and not _is_left(tree, root, below, lexicon))
         or _is_going_to(tree, root)
         or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root, lexicon)))
         or (lemma == "have" and _has_to(tree, below))
     )
     return below if leads else None
+
+
+def _is_said_of(tree: Tree, place: int) -> bool:
+    """Whether somebody does, or is to do, what a verb says: "I must remember to call"; but "remember to"."""
+    return place != tree.root or bool(tree.children(place, *SUBJECTS))
 
 
 def _names_kind(tree: Tree, root: int, below: int) -> bool:

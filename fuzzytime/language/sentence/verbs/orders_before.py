@@ -29,7 +29,9 @@ def order_before(tree: Tree, root: int) -> int:
         for place in tree.children(root, "advcl", "ccomp"):
             if place < min(tree.children(root, *SUBJECTS)) and tree.nodes[place].tag == "VB":
                 led = [p for p in tree.children(place, "advmod") if p < place]
-                return root if led or tree.children(place, "mark", "aux", *SUBJECTS) else place
+                # "Can you set an alarm so I don't miss it"
+                bound = tree.children(place, "mark", *(() if so else ("aux", *SUBJECTS)))
+                return root if bound or (led and not so) else place
     return root
 
 

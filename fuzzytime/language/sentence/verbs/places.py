@@ -70,7 +70,8 @@ class Places(Wording):
             where = any(self.tree.nodes[thing].lower != WAY for thing in things)
             where = where and self.tree.nodes[place].lower in self.lexicon.places
             timely = any(self.lexicon.means(self.tree.nodes[p].lower, *TIMES) or self.timed(p) for p in words)
-            if place == words[0] == 0 and where and words[-1] < verb and not timely:
+            led = place == words[0] and all(self.timed(p) for p in range(place))
+            if led and where and words[-1] < verb and not timely:
                 return [word for word in words if self.tree.nodes[word].relation != "punct"]
         return []
 

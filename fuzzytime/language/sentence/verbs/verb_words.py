@@ -12,9 +12,11 @@ class VerbWords(Stated):
     """Reads off a tree which words belong to a verb."""
 
     def _participle(self, verb: int) -> list[int]:
-        """Give the participle behind "get", as in "get dressed"."""
-        node = self.tree.nodes[verb]
-        return [node.head] if node.relation == "auxpass" and not self.timed(node.head) else []
+        """Give the participle behind "get", with what hangs on it: "get dressed", "get rid of the boxes"."""
+        done = self.tree.nodes[verb].head
+        if self.tree.nodes[verb].relation != "auxpass" or self.timed(done):
+            return []
+        return [done, *self.words(self.tree.children(done, "prep"), done)]
 
     def _let(self, verb: int) -> list[int]:
         """Give what is let be done with what is not named again: "cover and let stand"."""

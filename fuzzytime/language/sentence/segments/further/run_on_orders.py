@@ -22,6 +22,7 @@ LEAST = 2
 """Words of an order that another may stand behind, at least."""
 
 COMMA = ","
+APOSTROPHES = frozenset({"'", "’"})
 NOUNS = "NN"
 
 OBJECTS = ("dobj", "prt", "dative", "npadvmod", "prep", "advmod")
@@ -73,7 +74,11 @@ def run_on_orders(
         one = first.without_carrier(carrier, attempt.before, 0)
         other = second.without_carrier("" if attempt.told else CARRIER, attempt.behind, 0)
         if attempt.told:
-            whole = is_whole(one, lexicon, timed=False) and _has_object(one) and _tells(other)
+            messages = lexicon.no_times.speaking | lexicon.no_times.sending
+            # "Wake me at six I'm flying at nine"; but "text Ann at six I'm late"
+            sure = attempt.sure and bool(one.nodes) and one.nodes[0].lemma not in messages
+            done = _has_object(one) or (sure and bool(one.children(one.root, "prt")))
+            whole = is_whole(one, lexicon, timed=sure) and done and _tells(other)
         else:
             whole = _tells(one) if attempt.tells else is_whole(one, lexicon, timed=attempt.timed)
             surely = attempt.timed or not attempt.tells or _is_state(one, lexicon)
@@ -91,7 +96,8 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     tells = not tree.nodes[0].may_act
     for here in range(LEAST, len(tree.nodes) - 1):
         behind_time = (here - 2 if tree.nodes[here - 1].text == COMMA else here - 1) in timed
-        told = not tells and behind_time and here not in timed and _may_tell(tree, here, lexicon)
+        apart = behind_time or _is_parted(tree, here, lexicon)
+        told = not tells and apart and here not in timed and _may_tell(tree, here, lexicon)
         if here in timed or not (told or _may_begin(tree, here, timed, lexicon)):
             continue
         if tells and here - 1 not in timed and not _may_be_state(tree, here, lexicon):
@@ -109,11 +115,11 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         if any(longest_match(source.scanned.words, word, lexicon.clauses) is not None for word in words):
             # "Stir it when the chef asks the waiter": what is in a clause.
             return
-        before, behind = source.sound[one.main : start].strip(), source.sound[verb:end]
-        sure = here - 1 in timed and (
-            is_bare_order(tree, here, timed, lexicon) or _is_carried(tree, here, timed)
-        )
-        yield _Try(place, start, here - 1 in timed, tells, told, sure, before, behind)
+        said = source.sound[one.main : start].strip()
+        bare = is_bare_order(tree, here, timed, lexicon)
+        sure = here - 1 in timed and (bare or _is_carried(tree, here, timed))
+        sure = tree.nodes[here + 1].text[0] in APOSTROPHES if told else sure
+        yield _Try(place, start, here - 1 in timed, tells, told, sure, said, source.sound[verb:end])
 
 
 def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
@@ -195,6 +201,14 @@ def _may_tell(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     node = tree.nodes[place]
     subject = node.lower in lexicon.closed.subject_pronouns or node.tag in DETERMINERS
     return subject and any(one.tag in FINITE | {"VBP", "MD"} for one in tree.nodes[place + 1 :])
+
+
+def _is_parted(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether "it's" or "I'm" stands where an order is over: "bring the washing in | it's raining"."""
+    before, node, behind = tree.nodes[place - 1 : place + 2]
+    over = (before.lower,) in lexicon.courtesies or before.lower in lexicon.particles
+    over = over and all(below < place - 1 for below in tree.children(place - 1))
+    return over and node.lower in lexicon.closed.subject_pronouns and behind.text[0] in APOSTROPHES
 
 
 def _has_object(tree: Tree) -> bool:

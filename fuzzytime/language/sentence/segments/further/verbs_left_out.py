@@ -3,7 +3,7 @@
 from collections.abc import Collection, Sequence
 from itertools import pairwise
 
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Order
 from fuzzytime.language.meaning.expressions import Phrase, TimeWord
@@ -44,11 +44,27 @@ def _turns_to_particle(between: Sequence[Word], lexicon: Lexicon) -> bool:
     return texts[:1] in (["and"], [","], ["&"]) and alone and said[:1] != [] and said[0] in lexicon.particles
 
 
+def _particles_behind_clauses(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
+    """Give where a verb's other particle begins: "on when it gets dark and off at midnight"."""
+    words, starts = one.source.scanned.words, {phrase.first for phrase in one.source.phrases}
+    lemma, found, behind = part.tree.nodes[part.tree.root].lemma, [], False
+    for place in one.source.places(part.offset, one.segment.span[1])[: -SHORTEST_GAP - 1]:
+        turned = words[place + 1].text
+        timed = place + SHORTEST_GAP + (words[place + 2].text in lexicon.closed.adverbs_of_repetition)
+        says_when = timed in starts or longest_match(words, timed, lexicon.clauses) is not None
+        carried = lemma in lexicon.particles.get(turned, ()) or turned in lexicon.beside.switched
+        other = words[place].text in {"and", "&"} and carried
+        if behind and other and says_when:
+            found.append(words[place + 1].start)
+        behind = behind or (place > 0 and longest_match(words, place, lexicon.clauses) is not None)
+    return found
+
+
 def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
     """Give where the verb is left out before another thing and its time: "the cat at 8 and the dog at 9"."""
     words, phrases = one.source.scanned.words, one.source.phrases
     own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
-    found = []
+    found = _particles_behind_clauses(one, part, lexicon)
     for old, new in pairwise(own):
         between = words[old.end : new.first]
         if _turns_to_particle(between, lexicon):

@@ -12,7 +12,7 @@ from itertools import takewhile
 
 from fuzzytime.english import PARTICIPLE, looks_plural, singular
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.timetables import SEPARATORS, has_time
+from fuzzytime.language.grammar.timetables import SEPARATORS, counts_nothing, has_time
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.sentence.segments.lists.dividers import LINE
 
@@ -36,6 +36,9 @@ DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 
 LEADING = re.compile(r"\s*(?:2[0-3]|[01]?\d)(\.)[0-5]\d(?=\s+[^\W\d])")
 """An hour and its minutes in front of a line."""
+
+ALONE = re.compile(r"\s*(?P<hour>1[0-2]|[1-9])\s+(?=[^\W\d])")
+"""A number alone in front of a line."""
 
 BESIDE_HOURS = (
     "hedge",
@@ -61,11 +64,15 @@ NAMED = re.compile(r"^\s*[^\W\d][^:;,\n]*(?P<colon>:)[ \t](?=\d)", re.MULTILINE)
 
 
 class Timed(IntEnum):
-    """How many lines say when something is: of most of them, a number alone is an hour, too: "Wrap 7"."""
+    """How many lines say when something is: of most of them, a number alone is an hour, too: "Wrap 7".
+
+    So is one in front of a line where most of those hours ``LEAD``: "10 cut bars".
+    """
 
     NO = 0
     SOME = 1
     MOST = 2
+    LEAD = 3
 
 
 @cache
@@ -115,7 +122,10 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     if sum(sure) < SURELY and not (planned and sum(typed) >= TYPED):
         return Timed.NO
     timed = sum(one or other for one, other in zip(sure, typed, strict=True))
-    return Timed.MOST if timed >= MOST and MOST * timed >= len(lines) else Timed.SOME
+    if timed < MOST or MOST * timed < len(lines):
+        return Timed.SOME
+    leading = sum(surely.match(line.strip()) is not None or LEADING.match(line) is not None for line in lines)
+    return Timed.LEAD if leading >= MOST and 2 * leading >= timed else Timed.MOST
 
 
 def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozenset[int]:
@@ -129,7 +139,7 @@ def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozense
     """
     if not timed:
         return frozenset()
-    return frozenset((*_behind_things(text, lexicon, timed), *_in_front(text, lexicon)))
+    return frozenset((*_behind_things(text, lexicon, timed), *_in_front(text, lexicon, timed)))
 
 
 def without_colons(text: str, lexicon: Lexicon, timed: Timed = Timed.MOST) -> str:
@@ -177,19 +187,22 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
             yield found.start("mark")
 
 
-def _in_front(text: str, lexicon: Lexicon) -> Iterator[int]:
-    """Give where the point is in an hour in front of what is then: "7.10 crew call"."""
+def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
+    """Give where the point is in an hour in front of what is then, or what is before it: "7.10 crew call"."""
     for line in LINE.finditer(text):
         found = LEADING.match(line[0])
         if found is not None and not _is_amount(words_of(line[0][found.end() :])[:1], lexicon):
             yield line.start() + found.start(1)
+        alone = ALONE.match(line[0]) if timed is Timed.LEAD else None
+        if alone is not None and counts_nothing(words_of(line[0][alone.end() :]), 0, lexicon):
+            yield line.start() + alone.start("hour") - 1
 
 
 def _may_end(found: re.Match[str], behind: Sequence[Word], lexicon: Lexicon, timed: Timed) -> bool:
     """Whether nothing is behind an hour, or beside minutes where or whose it is: "10-11.30 group A"."""
     if found["ends"] is not None:
         return True
-    typed = found["minutes"] or found["last"] or (found["until"] and timed is Timed.MOST)
+    typed = found["minutes"] or found["last"] or (found["until"] and timed >= Timed.MOST)
     placed = all(word.text in lexicon.function_words for word in behind)
     return bool(typed) and (found["until"] is not None or placed)
 
@@ -235,8 +248,8 @@ def _is_timed(word: Word, lexicon: Lexicon, timed: Timed) -> bool:
 
     Among lines of which most are timed, so may be anything else: "wrap".
     """
-    has_hour = has_time(word.text, lexicon) or (timed is Timed.MOST and _is_thing(word, lexicon))
-    return has_hour and word.is_letters and not _is_called(word, lexicon)
+    has_hour = has_time(word.text, lexicon) or (timed >= Timed.MOST and _is_thing(word, lexicon))
+    return has_hour and word.is_letters and len(word.text) > 1 and not _is_called(word, lexicon)
 
 
 def _goes_on(entry: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -13,6 +13,9 @@ BELOW_ZERO = re.compile(r"[-−]\d+(\.\d+)?$")
 NAMES = SINGULAR | {"NNS"}
 """Tags of what is named."""
 
+PERSONS = frozenset({"NNP", "PRP"})
+"""Tags of who is named."""
+
 PARTS = ("det", "poss", "amod", "nummod", "compound", "nmod")
 """Relations of the words before a thing that are said of it."""
 
@@ -66,9 +69,13 @@ def _with_second(tree: Tree) -> Tree:
     for thing in tree.children(root, "dobj"):
         joints = tree.children(thing, "cc")
         for second in tree.children(root, "conj"):
-            named = tree.nodes[second].tag in {"NN", "NNS", "NNP"} and bool(tree.children(second, "det"))
-            if named and tree.reach(second)[0] - 1 in joints:
+            named = tree.nodes[second].tag in NAMES and bool(tree.children(second, "det"))
+            # "Remind me and Jo at six"
+            both = second == thing + 2 and {tree.nodes[thing].tag, tree.nodes[second].tag} <= PERSONS
+            joint = tree.reach(second)[0] - 1
+            if both or (named and joint in joints):
                 nodes = list(tree.nodes)
+                nodes[joint] = replace(nodes[joint], head=thing)
                 nodes[second] = replace(nodes[second], head=thing)
                 return tree.with_nodes(nodes)
     return tree

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.english import PARTICIPLE
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_order
+from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_order, may_be_done
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
@@ -52,21 +52,23 @@ def with_places_in_front(
 
 
 def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
-    nodes = tree.nodes
-    if len(nodes) <= LEAST or nodes[0].tag != "IN" or nodes[0].lower not in lexicon.places:
+    nodes, skipped = tree.nodes, one.behind_time
+    # "At six in the garage record the match"
+    first = next((p for p, node in enumerate(nodes) if node.start >= skipped), len(nodes))
+    if len(nodes) <= first + LEAST or nodes[first].tag != "IN" or nodes[first].lower not in lexicon.places:
         return
-    if nodes[1].tag not in DETERMINERS:
+    if nodes[first + 1].tag not in DETERMINERS:
         return
     timed, root = one.timed(tree), tree.root
-    for here in range(LEAST, len(nodes) - 1):
+    for here in range(first + LEAST, len(nodes) - 1):
         node, before = nodes[here], nodes[here - 1]
-        if here in timed or not timed.isdisjoint(range(here)):
+        if here in timed or not timed.isdisjoint(range(first, here)):
             return
         if here == root and node.may_act and is_bare(node, lexicon):
             return
         led = before.text == COMMA or (before.tag.startswith(NOUNS) and not before.lower.endswith(PARTICIPLE))
-        if led and node.may_act and is_bare(node, lexicon) and nodes[here + 1].lower != "of":
-            front, order = tree.text[: before.end], tree.text[node.start :]
+        if led and may_be_done(tree, here, lexicon) and nodes[here + 1].lower != "of":
+            front, order = tree.text[nodes[first].start : before.end], tree.text[node.start :]
             yield _Try(place, front.rstrip(" ,"), order)
 
 
@@ -82,11 +84,11 @@ def _governs(tree: Tree) -> bool:
 
 def _joined(tree: Tree, front: Tree, order: Tree) -> Tree:
     """Give one tree of what is done and where."""
-    start = tree.text.index(order.text, front.nodes[-1].end)
+    begin = tree.text.index(front.text)
+    start = tree.text.index(order.text, begin + front.nodes[-1].end)
     verb = len(front.nodes)
-    led = [
-        replace(node, head=verb, relation="prep") if p == 0 else node for p, node in enumerate(front.nodes)
-    ]
+    led = [_moved(node, begin, 0) for node in front.nodes]
+    led[0] = replace(led[0], head=verb, relation="prep")
     behind = [_moved(node, start, verb) for node in order.nodes]
     return tree.with_nodes((*led, *behind))
 

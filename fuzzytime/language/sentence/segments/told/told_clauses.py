@@ -49,6 +49,10 @@ def told_from(
         if that and is_said(words, behind + 1, lexicon):
             # "Text mike at six that i'm late"; but "email the file that we signed"
             return behind
+        clipped = behind > end and known and behind < len(words) - 1 and "'" in words[behind].text
+        if clipped and _is_subject(words[behind].text, lexicon):
+            # "Text mike at six i'm late"
+            return behind
         if end not in covered and _opens(words, end, covered, lexicon, sure=known):
             return end
     return None

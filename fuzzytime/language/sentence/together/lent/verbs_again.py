@@ -22,7 +22,7 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     spans = [(node.start + part.offset, node.end + part.offset) for node in part.tree.nodes]
     said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
     rest = text[said[0][0] : said[-1][1]] if said else ""
-    shortly = _said_shortly(before, rest, lexicon) if sketch.phrases else None
+    shortly = _said_shortly(before, rest, lexicon) if sketch.heard else None
     if shortly is not None:
         return shortly
     said_again = sketch.operation
