@@ -4,7 +4,6 @@ from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.further.further_steps import is_further_step
-from fuzzytime.language.sentence.segments.further.orders_in_front import COORDINATE
 from fuzzytime.language.sentence.segments.orders_beside_times import (
     is_order_before_time,
     is_order_between_times,
@@ -113,14 +112,6 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         behind in closed.it_or_them or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)
     ):
         # "Leave it for an hour and pat it dry", "move the sofa, vacuum behind it"
-        return True
-    if (
-        node.relation in COORDINATE
-        and node.may_act
-        and behind in closed.noun_openers
-        and tree.children(place, "dobj")
-    ):
-        # "The painters come at nine, clear the room"
         return True
     return node.relation == "conj" and before in {"and", "&"} and behind in closed.noun_openers
 
