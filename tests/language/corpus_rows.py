@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from datetime import datetime
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -67,11 +68,15 @@ def idle_rules(grammar: Grammar, lexicon: Lexicon, texts: Iterable[str]) -> list
     return sorted({rule.name for rule in grammar.rules} - {name for name, count in made.items() if count})
 
 
-def sentences() -> list[str]:
-    """Give the texts of the corpus of sentences, whose times may lend each other their units."""
-    return [
-        row["text"] for row in yaml.safe_load((FOLDER / "sentences.yaml").read_text("utf-8"))["sentences"]
-    ]
+@cache
+def sentences() -> list[dict[str, Any]]:
+    """Give the corpus of sentences: texts, and the instructions that they give.
+
+    Each has ``do``, the operation in words; ``times`` with their words, constraint, and any of the seconds of
+    their t_spec, their reference and what they count from; ``next`` or ``first``, when occurrences begin.
+    """
+    files = sorted((FOLDER / "sentences").glob("*.yaml"))
+    return [row for file in files for row in yaml.load(file.read_text("utf-8"), yaml.CSafeLoader)]
 
 
 def texts_without_time() -> list[str]:

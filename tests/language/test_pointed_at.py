@@ -5,7 +5,8 @@ from datetime import timedelta
 import pytest
 
 from fuzzytime.language import RemarkKind
-from language.reading import CORPUS, NOW, language
+from language.corpus_rows import sentences
+from language.reading import NOW, language
 
 pytestmark = pytest.mark.model
 
@@ -205,7 +206,7 @@ def test_names_that_neither_an_operation_nor_a_time_holds_are_pointed_at(text: s
 
 
 def test_nothing_is_said_to_be_unused_where_all_is_read() -> None:
-    texts = [row["text"] for row in CORPUS["sentences"]]
+    texts = [row["text"] for row in sentences()]
     readings = language().read_independent([(text, NOW) for text in texts])
     unused = [(r.text, m.message) for r in readings for m in r.remarks if m.message.endswith("is not used")]
     purpose = "can you set an alarm for half five so i don't miss my train"

@@ -11,7 +11,8 @@ from fuzzytime.language.meaning.recurrences.recurrence import CalendarRecurrence
 from fuzzytime.language.meaning.recurrences.recurrence_by_months import RecurrenceByMonths
 from fuzzytime.language.meaning.recurrences.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Edge, TimeRequirement
-from language.reading import CORPUS, NOW, language
+from language.corpus_rows import sentences
+from language.reading import NOW, language
 
 pytestmark = pytest.mark.model
 
@@ -79,7 +80,7 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
-@pytest.mark.parametrize("row", CORPUS["sentences"], ids=lambda row: row["text"])
+@pytest.mark.parametrize("row", sentences(), ids=lambda row: row["text"])
 def test_a_sentence_is_read_as_its_row_says(row: dict[str, Any]) -> None:
     reading = language().read(row["text"], now=NOW)
     wanted = row["instructions"]
@@ -94,7 +95,7 @@ def test_a_time_that_bounds_what_is_before_it_is_told_of_where_it_is_said() -> N
 
 
 def test_texts_read_together_are_read_as_alone() -> None:
-    texts = [row["text"] for row in CORPUS["sentences"]]
+    texts = [row["text"] for row in sentences()]
     together = language().read_independent([(text, NOW) for text in texts])
     assert together == [language().read(text, now=NOW) for text in texts]
 
