@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.segments.further.run_on_orders import governs, 
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
+from fuzzytime.language.sentence.verbs.actions import action_of
 
 LEAST = 3
 """Words of an order with its thing and a joint behind them, at least."""
@@ -60,7 +61,7 @@ def orders_behind_joints(
 
 def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
     source, timed = one.source, one.timed(tree)
-    main = one.main + one.behind_time
+    main = one.main + max(one.behind_time, _behind_asking(tree, lexicon))
     for here in range(LEAST, len(tree.nodes) - 1):
         led = tree.nodes[here - 1]
         sure = _is_surely_done(tree, here, timed, lexicon)
@@ -74,6 +75,15 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             return
         before = source.sound[main : led.start + one.main].strip()
         yield _Try(place, start, sure, before, source.sound[start : one.segment.span[1]])
+
+
+def _behind_asking(tree: Tree, lexicon: Lexicon) -> int:
+    """Give where an order begins behind who is asked for it: "can you | brew the coffee", "we should | …"."""
+    action = action_of(tree, lexicon)
+    before = tree.nodes[: action.place] if action is not None else ()
+    asks = {node.lower for node in before} & lexicon.closed.first_and_second_person
+    known = all(node.lower in lexicon.function_words or node.lemma in lexicon.wanting for node in before)
+    return tree.nodes[len(before)].start if asks and known else 0
 
 
 def _may_act_on(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
