@@ -60,7 +60,7 @@ def orders_behind_joints(
 
 
 def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
-    source, timed = one.source, one.timed(tree)
+    source, timed, covered = one.source, one.timed(tree), one.source.covered
     main = one.main + max(one.behind_time, _behind_asking(tree, lexicon))
     for here in range(LEAST, len(tree.nodes) - 1):
         led = tree.nodes[here - 1]
@@ -69,7 +69,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         if not joined or not (sure or _may_act_on(tree, here, timed, lexicon)):
             continue
         start = tree.nodes[here].start + one.main
-        words = source.places(main, start)
+        words = (word for word in source.places(main, start) if word not in covered)
         if any(longest_match(source.scanned.words, word, lexicon.clauses) is not None for word in words):
             # "Stir it when the chef salts the soup and pepper the steak": what is in a clause.
             return
