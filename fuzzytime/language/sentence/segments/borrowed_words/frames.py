@@ -99,10 +99,16 @@ def is_asked_too(wish: Wish) -> list[Stretch] | None:
     if also is not None and wish.names(wish.start, also) and wish.is_name(root + 1):
         return [(wish.start, front_of(wish, root + 1))] if wish.is_name(wish.start) else None
     reminds = tree.nodes[root].lemma in wish.lexicon.doing.recalling
-    if reminds and wish.names(wish.start, wish.end) and to + 2 < wish.start:
+    # "Remind me to water the plants at six and call mum at seven"
+    somebody = bool(behind) and (
+        wish.is_name(wish.start + 1) > 0 or behind[0].lower in wish.lexicon.names_like_words
+    )
+    called = somebody and node.lower in wish.lexicon.addressing
+    if reminds and not called and wish.names(wish.start, wish.end) and to + 2 < wish.start:
         return _reminded_with(wish, to)
-    governs = bool(behind) and (behind[0].tag in {*DETERMINERS, "PRP", "NNP"} or wish.start + 1 in wish.timed)
-    bare = node.may_act and node.lower == node.lemma and governs
+    governs = called or (node.tag == "VB" and bool(tree.children(wish.start, "dobj")))
+    governs = governs or (bool(behind) and behind[0].tag in {*DETERMINERS, "PRP", "NNP"})
+    bare = node.may_act and node.lower == node.lemma and (governs or wish.start + 1 in wish.timed)
     return [(wish.start, front_of(wish, to + 1))] if reminds and bare else None
 
 
