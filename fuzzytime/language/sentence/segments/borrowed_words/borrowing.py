@@ -10,6 +10,7 @@ from fuzzytime.language.sentence.segments.borrowed_words.frames import (
     is_asked_too,
     is_done_too,
     is_gone_for_too,
+    is_reminded_then,
     is_sure_too,
     lets_too,
 )
@@ -43,12 +44,13 @@ def wishes_beside(one: Waiting, part: Part, lexicon: Lexicon) -> dict[int, tuple
     """Give where further wishes begin that borrow words, with these."""
     tree, timed = part.tree, one.timed(part.tree)
     found: dict[int, tuple[Borrowed, ...]] = {}
-    for start in _starts(tree, timed):
+    for start in (*_starts(tree, timed), *_other_times(tree, timed)):
         behind = range(start, len(tree.nodes))
         ends = (p for p in behind if p in timed or (tree.nodes[p].lower,) in lexicon.clauses)
         end = next(ends, len(tree.nodes))
         wish = Wish(tree, start, end, timed, lexicon)
-        stretches = next((said for kind in KINDS if (said := kind(wish)) is not None), None)
+        kinds = (is_reminded_then,) if start in timed else KINDS
+        stretches = next((said for kind in kinds if (said := kind(wish)) is not None), None)
         if stretches is None or any(not timed.isdisjoint(words) for _, words in stretches):
             continue
         offset = part.offset
@@ -72,4 +74,15 @@ def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[int]:
         while before and tree.nodes[before].lower in JOINTS:
             before -= 1
         if before in timed:
+            yield place
+
+
+def _other_times(tree: Tree, timed: AbstractSet[int]) -> Iterator[int]:
+    """Give the places of times between a joint and what is to be done: "and | in two hours to call dad"."""
+    for place in range(2, len(tree.nodes) - 1):
+        if place not in timed or place - 1 in timed or tree.nodes[place - 1].lower not in JOINTS:
+            continue
+        behind = next(p for p in range(place, len(tree.nodes) + 1) if p not in timed)
+        done = tree.nodes[behind + 1 : behind + 2]
+        if done and tree.nodes[behind].lower == "to" and done[0].may_act:
             yield place

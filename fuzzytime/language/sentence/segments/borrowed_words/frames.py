@@ -112,6 +112,13 @@ def is_asked_too(wish: Wish) -> list[Stretch] | None:
     return [(wish.start, front_of(wish, to + 1))] if reminds and bare else None
 
 
+def is_reminded_then(wish: Wish) -> list[Stretch] | None:
+    """Give "remind me", which holds at another time, too: "… at six to call mum and at ten to lock up"."""
+    tree, root = wish.tree, wish.tree.root
+    reminds = tree.nodes[root].lemma in wish.lexicon.doing.recalling and root + 2 in wish.timed
+    return [(wish.start, front_of(wish, root + 2))] if reminds and root + 2 < wish.start else None
+
+
 def _reminded_with(wish: Wish, to: int) -> list[Stretch]:
     """Give what is to be done with another thing: "remind me to turn" the oven "on" at five and the grill."""
     said = (wish.start, range(front_of(wish, to).start, end_of(wish, to + 1)))
