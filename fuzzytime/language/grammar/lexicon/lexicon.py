@@ -5,9 +5,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
 from fuzzytime.language.grammar.lexicon.transliteration import Names
 from fuzzytime.language.grammar.lexicon.verb_groups import Doing
-from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses, NoTimes
+from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Edge
 from fuzzytime.language.policy import Hours, Policy
