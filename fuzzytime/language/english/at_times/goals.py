@@ -37,7 +37,7 @@ SOME = "some"
 """The hedge before a length, that says how much of a thing as well: "some ten minutes", "some dinner"."""
 
 
-@grammar.rule("goal", "<wall>|<end>|<stretch>|<rest>|<word>")
+@grammar.rule("goal", "<wall>|<end>|<stretch>|<rest>|<word>|<same>")
 def goal(time: Time) -> Goal:
     """Any time."""
     return Goal(time)

@@ -2,7 +2,7 @@
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import Goal, HourMark, SameTime
+from fuzzytime.language.meaning.expressions import HourMark, SameTime
 
 grammar = Grammar()
 
@@ -27,14 +27,9 @@ def on_the_hour() -> HourMark:
 
 
 @grammar.rule("same", "the? bottom|middle of the hour", weight=0.2)
-def at_the_bottom_of_the_hour() -> HourMark:
-    """At the bottom of the hour."""
-    return HourMark(30)
-
-
 @grammar.rule("same", "on|at the half hour", weight=0.3)
 def on_the_half_hour() -> HourMark:
-    """On the half hour."""
+    """On the half hour, at the bottom of the hour."""
     return HourMark(30)
 
 
@@ -60,9 +55,3 @@ def past_no_hour(minutes: float) -> HourMark:
 def to_no_hour(minutes: float) -> HourMark:
     """(at) ten to: of the hour that was said before, or of the next."""
     return HourMark(60 - int(minutes), open=True)
-
-
-@grammar.rule("goal", "<same>")
-def goal_like_now(time: SameTime | HourMark) -> Goal:
-    """A time of day that depends on the one now."""
-    return Goal(time)

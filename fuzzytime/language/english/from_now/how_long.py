@@ -40,9 +40,10 @@ def for_another(number: Integer) -> Said:
     return said_length(minutes_of(Quantity(number.value)), Constraint.FOR, "for")
 
 
+@grammar.rule("said", "during|in|within the? first <duration>", weight=0.5)
 @grammar.rule("said", "over|during|for the? next|coming <duration>", weight=0.5)
 def over_the_next(duration: Duration) -> Said:
-    """Over the next two hours: any time in them."""
+    """Over the next two hours, during the first twenty minutes: any time in them."""
     return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
 
 
@@ -57,7 +58,7 @@ def for_the_next_one(unit: UnitWord) -> Said | None:
 @grammar.rule("said", "for the? first <duration>", weight=0.5)
 def for_the_first(duration: Duration) -> Said:
     """For the first twenty minutes."""
-    return replace(in_the_first(duration), preposition="for")
+    return replace(over_the_next(duration), preposition="for")
 
 
 @grammar.rule("said", "for the? first <unit>", "for the? first <unit> and a? <fraction>", weight=0.5)
@@ -65,12 +66,6 @@ def for_the_first_one(unit: UnitWord, fraction: float = 0.0) -> Said | None:
     """For the first hour, for the first hour and a half; but "for the first quarter" is of a year."""
     length = Duration(((unit.count * (1 + fraction), unit.unit),))
     return for_the_first(length) if len(unit.form) > 1 and unit.unit is not Unit.QUARTER else None
-
-
-@grammar.rule("said", "during|in|within the? first <duration>", weight=0.5)
-def in_the_first(duration: Duration) -> Said:
-    """During the first twenty minutes."""
-    return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
 
 
 @grammar.rule("said", "for the? <stretch>", weight=0.45)

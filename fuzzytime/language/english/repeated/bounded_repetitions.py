@@ -66,14 +66,9 @@ def so_many_each_bounded(each: Said, said: Said) -> Said | None:
 
 
 @grammar.rule("repeat", "<hours open> ,|on? <repeat>", weight=-0.5)
-def hours_repeated(said: Said, repeat: Repeat) -> Repeat | None:
-    """(homework) 4 to 5 on weekdays."""
-    return within_range(said, repeat)
-
-
 @grammar.rule("repeat", "<said> ,|on? <repeat>", weight=-1)
 def within_range(said: Said, repeat: Repeat) -> Repeat | None:
-    """From nine to five every day, between lunch and three on fridays."""
+    """From nine to five every day, between lunch and three on fridays; (homework) 4 to 5 on weekdays."""
     time = said.time
     # "Monday to friday every week" has no hours.
     hours = isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last)
