@@ -8,7 +8,8 @@ what stands around it, so that numbers and names are no times. From the ground:
 ``chart``
     Applies the rules of a grammar.
 ``lexicon``
-    What words mean, as ``word_tables`` say; ``numerals`` are numbers, ``timetables`` lists of hours.
+    What words mean, as ``word_tables`` say, and which are meant (``typed_words``); ``numerals`` are numbers,
+    ``timetables`` lists of hours.
 ``surroundings``
     What stands before and behind a stretch of words.
 ``understood``

@@ -6,7 +6,7 @@ are chosen that together explain most words in the fewest pieces.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.judging.judging import Judge
@@ -16,6 +16,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.quotes import quotes_in
 from fuzzytime.language.grammar.timetables import holds_stretch
+from fuzzytime.language.grammar.typed_words import as_meant, with_marks
 from fuzzytime.language.grammar.understood.due import due_then
 from fuzzytime.language.grammar.understood.lending import (
     appointed,
@@ -32,17 +33,12 @@ from fuzzytime.language.grammar.understood.typed_hours import (
     gone_by,
     lasting_on_day,
 )
-from fuzzytime.language.grammar.words import Word, joins, words_of
+from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.meaning.expressions import Phrase
-
-LONGEST_ELLIPSIS = 4
-"""Two points and the numbers on either side."""
 
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
 
-MARKS = {" ": "@", ".": ":"}
-"""What people type in front of an hour and between it and its minutes, by what may stand there instead."""
 
 ROUNDS = 6
 """How often the best pieces are chosen anew because the judge refused some of them."""
@@ -66,8 +62,8 @@ class Scanned:
         cls, text: str, grammar: Grammar, lexicon: Lexicon, *, hours: frozenset[int] = frozenset()
     ) -> "Scanned":
         """Apply a grammar to a text."""
-        typed = typed_apart(_with_marks(_with_quotes(text, grammar, lexicon), hours))
-        words = _parted([_spelt(word, lexicon) for word in typed], lexicon)
+        typed = typed_apart(with_marks(_with_quotes(text, grammar, lexicon), hours))
+        words = as_meant(typed, lexicon)
         lexical = {}
         for start in range(len(words)):
             found = [*numeral_pieces(words, start, lexicon), *lexicon.pieces(words, start)]
@@ -95,126 +91,11 @@ def _with_quotes(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Word]:
     return words
 
 
-def _with_marks(words: Sequence[Word], hours: frozenset[int]) -> list[Word]:
-    """Put "@", which takes no room, before each word behind a space of hours; a point becomes a colon."""
-    found: list[Word] = []
-    for word in words:
-        if word.start - 1 in hours and not word.glued:
-            found += (Word(MARKS[" "], word.start, word.start, glued=False), replace(word, glued=True))
-            continue
-        found.append(replace(word, text=MARKS["."]) if word.start in hours else word)
-    return found
-
-
 def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether a text is a time with its preposition, from its first word to its last."""
     scanned = Scanned.of(text, grammar, lexicon)
     bound = [phrase for phrase in phrases_of(scanned, lexicon) if phrase.said.preposition is not None]
     return [(phrase.first, phrase.end) for phrase in bound] == [(0, len(scanned.words))]
-
-
-def _spelt(word: Word, lexicon: Lexicon) -> Word:
-    """Give a word as it is meant: "quater" is a quarter, but "the Weeknd" a name."""
-    meant = lexicon.misspelt.get(word.text)
-    named = word.capital and word.text in lexicon.no_times.capital_names
-    return word if meant is None or named else replace(word, text=meant)
-
-
-def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
-    """Cut "-ish" and "'s" off words about time, and leave out fillers and marks that say nothing."""
-    found: list[Word] = []
-    for place, word in enumerate(words):
-        if word.text in lexicon.fillers or _is_clipped(words, place + 1, lexicon):
-            continue
-        if word.text in {".", "~"} and _is_inside(words, place):
-            if word.text == "." and lexicon.means(words[place - 1].text, "month"):
-                # "September.16th"
-                continue
-            if word.text == "~":
-                # "3~5 pm"
-                found.append(replace(word, text="-"))
-                continue
-        if word.text == "." and _is_ellipsis(words, place):
-            # "2026-03-14..2026-03-16"
-            found.append(replace(word, text="-"))
-            continue
-        if _is_shorthand(words, place, lexicon):
-            # "B4 noon"
-            meant = lexicon.misspelt[words[place - 1].text + word.text]
-            found[-1] = replace(found[-1], text=meant, end=word.end)
-            continue
-        if _is_clipped(words, place, lexicon):
-            found.append(replace(word, start=words[place - 1].start, glued=words[place - 1].glued))
-            continue
-        base = word.text.removesuffix("ish")
-        owner = word.text.removesuffix("'s")
-        if owner != word.text and _is_owner(owner, lexicon) and not _continues(words, place, lexicon):
-            # "In an hour's time"
-            middle = word.end - 2
-            found += [replace(word, text=owner, end=middle), Word("'s", middle, word.end, glued=True)]
-        elif (
-            base != word.text
-            and len(base) > 1  # "dish" is no day
-            and (base in lexicon.numbers or base in lexicon.entries)
-            and word.text not in lexicon.entries
-        ):
-            middle = word.end - 3
-            found += [replace(word, text=base, end=middle), Word("ish", middle, word.end, glued=True)]
-        elif not (
-            joins(words, place)
-            and _numeral(words, place - 1, lexicon)
-            and _numeral(words, place + 1, lexicon)
-        ):
-            found.append(word)
-    return tuple(found)
-
-
-def _is_inside(words: Sequence[Word], place: int) -> bool:
-    """Whether no space stands on either side of a word, and a number behind it."""
-    behind = words[place + 1 : place + 2]
-    return place > 0 and words[place].glued and bool(behind) and behind[0].glued and behind[0].is_digits
-
-
-def _is_ellipsis(words: Sequence[Word], place: int) -> bool:
-    """Whether it is one of two points between typed times, and no space between; but "pages 1..10"."""
-    first = place - (words[place - 1].text == ".") if place else place
-    around = words[first - 1 : first + 3] if first > 0 else ()
-    points = [word.text for word in around[1:3]] == [".", "."]
-    typed = points and len(around) == LONGEST_ELLIPSIS and around[0].is_digits and around[0].glued
-    return typed and _is_inside(words, first + 1)
-
-
-def _is_shorthand(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    """Whether a number ends what is typed for a word: "b4"; but "seat B4"."""
-    if not place or not words[place].glued or not words[place].is_digits:
-        return False
-    first = words[place - 1]
-    ends = place + 1 == len(words) or not words[place + 1].glued
-    return ends and not (first.glued or first.capital) and first.text + words[place].text in lexicon.misspelt
-
-
-def _is_clipped(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    """Whether an apostrophe stands for what is left out in front of a word: "'til"."""
-    if not 0 < place < len(words) or not words[place].glued:
-        return False
-    mark, text = words[place - 1].text, words[place].text
-    return mark == "'" and any(entry.words == (mark, text) for entry in lexicon.entries.get("'", ()))
-
-
-def _is_owner(text: str, lexicon: Lexicon) -> bool:
-    """Whether a word can be what has a time: an hour, or a half."""
-    return any(entry.category in {"unit", "fraction"} for entry in lexicon.entries.get(text, ()))
-
-
-def _continues(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    """Whether a word is the second of a form: "new year's eve"."""
-    before = lexicon.entries.get(words[place - 1].text, ()) if place else ()
-    return any(entry.words[1:2] == (words[place].text,) for entry in before)
-
-
-def _numeral(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    text = words[place].text if place >= 0 else ""
-    return text in lexicon.numbers or text in lexicon.ordinals or text in lexicon.magnitudes
 
 
 def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:

@@ -4,12 +4,10 @@ from dataclasses import replace
 
 from fuzzytime.language.english.at_times.prepositions import said_of
 from fuzzytime.language.english.calendar.feasts import feast_in
-from fuzzytime.language.english.clock_times.clocks import number
 from fuzzytime.language.english.from_now.counted import coming_deadline
 from fuzzytime.language.english.intervals.ranges import between
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.days.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.expressions import (
@@ -53,7 +51,7 @@ def deadline(preposition: Preposition, goal: Goal) -> Said | None:
     if isinstance(goal.time, Coming):
         return replace(coming_deadline(goal), preposition=preposition.name)
     edge = Edge.START if preposition.name == "by" and _is_prepared_for(goal) else preposition.edge
-    return said_of(_as_clock(goal), preposition.name, Constraint.BEFORE, edge)
+    return said_of(goal, preposition.name, Constraint.BEFORE, edge)
 
 
 @grammar.rule("said", "<preposition_before>|<preposition_after> <clock> ,? <days away>", weight=1.5)
@@ -68,7 +66,7 @@ def bound_days_away(preposition: Preposition, clock: Clock, days: Calendar) -> S
 @grammar.rule("said", "due|deadline : by|on|at? <goal>", "( due|deadline by|on|at? <goal> )", weight=0.4)
 def due(goal: Goal) -> Said | None:
     """(pay the rent) due: fri, (due friday): as lists of things to do have it."""
-    return said_of(_as_clock(goal), "by", Constraint.BEFORE, Edge.DUE)
+    return said_of(goal, "by", Constraint.BEFORE, Edge.DUE)
 
 
 @grammar.rule("said", "due|deadline by|on|at? <goal>", weight=0.4)
@@ -92,7 +90,7 @@ def release(preposition: Preposition, goal: Goal) -> Said | None:
     """After 5 pm, from monday, not before noon."""
     if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
         return None
-    return said_of(_as_clock(goal), preposition.name, Constraint.AFTER, preposition.edge)
+    return said_of(goal, preposition.name, Constraint.AFTER, preposition.edge)
 
 
 @grammar.rule("said", "<preposition_after> <late clock with h>", weight=0.6)
@@ -116,16 +114,6 @@ def deadline_with_hours(preposition: Preposition, hedge: str | None, clock: Cloc
         return None
     hedges = () if hedge is None else (hedge,)
     return Said(Wall(clock=clock), Constraint.BEFORE, preposition.name, hedges, preposition.edge)
-
-
-def _as_clock(goal: Goal) -> Goal:
-    """Read the digits of a bound as a clock time, where they would be a year long gone: "by 1730"."""
-    days = goal.time.days if isinstance(goal.time, Wall) and goal.time.weak else None
-    year = days.year if isinstance(days, Fields) and days == Fields(year=days.year) else None
-    if year is None or not 1000 <= year < LATER_YEARS:
-        return goal
-    clock = number(Integer(year, str(year)))
-    return goal if clock is None else replace(goal, time=Wall(clock=clock))
 
 
 @grammar.rule("said", "until|till|til after|past|gone the? <goal>", weight=0.4)

@@ -81,12 +81,6 @@ def military(hour: Integer) -> Clock | None:
     return replace(found, bare=False, full_day=True)
 
 
-@grammar.rule("clock", "<integer> hours|hrs", weight=1.0)
-def early_military(hour: Integer) -> Clock | None:
-    """0630 hours: no length of time is typed so."""
-    return military(hour) if len(hour.digits) == FULL_DIGITS and hour.digits.startswith("0") else None
-
-
 @grammar.rule("clock", "<integer> <integer> hours|hrs", weight=0.4)
 def spaced_military(hour: Integer, minute: Integer) -> Clock | None:
     """17 30 hours, eighteen thirty hours; but "in 2 10 hours" is none."""

@@ -101,15 +101,6 @@ def bare_to(minutes: float, clock: Clock) -> Clock | None:
     )
 
 
-@grammar.rule("called at", "<bare minutes of clock> to|till <clock> -|,? <hedge_after>")
-def hedged_to_hour(minutes: float, clock: Clock, hedge: str) -> Said | None:
-    """(call ann) ten to six sharp: beside what else is done it may be from ten to six."""
-    found = bare_to(minutes, clock) if minutes < HALF_HOUR else None
-    if found is None:
-        return None
-    return Said(Wall(clock=replace(found, bare=False, pair=False)), None, None, (hedge,))
-
-
 @grammar.rule("spoken minutes", "<integer>")
 def spoken(minutes: Integer) -> float | None:
     """Ten, twenty: minutes to an hour in words."""

@@ -31,7 +31,7 @@ grammar = Grammar()
 NOON = 12
 
 
-def range_of(first: Goal, last: Goal, preposition: str | None, *, minutes: bool = False) -> Said | None:
+def range_of(first: Goal, last: Goal, *, minutes: bool = False) -> Said | None:
     """Give a stretch; ``minutes`` where its first number may be some to its last: "today five to eight"."""
     last = _in_hour(first, last)
     clock = first.time.clock if isinstance(first.time, Wall) else None
@@ -55,7 +55,7 @@ def range_of(first: Goal, last: Goal, preposition: str | None, *, minutes: bool 
         if apart is None or not comparable(*apart):
             return None
         first, last = replace(first, time=apart[0]), replace(last, time=apart[1])
-    return Said(Range(first.time, last.time), Constraint.BETWEEN, preposition, (*first.hedges, *last.hedges))
+    return Said(Range(first.time, last.time), Constraint.BETWEEN, "between", (*first.hedges, *last.hedges))
 
 
 def _is_to_hour(first: Time, last: Time) -> bool:
@@ -82,7 +82,7 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
 )
 def between(first: Goal, last: Goal) -> Said | None:
     """Between 5 and 6 pm, from monday to friday."""
-    return range_of(first, last, "between")
+    return range_of(first, last)
 
 
 @grammar.rule("goal", "halfway|midway between the? <goal> and the? <goal>", weight=1.2)
@@ -96,14 +96,14 @@ def midway(first: Goal, last: Goal) -> Goal | None:
 @grammar.rule("said", "since the? <goal> to|-|through|until|till|up to? <word>", weight=1.3)
 def until_now(first: Goal, now: TimeWord | None = None) -> Said | None:
     """From march to date, since monday until now."""
-    return range_of(first, Goal(now or TimeWord("now", Constraint.AT)), "between")
+    return range_of(first, Goal(now or TimeWord("now", Constraint.AT)))
 
 
 @grammar.rule("said", "for the? <date>|<weak date> to|until|till|through the? <date>|<weak date>", weight=1.1)
 def for_days(first: Calendar, last: Calendar) -> Said | None:
     """(book it) for the 20th to the 27th."""
     days = first.grain is Unit.DAY and last.grain is Unit.DAY
-    return range_of(Goal(Wall(first)), Goal(Wall(last)), "between") if days else None
+    return range_of(Goal(Wall(first)), Goal(Wall(last))) if days else None
 
 
 @grammar.rule("said", "<goal> to|through|thru the? <goal>", weight=1.0)
@@ -128,7 +128,7 @@ def _side_by_side(first: Goal, last: Goal, *, minutes: bool = False) -> Said | N
     if len(grains) > 1 and walls[0].days is not None and not walls[0].days.fixed and not _is_day(walls[1]):
         # "Q1-2019" and "aug-01-2019" are one date each; "nov - feb 5th" is none.
         return None
-    return range_of(first, last, "between", minutes=minutes)
+    return range_of(first, last, minutes=minutes)
 
 
 def _is_open(time: Time) -> bool:
@@ -208,7 +208,7 @@ def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
     ends = [number(first), number(last)]
     if wall.clock is not None or wall.weak or None in ends:
         return None
-    said = range_of(Goal(Wall(clock=ends[0])), Goal(Wall(clock=ends[1])), "between")
+    said = range_of(Goal(Wall(clock=ends[0])), Goal(Wall(clock=ends[1])))
     return None if said is None else refined(said, wall)
 
 
@@ -221,14 +221,14 @@ def hours_of_date(wall: Wall, first: Integer, last: Integer) -> Said | None:
 @grammar.rule("said", "from the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def from_until(first: Goal, last: Goal) -> Said | None:
     """From 9:30 until 11."""
-    return range_of(first, last, "between")
+    return range_of(first, last)
 
 
 @grammar.rule("said", "the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def then_until(first: Goal, last: Goal) -> Said | None:
     """9:30 until 11; but who is "at work until five" is somewhere."""
     part = first.time.part if isinstance(first.time, Wall) else None
-    return None if part is not None and part.place else range_of(first, last, "between")
+    return None if part is not None and part.place else range_of(first, last)
 
 
 @grammar.rule("said", "from? the? <goal> until|till|til|to|- <days> at? <clock>", weight=1.5)
@@ -247,7 +247,7 @@ def until_other_day(first: Goal, days: Calendar, clock: Clock) -> Said | None:
 )
 def after_and_before(after: Preposition, first: Goal, before: Preposition, last: Goal) -> Said | None:
     """Later than 3:30pm but before 6pm, not before three but by five at the latest."""
-    return range_of(first, last, "between")
+    return range_of(first, last)
 
 
 @grammar.rule(

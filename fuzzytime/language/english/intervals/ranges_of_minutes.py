@@ -32,7 +32,7 @@ def until_past(first: Clock, minutes: float) -> Said | None:
     if first.minute or first.shift >= minutes * 60:
         return None
     last = replace(first, minute=int(minutes), shift=0, grain=Unit.MINUTE, bare=False)
-    return range_of(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
+    return range_of(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
 
 
 @grammar.rule("minutes past", "<minutes of clock>|<bare minutes of clock> past")
@@ -79,7 +79,7 @@ def between_minutes(minutes: float, more: float, clock: Clock) -> Said | None:
     first, last = moved(clock, minutes), moved(clock, more)
     if minutes >= more or first is None or last is None:
         return None
-    return range_of(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
+    return range_of(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
 
 
 @grammar.rule(

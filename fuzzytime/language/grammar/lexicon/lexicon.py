@@ -1,15 +1,16 @@
 """The words of a language and what they mean, from ``rules/lexicon.yaml`` and ``rules/calendar.yaml``."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon.forms import matched_to
 from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
 from fuzzytime.language.grammar.lexicon.transliteration import Names
 from fuzzytime.language.grammar.lexicon.verb_groups import Doing
 from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses
-from fuzzytime.language.grammar.words import Word, joins, words_of
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Edge
 from fuzzytime.language.policy import Hours, Policy
 from fuzzytime.requirement import Constraint, Side
@@ -264,7 +265,7 @@ class Lexicon:
         for entry in self.entries.get(words[start].text, ()):
             if len(entry.words) > 1 and entry.words[1] not in following:
                 continue
-            end = _matched(words, start, entry.words)
+            end = matched_to(words, start, entry.words)
             if end and not (entry.category == "unit" and _ends_sentence(words, end)):
                 yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
         for end, entry in self.transliterated.at(words, start):
@@ -279,31 +280,3 @@ class Lexicon:
 def _ends_sentence(words: Sequence[Word], end: int) -> bool:
     """Whether a full stop before a place is no abbreviation's: "for two min. Add the salt", "at 7h."."""
     return words[end - 1].text == "." and (end == len(words) or words[end].capital)
-
-
-def _matched(words: Sequence[Word], start: int, form: tuple[str, ...]) -> int:
-    """Give the end of a form that stands at a place, or 0; a hyphen may join its words."""
-    at = start + 1
-    for text in form[1:]:
-        if at < len(words) and words[at].text != text and joins(words, at):
-            at += 1
-        if at >= len(words) or words[at].text != text:
-            return 0
-        at += 1
-    return at
-
-
-def longest_match(
-    words: Sequence[Word], start: int, forms: Iterable[tuple[str, ...]]
-) -> tuple[str, ...] | None:
-    """Give the longest of some forms that stands at a place, or None."""
-    found = [f for f in forms if words[start].text == f[0] and _matched(words, start, f)]
-    return max(found, key=len, default=None)
-
-
-def form_of(text: str) -> tuple[str, ...]:
-    """Give a way to say something as the words it is matched by."""
-    if text.isascii() and text.replace(" ", "").isalpha():
-        # Most are plain words, and thousands are read at every start.
-        return tuple(text.lower().split())
-    return tuple(word.text for word in words_of(text))

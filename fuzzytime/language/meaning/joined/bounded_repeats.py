@@ -69,7 +69,7 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         first = first_time(said)
         return None if first is None else replace(repeat, starting=first)
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
-        if any(wall.part is not None and not wall.part.name for wall in repeat.walls) and _is_clocked(time):
+        if any(wall.part is not None and not wall.part.name for wall in repeat.walls):
             # "Mon-thu 9-5, fri 9-3": the second are hours of another day.
             return None
         return replace(repeat, starting=time.first, until=_of_night(time.last, time.first))
@@ -125,11 +125,6 @@ def _of_night(end: Time, day: Time) -> Time:
     if part is None or part.half is not Half.NIGHT or not isinstance(end, Wall) or end.clock is None:
         return end
     return replace(end, clock=halved(end.clock, part.half))
-
-
-def _is_clocked(time: Range) -> bool:
-    """Whether it is from one clock time to another."""
-    return all(isinstance(end, Wall) and end.clock is not None for end in (time.first, time.last))
 
 
 def _apart(repeat: Repeat) -> float:

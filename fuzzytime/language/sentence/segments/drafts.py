@@ -6,7 +6,8 @@ from datetime import datetime
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.spans import MARKS, Scanned, phrases_of
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.typed_words import MARKS
 from fuzzytime.language.grammar.understood.denied import denied
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall

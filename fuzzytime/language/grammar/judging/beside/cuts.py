@@ -34,7 +34,7 @@ class Cuts(Standing):
         """Whether a reading is only a part of what is said."""
         within = self._begins_clause(piece) or self._is_now_and_again(piece) or self._is_in_name(piece)
         within = within or self._counts_hourly(piece) or self._ends_in_next_day(piece)
-        within = within or self._begins_inside_day(piece) or self._is_from_to(piece)
+        within = within or self._begins_inside_day(piece)
         return within or self.runs_on(piece) or self._divides(piece) or self._opens_another(piece)
 
     def _begins_inside_day(self, piece: Piece) -> bool:
@@ -42,19 +42,6 @@ class Cuts(Standing):
         before = range(max(0, piece.start - LONGEST_DAY), piece.start)
         names = (one for place in before for one in self.around.pieces(place) if one.category == "day")
         return any(one.start < piece.start < one.end for one in names)
-
-    def _is_from_to(self, piece: Piece) -> bool:
-        """Whether it ends in two hours that a dash joins, and no minutes to one: "14-16"."""
-        wall = piece.value.time
-        *_, hour, dash, minute = ("", "", *self.texts[piece.start : piece.end])
-        clock = wall.clock if isinstance(wall, Wall) else None
-        typed = dash == "-" and hour.isdecimal() and minute.isdecimal()
-        return (
-            clock is not None
-            and typed
-            and clock.full_day
-            and [clock.hour, clock.minute] == [int(hour), int(minute)]
-        )
 
     def _ends_in_next_day(self, piece: Piece) -> bool:
         """Whether a comma parts it from the day of the next time: "at 2, friday | at 3"."""

@@ -134,17 +134,8 @@ class BareHours(Standing):
             taken = self.lexicon.taken - self.lexicon.measure_nouns
             known = (place == 1 and (happens or before in taken)) or self._is_met(place)
             return known and self._ends_order(piece)
-        told = someone or named or happens or self._ends_at_quarter(piece, place)
+        told = someone or named or happens
         return spelt and told and self._ends_order(piece)
-
-    def _ends_at_quarter(self, piece: Piece, place: int) -> bool:
-        """Whether minutes that few numbers end in stand behind a thing: "feed the cat six fifteen"."""
-        before = self.texts[place - 1] if place else ""
-        costs = not self.lexicon.no_times.costing.isdisjoint(self.texts[: place - 1])
-        counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | self.lexicon.no_times.codes
-        named = before.isalpha() and before not in counted | self.lexicon.function_words
-        thing = named and not self.measures.is_number(place - 1) and not self.around.opens(place - 1)
-        return thing and not costs and piece.value.time.clock.minute in QUARTERS
 
     def _ends_meeting(self, piece: Piece) -> bool:
         """Whether a number ends what is said of a meeting: "call mum 5", "lunch 12", "call ann 1430"."""

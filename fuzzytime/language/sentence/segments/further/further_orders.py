@@ -7,7 +7,6 @@ from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.segments.further.orders_behind_names import (
     behind_heading,
     behind_named,
-    behind_run_on,
     having_done,
 )
 from fuzzytime.language.sentence.segments.further.orders_in_front import (
@@ -54,7 +53,6 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
         order_behind_statement(tree, root, timed),
         behind_named(tree, root, timed, lexicon),
         behind_heading(tree, root, timed),
-        behind_run_on(tree, root, lexicon),
     )
     found = [start for start in first if start is not None]
     for place in range(len(tree.nodes)):

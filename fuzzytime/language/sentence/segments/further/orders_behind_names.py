@@ -54,24 +54,6 @@ def behind_heading(tree: Tree, root: int, timed: set[int]) -> int | None:
     return comma + 1 if (acts or named) and _is_clause(tree, comma + 1, root) else None
 
 
-def behind_run_on(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
-    """Give what who speaks does behind an order that nothing parts from it: "put the tea on I'll be home"."""
-    subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
-    speaks = bool(subjects) and tree.nodes[subjects[0]].lower in lexicon.closed.first_person
-    if not speaks or not (tree.children(root, "aux") or tree.nodes[root].lemma == "be"):
-        return None
-    start = subjects[0]
-    if tree.nodes[start - 1].lower in lexicon.closed.subordinators_of_purpose:
-        # "Brief the crew by noon so I can relax"
-        return None
-    tops = {p for p in range(start) if tree.nodes[p].head >= start}
-    order = next(iter(tops), root)
-    node = tree.nodes[order]
-    bare = order == 0 and node.is_bare and node.relation in {"advcl", "ccomp"} and node.head == root
-    whole = bare and bool(tree.children(order, "dobj")) and not tree.children(order, "mark", "aux")
-    return start if whole and len(tops) == 1 and tree.nodes[start - 1].text[0].isalnum() else None
-
-
 def _is_clause(tree: Tree, start: int, root: int) -> bool:
     """Whether somebody does something from a place on, or is to have it done: "…, have it filled"."""
     subjects = [p for p in tree.children(root, *SUBJECTS) if p > start - 1]

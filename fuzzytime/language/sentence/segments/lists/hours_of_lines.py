@@ -8,11 +8,10 @@ import re
 from collections.abc import Iterator, Sequence
 from enum import IntEnum
 from functools import cache
-from itertools import takewhile
 
 from fuzzytime.english import PARTICIPLE, looks_plural, singular
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.timetables import SEPARATORS, counts_nothing, has_time
+from fuzzytime.language.grammar.timetables import counts_nothing, has_time
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.sentence.segments.lists.dividers import LINE
 
@@ -177,9 +176,6 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
             yield found.end("dash") - 1
             continue
         typed = found["minutes"] or found["last"]
-        if _takes(before, lexicon) and not typed:
-            # "Simmer 10"
-            continue
         thing = _thing_of(before, lexicon)
         named = _is_thing(thing, lexicon) if typed else _is_timed(thing, lexicon, timed)
         goes_on = found["until"] is not None and _goes_on(before, lexicon)
@@ -217,12 +213,6 @@ def _costs(before: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether a number is a price, or the new version of something: "buy milk 2.50"."""
     kinds = lexicon.no_times
     return not (kinds.costing | kinds.versioning).isdisjoint(word.text for word in before)
-
-
-def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether an entry begins with what takes so long."""
-    entry = [*takewhile(lambda word: word.text not in SEPARATORS, reversed(before))]
-    return bool(entry) and entry[-1].text in lexicon.timing | lexicon.timing_alone
 
 
 def _thing_of(before: Sequence[Word], lexicon: Lexicon) -> Word:

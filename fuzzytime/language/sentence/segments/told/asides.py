@@ -66,14 +66,6 @@ def _aside(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
         place -= 1
     if place < 1 or words[place].text not in OPENING:
         return None
-    if (
-        words[place].text == "and"
-        and words[place + 1].text.endswith("s")
-        and _is_named(words, place, lexicon)
-    ):
-        # "…, which starts at eight and lasts 20 minutes"
-        end = _end(scanned, phrase)
-        return None if end is None else Aside((words[place].start, end), phrase)
     known = told["naming"] | told["helping"] | told["back"]
     # "Handover at 7, takes a quarter of an hour"
     known |= {word for word in told["taking"] if word.endswith("s")}
@@ -90,12 +82,6 @@ def _becomes(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> bool:
     if len(said) < PURPOSE or said[0] != "to" or said[1] not in lexicon.doing.being:
         return False
     return said[2] not in lexicon.told["there"] | lexicon.told["between"]
-
-
-def _is_named(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    """Whether a word stands in what is said of something: ", which starts at eight and lasts"."""
-    opening = next((p for p in range(place, 0, -1) if words[p].text in OPENING), None)
-    return opening is not None and words[opening + 1].text in lexicon.asides["naming"]
 
 
 def _end(scanned: Scanned, phrase: Phrase) -> int | None:
