@@ -1,6 +1,5 @@
 """Numbers in clauses: "the oven is above 150 degrees", "it has cooled down to about forty"."""
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -16,8 +15,6 @@ MOST_BEHIND = 6
 
 MOST_OF = 5
 """Words up to "of" that may say what the number is: "an internal temperature of"."""
-
-_THOUSANDS = re.compile(r"\d{1,3}(?:,\d{3})+(?:\.\d+)?")
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,9 +87,6 @@ def _number(scanned: Scanned, place: int, last: int, lexicon: Lexicon) -> _Numbe
     if words[place].text in lexicon.beside.minus:
         positive = _number(scanned, place + 1, last, lexicon)
         return positive and _Number(-positive.value, positive.end, positive.hedges)
-    run, end = _typed_number(words, place, last)
-    if _THOUSANDS.fullmatch(run):
-        return _Number(float(run.replace(",", "")), end)
     pieces = [piece for piece in scanned.cells[place].get("quantity", {}).values() if piece.end <= last]
     if not pieces:
         return None
@@ -101,20 +95,6 @@ def _number(scanned: Scanned, place: int, last: int, lexicon: Lexicon) -> _Numbe
     if said.indefinite or (words[piece.end - 1].is_digits and _goes_on(words, piece.end, last)):
         return None
     return _Number(float(said.value), piece.end, said.hedges)
-
-
-def _typed_number(words: tuple[Word, ...], place: int, last: int) -> tuple[str, int]:
-    """Give what is typed without a space from a digit on, as far as it is digits and their marks."""
-    end = place
-    while (
-        end < last
-        and (end == place or words[end].glued)
-        and (words[end].is_digits or words[end].text in ",.")
-    ):
-        end += 1
-    while end > place + 1 and not words[end - 1].is_digits:
-        end -= 1
-    return "".join(word.text for word in words[place:end]), end
 
 
 def _goes_on(words: tuple[Word, ...], place: int, last: int) -> bool:

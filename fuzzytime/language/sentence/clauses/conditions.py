@@ -56,8 +56,6 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
         for p in sorted(tree.below(subjects[0]))
         if p in inside and tree.nodes[p].tag not in ANY_DETERMINERS
     )
-    if subjects and tree.nodes[subjects[0]].lower == ITS:
-        subject = "it"
     node = tree.nodes[verb]
     predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
     said = [p for p in tree.children(verb, *predicates) if p in inside and p > verb]

@@ -261,8 +261,6 @@ def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
     if places[-1] - verbs[0] >= len(places):
         # "Wait two minutes, and paint it": the first has a time of its own.
         return []
-    if part.tree.nodes[part.tree.root].start + part.offset != words[verbs[0]].start:
-        return []
     ends = [words[place].end for place in verbs]
     begins = [*(words[place].start for place in verbs[1:]), start]
     joints = [(words[place - 1].start, words[place - 1].end) for place in (*verbs[1:], places[-1] + 1)]

@@ -64,9 +64,6 @@ class Walls(Standing):
             return False
         weekly = isinstance(wall.days, Fields) and wall.days.weekly
         led = self.texts[piece.end - 2 : piece.end - 1] == ["the"]
-        if weekly and led and self.is_ambiguous(piece.end - 1):
-            # "Before the sun goes down"
-            return False
         # "The sun", "in the sun": a weekday never stands with "in".
         words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "a", "in"}]
         if self._doubtful_feast(piece, said, wall) is not None:

@@ -20,7 +20,7 @@ from fuzzytime.language.sentence.segments.further.overlooked_orders import is_ov
 from fuzzytime.language.sentence.segments.orders_beside_times import (
     is_led_by_time,
 )
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
+from fuzzytime.language.sentence.trees.tags import IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of, gone_to_do
 from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
@@ -130,10 +130,6 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lex
     denied = denied_from(tree, place)
     helping = [p for p in tree.children(place, "aux") if not (wanted and tree.nodes[p].lower == "to")]
     if tree.children(place, *ANY_SUBJECTS, "mark") or (denied is None and helping):
-        return None
-    led = tree.nodes[place + 1 : place + 2] and tree.nodes[place + 1].tag in DETERMINERS
-    if not led and any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
-        # "Weld seam 3 at 11 and seam 4 at 12"; but "buy paint tomorrow and paint the fence"
         return None
     first = min([_behind_place(tree, place), *tree.children(place, "aux")]) if denied is None else denied
     start = behind_joint(tree, first, timed)

@@ -226,9 +226,6 @@ def _is_thing(word: Word, lexicon: Lexicon) -> bool:
     kinds = lexicon.no_times
     numbered = lexicon.measure_nouns | lexicon.amount_nouns | kinds.numbered_in_two | kinds.set_to
     known = has_time(word.text, lexicon)
-    if known and lexicon.means(word.text, "hedge"):
-        # "Drug round 8.15"
-        return True
     named = known or word.text not in numbered
     return named and word.text not in lexicon.function_words and not lexicon.means(word.text, *BESIDE_HOURS)
 

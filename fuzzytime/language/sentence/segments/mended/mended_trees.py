@@ -68,8 +68,6 @@ def _lets_know(tree: Tree, lexicon: Lexicon) -> Tree | None:
     helps = bool(nodes) and nodes[0].lower in lexicon.letting and nodes[0].relation == "aux"
     if not helps or nodes[0].head != root or nodes[root].lemma != "know":
         return None
-    if not any(0 < place < root for place in tree.children(root, "nsubj")):
-        return None
     nodes[0] = replace(nodes[0], head=0, relation="ROOT", tag="VB")
     nodes[root] = replace(nodes[root], head=0, relation="ccomp")
     return tree.with_nodes(nodes)

@@ -57,8 +57,6 @@ def _end(words: Sequence[Word], place: int, lexicon: Lexicon) -> int | None:
     behind = place + each
     if each and behind < len(words) and words[behind].text in closed.each_of_several:
         behind += 1
-    if each and words[place].text == "each" and _ends(words, behind, lexicon):
-        return behind
     if behind >= len(words) or not words[behind].is_letters or not _ends(words, behind + 1, lexicon):
         return None
     text = words[behind].text

@@ -29,8 +29,6 @@ def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
     if behind not in timed:
         return tree
     nodes = _acting(tree, verb, {*range(verb + 1), tree.root})
-    if first:
-        nodes[0] = replace(nodes[0], head=first)
     if behind == verb + 2:
         nodes[verb + 1] = replace(nodes[verb + 1], tag="RP", relation="prt")
     return tree.with_nodes(nodes)
