@@ -263,6 +263,10 @@ def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
         return []
     if part.tree.nodes[part.tree.root].start + part.offset != words[verbs[0]].start:
         return []
+    alone = part.tree.lexicon.doing.naming_nothing
+    if verbs[0] and words[verbs[0] - 1].text in {",", "and"} and words[verbs[-1]].text in alone:
+        # "Clean the bath, hoover and get the bins in by six": the one is done without the other.
+        return []
     ends = [words[place].end for place in verbs]
     begins = [*(words[place].start for place in verbs[1:]), start]
     joints = [(words[place - 1].start, words[place - 1].end) for place in (*verbs[1:], places[-1] + 1)]

@@ -10,9 +10,12 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
     stands_alone,
 )
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.places import says_where
+
+DESCRIBING = ("det", "amod", "poss", "nummod", "compound")
+"""How a tree calls what says which thing it is."""
 
 
 def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
@@ -21,6 +24,7 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
     return (
         (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
         or _follows_turning(tree, place, lexicon)
+        or _names_nothing(tree, place, timed, lexicon)
         or is_further_step(tree, place, timed, lexicon)
         or is_order_before_time(tree, place, timed)
         or is_order_between_times(tree, place, timed, lexicon)
@@ -71,6 +75,24 @@ def _follows_turning(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     turning = tree.nodes[place - 2].lower in lexicon.closed.sides | lexicon.beside.turnings
     bare = node.may_act and node.lower == node.lemma.lower() and not tree.children(place, "det", "amod")
     return turning and before in lexicon.closed.joints_of_orders and bare and node.relation == "conj"
+
+
+def _names_nothing(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether an order stands alone behind another's thing: "clean the bath, hoover and lock up by six".
+
+    It may be a thing beside another like it ("move the mop and vacuum"), or what is bought.
+    """
+    node, orders = tree.nodes[place], lexicon.doing.naming_nothing
+    behind, further = tree.nodes[place + 1 : place + 2], tree.nodes[place + 2 : place + 3]
+    goes_on = all(word.tag in IMPERATIVE or word.lower in orders for word in further)
+    joined = all(word.lower in lexicon.closed.joints_of_orders | ENDS for word in behind) and goes_on
+    ends = joined or place + 1 in timed or any((word.lower,) in lexicon.clauses for word in behind)
+    if not ends or node.lower not in orders or tree.children(place, *DESCRIBING):
+        return False
+    named = [p for p in tree.children(tree.root, "dobj") if tree.children(p, *DESCRIBING)]
+    beside = orders.intersection(tree.nodes[p].lower for p in named)
+    joint = tree.nodes[place - 1].lower in lexicon.closed.joints_of_orders
+    return joint and not beside and tree.nodes[tree.root].lemma not in lexicon.doing.errands
 
 
 def _has_numbered(tree: Tree, place: int, lexicon: Lexicon) -> bool:
