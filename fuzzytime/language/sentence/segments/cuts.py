@@ -23,6 +23,8 @@ from fuzzytime.language.sentence.verbs.statements import second_statement
 CHAIN = re.compile(r",?w(?:,w)*,?&")
 """Words (w), commas and "and" (&) before the last of some verbs that share an object."""
 
+BE = "be"
+
 SHORTEST_CALL = 3
 """Words of an instruction at least that names who is asked: a name, a comma, what is to be done."""
 
@@ -263,9 +265,10 @@ def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
         return []
     if part.tree.nodes[part.tree.root].start + part.offset != words[verbs[0]].start:
         return []
-    alone = part.tree.lexicon.doing.naming_nothing
-    if verbs[0] and words[verbs[0] - 1].text in {",", "and"} and words[verbs[-1]].text in alone:
-        # "Clean the bath, hoover and get the bins in by six": the one is done without the other.
+    before, last = words[verbs[0] - 1 : verbs[0]], words[verbs[-1]]
+    apart = last.text in part.tree.lexicon.doing.naming_nothing and words[places[-1] + 1].text != BE
+    if apart and before and before[0].text in {",", "and"}:
+        # "Clean the bath, hoover and get the bins in by six"; but "…, shower, and be downstairs by six"
         return []
     ends = [words[place].end for place in verbs]
     begins = [*(words[place].start for place in verbs[1:]), start]
