@@ -1,7 +1,7 @@
 """Wishes one after the other, each made into skills by what was said before it."""
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.errors import FuzzytimeError
@@ -11,6 +11,7 @@ from fuzzytime.interpreter.binding.references import Links
 from fuzzytime.interpreter.in_other_words.why_nothing import why_nothing
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
+from fuzzytime.interpreter.notes import beside_news, by_how_much, ending_with, too_few
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
 from fuzzytime.interpreter.told_anew import asks_beside_another, meant, on_its_day, told_anew
@@ -18,16 +19,7 @@ from fuzzytime.interpreter.turns.behind import Behind, behind_of
 from fuzzytime.interpreter.turns.each_turn import EachTurn, each_turn_of
 from fuzzytime.interpreter.turns.inside import GoingOn, going_on
 from fuzzytime.interpreter.turns.of_each import OfEach, of_each, said_of_each
-from fuzzytime.language import (
-    Instruction,
-    News,
-    NewsKind,
-    Reading,
-    clauses_of,
-    content_words,
-    news_in,
-    reported,
-)
+from fuzzytime.language import Instruction, News, NewsKind, Reading, news_in, reported
 from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.times import seconds_between
 
@@ -75,8 +67,8 @@ class Gathering:
                 self.skills[place] = self._told_anew(place, news, wish, reading, at)
                 self._take_along(place, made)
             elif not known:
-                self.problems.append(_by_how_much(wish, news, self.skills[place]))
-        self.problems += _beside_news(wish, reading, told) if told else ()
+                self.problems.append(by_how_much(wish, news, self.skills[place]))
+        self.problems += beside_news(wish, reading, told) if told else ()
         return told
 
     def _told_anew(
@@ -179,7 +171,7 @@ class Gathering:
         inside, behind = going_on(*given), behind_of(*given) or each_turn_of(*given)
         made = self._skills_of(wish, reading, instruction, inside or behind, of_each(*given))
         if inside is not None and made:
-            self.problems.append(_noted_inside(wish, instruction, inside))
+            self.problems.append(ending_with(wish, instruction, inside))
         first = len(self.skills)
         self._add(made)
         return range(first, len(self.skills))
@@ -204,7 +196,7 @@ class Gathering:
                 return []
             if made:
                 return made
-            why_none = "does not occur within the horizon" if beside is None else _without_turns(beside)
+            why_none = "does not occur within the horizon" if beside is None else too_few(beside)
         self.problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, why_none, instruction.span))
         return []
 
@@ -287,39 +279,8 @@ def _is_asked(made: Interpreted) -> bool:
     return made.operation is not None and not made.stated and isinstance(made.wish, SpokenWish)
 
 
-def _beside_news(wish: SpokenWish, reading: Reading, told: Told) -> Iterator[Problem]:
-    """Point at what stands beside news in one sentence, and is in no instruction of its own."""
-    own = [one for one in reading.instructions if not any(overlap(one.span, span) for span in told)]
-    for span in clauses_of(wish.text):
-        words = wish.text[span[0] : span[1]]
-        taken = any(overlap(span, other) for other in (*told, *(one.span for one in own)))
-        if not taken and len(content_words(words)) > 1:
-            message = f"{words!r} is not understood beside news: say it in a sentence of its own"
-            yield problem_of(wish, ProblemKind.NOT_UNDERSTOOD, message, span)
-
-
-def _by_how_much(wish: SpokenWish, news: News, made: Interpreted) -> Problem:
-    """Say that nobody knows when something happens that is late."""
-    message = f"{made.skill.name}: by how much that is later, or when it is, is not said: its time is kept"
-    return problem_of(wish, ProblemKind.NOT_UNDERSTOOD, message, news.span, made.identifier)
-
-
-def _noted_inside(wish: SpokenWish, instruction: Instruction, inside: GoingOn) -> Problem:
-    """Say that a repetition without an end is over with what goes on."""
-    said = next(part for part in instruction.requirements if part.recurrence is not None)
-    closing = said.recurrence is not None and said.recurrence.closing is not None
-    what = "is the end of this" if closing else "is as long as this goes on"
-    message = f"{said.text!r} {what}: {inside.name}"
-    return problem_of(wish, ProblemKind.NOTE, message, said.span, wish.identifier)
-
-
 def _latest(instruction: Instruction, late: Sequence[int]) -> int:
     """Give how far on that stands which is made late and which an instruction is done beside."""
     said = said_of_each(instruction)
     anchor = None if said is None else said.anchor
     return max((place for place in (() if anchor is None else anchor.each) if place in late), default=-1)
-
-
-def _without_turns(beside: OfEach) -> str:
-    """Say that what is done beside each of several has too few of them to be done at all."""
-    return f"{beside.said.text!r}: too few of these are planned"

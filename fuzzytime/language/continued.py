@@ -4,7 +4,7 @@ from dataclasses import replace
 from datetime import datetime
 
 from fuzzytime.language.about_wishes.about import AboutKind
-from fuzzytime.language.about_wishes.rewording import is_thing, reworded
+from fuzzytime.language.about_wishes.other_words.rewording import is_thing, reworded
 from fuzzytime.language.about_wishes.said import one_time
 from fuzzytime.language.about_wishes.things import continuing
 from fuzzytime.language.grammar.lexicon import Lexicon

@@ -8,10 +8,10 @@ from pathlib import Path
 
 from fuzzytime.errors import DocumentError, InstructionError, Mistake
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.grammar.denied import denied
-from fuzzytime.language.grammar.leftovers import leftovers
+from fuzzytime.language.grammar.leftovers.leftovers import leftovers
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.understood.denied import denied
 from fuzzytime.language.grammar.word_tables import read_lexicon
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.expressions import HourMark, Phrase, Wall

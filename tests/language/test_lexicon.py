@@ -11,8 +11,8 @@ from fuzzytime.documents.nodes import Reader
 from fuzzytime.errors import DocumentError
 from fuzzytime.language import Language, Lexicon, find_times, read_lexicon, shipped_lexicon
 from fuzzytime.language.finding import shipped_grammar
-from fuzzytime.language.grammar.verb_groups import Doing
-from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses
+from fuzzytime.language.grammar.lexicon.verb_groups import Doing
+from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses
 from fuzzytime.resources import rules_directory
 
 LEXICON = (rules_directory() / "lexicon.yaml").read_text("utf-8")

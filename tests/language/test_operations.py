@@ -4,8 +4,8 @@ import pytest
 
 from fuzzytime.language.finding import shipped_lexicon
 from fuzzytime.language.sentence.trees.tree import Tree
-from fuzzytime.language.sentence.verbs.actions import action_of, is_doubtful
-from fuzzytime.language.sentence.verbs.operations import Reader
+from fuzzytime.language.sentence.verbs.meant.actions import action_of, is_doubtful
+from fuzzytime.language.sentence.verbs.operations.operations import Reader
 from fuzzytime.requirement import Reference
 from language.trees import PLACE_THE_PAN, tree
 

@@ -1,8 +1,8 @@
 """What a plan can be written as.
 
-For people: ``table`` with a ``timeline`` and ``notes``, ``page``, ``picture``; in words, what was
-``asked``, the ``reasons`` of each start, the ``series`` of what repeats, the ``whole``. For programs:
-``document`` in ``jsons``, ``spreadsheet``, ``calendar``.
+For people: ``table`` with a ``timeline``, ``degrees`` of satisfaction and ``notes``, ``page``, ``picture``;
+in words, what was ``asked``, the ``reasons`` of each start, the ``series`` of what repeats, the ``whole``.
+For programs: ``document`` in ``jsons``, ``spreadsheet``, ``calendar``.
 """
 
 from fuzzytime.interpreter import Plan

@@ -10,11 +10,11 @@ from fuzzytime.requirement import asked_words
 from fuzzytime.scheduling import Status
 from fuzzytime_cli.drawing.ticks import axis
 from fuzzytime_cli.formats.asked import moved_words
+from fuzzytime_cli.formats.degrees import BAR, bar, style_of, summary
 from fuzzytime_cli.formats.notes import note_lines
-from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, waits_line
+from fuzzytime_cli.formats.reasons import MOST_SECONDS, loss_lines, waits_line
 from fuzzytime_cli.formats.series import clock_at, clock_of, folded, shown, waiting
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
-from fuzzytime_cli.formats.whole import how_near, whole
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
 MOST_ROWS = 14
@@ -23,9 +23,6 @@ MOST_ROWS = 14
 NEXT_ROWS = 3
 """What starts next, of a longer one."""
 
-_EIGHTHS = " ▏▎▍▌▋▊▉"
-_BAR = 10
-"""Columns of a bar."""
 
 FAR = 0.5
 """Share of the time until all is over from which on the timeline does not begin now, but with the work."""
@@ -35,25 +32,6 @@ HOURS_AHEAD = 6 * 3600.0
 
 BEFORE = 0.1
 """Share of what the timeline then shows that it begins before the work."""
-
-
-def bar(satisfaction: float, width: int = _BAR, *, unicode: bool = True) -> str:
-    """Draw a satisfaction as a bar of ``width`` columns.
-
-    >>> bar(0.5, 4), bar(1.0, 2), bar(0.5, 4, unicode=False)
-    ('██  ', '██', '##  ')
-    """
-    if not unicode:
-        return fitted("#" * round(satisfaction * width), width)
-    full, part = divmod(round(satisfaction * width * 8), 8)
-    return fitted("█" * full + (_EIGHTHS[part] if part else ""), width)
-
-
-def style_of(satisfaction: float, *, rejected: bool = False) -> str:
-    """Give the colour that goes with a satisfaction, for those who see colour."""
-    if rejected:
-        return "red"
-    return "green" if satisfaction >= 0.8 else "yellow" if satisfaction >= 0.4 else "red"
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +73,7 @@ class PlanView:
             *self._table(self.listed),
             *timeline,
             Text(),
-            *wrapped_text(self._summary(), self.width),
+            *wrapped_text(summary(self.plan), self.width),
             *(
                 line
                 for loss in (*self._losses(), *self._waiting())
@@ -118,7 +96,7 @@ class PlanView:
         if len(rows) < len(self.listed):
             lines.append(Text(f"… and {len(self.listed) - len(rows)} more (:list shows all)", style="dim"))
         proved = self.schedule.certificate.status is Status.OPTIMAL
-        below = [] if proved else [(self._summary(), 0)]
+        below = [] if proved else [(summary(self.plan), 0)]
         below += [(loss, self.label_width + 1) for loss in self._losses(news)]
         below += [(line, self.label_width + 1) for line in self._waiting(news)]
         below += [(note, 0) for note in note_lines(self.plan, self.labels, lengths)]
@@ -128,7 +106,7 @@ class PlanView:
         """Give what is proved, and why each loss, as plain sentences."""
         if not self.plan.everything:
             return ["Nothing to plan."]
-        said = (self._summary(), *self._losses(), *self._waiting(), *note_lines(self.plan, self.labels))
+        said = (summary(self.plan), *self._losses(), *self._waiting(), *note_lines(self.plan, self.labels))
         return [line.plain for line in said]
 
     def asked(self, position: int) -> str:
@@ -174,7 +152,7 @@ class PlanView:
         fixed = self.label_width + (time + 1) + (agent + 1 if agent else 0) + len(" 0.00")
         end = longest_end if self.width >= fixed + longest_end + 16 else 0
         fixed += end + 1 if end else 0
-        bar_width = _BAR if self.width >= fixed + 26 + _BAR else 0
+        bar_width = BAR if self.width >= fixed + 26 + BAR else 0
         rest = self.width - fixed - (bar_width + 1 if bar_width else 0) - 1
         longest_name = max(width_of(plain(self.plan.everything[i].skill.name)) for i in positions)
         longest_asked = max(width_of(plain(self.asked(i))) for i in positions)
@@ -219,7 +197,7 @@ class PlanView:
         row.append(" " + fitted(plain(name), columns.name), "not dim")
         degree, figure = self.degree(position)
         if columns.bar:
-            row.append(" " + fitted(degree, _BAR), style)
+            row.append(" " + fitted(degree, BAR), style)
         row.append(f" {figure or ('' if columns.bar else '–'):>4}", style)
         if columns.asked:
             row.append(" " + fitted(plain(self.asked(position)), columns.asked), "dim")
@@ -285,30 +263,7 @@ class PlanView:
         line.rstrip()
         return line
 
-    # -- what is proved and why -----------------------------------------------------------------------------
-
-    def _summary(self) -> Text:
-        schedule, certificate = self.schedule, self.schedule.certificate
-        if not self.plan.skills:
-            return Text("Nothing has a time yet.", style="bold")
-        line = Text("Satisfaction ", style="bold")
-        shown = whole(schedule.satisfaction, fails=schedule.geometric_mean == 0)
-        line.append(shown, style_of(schedule.geometric_mean))
-        if len(self.plan.skills) > 1:
-            line.append(f" in all, {schedule.geometric_mean:.2f} on average", "not bold")
-        line.append(f" ({self._proof()}; {certificate.method}, {certificate.seconds:.2f} s)", "dim")
-        return line
-
-    def _proof(self) -> str:
-        match self.schedule.certificate.status:
-            case Status.OPTIMAL:
-                return "no schedule satisfies better: proved"
-            case Status.BOUNDED:
-                return f"{how_near(self.schedule)}: proved"
-            case Status.HEURISTIC:
-                return "a good schedule, without proof"
-            case Status.INFEASIBLE:
-                return clash_sentence(self.plan)
+    # -- what is lost, and why ------------------------------------------------------------------------------
 
     def _waiting(self, among: Collection[int] | None = None) -> Iterator[Text]:
         """Say what each skill without a time waits for."""

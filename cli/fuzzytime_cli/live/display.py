@@ -10,7 +10,8 @@ from rich.text import Text
 from fuzzytime.times import format_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.faults import report, underlined
-from fuzzytime_cli.formats.table import PlanView, bar, style_of
+from fuzzytime_cli.formats.degrees import bar, style_of
+from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.live import events as told
 from fuzzytime_cli.live.events import Event
 from fuzzytime_cli.render import Screen, plain

@@ -1,8 +1,8 @@
 """The conversation in the terminal: instructions as one types, and commands that start with a colon.
 
 On the terminal
-    ``start`` reads lines, with ``completion`` and ``history``; ``turn`` answers each, with the question
-    that is ``pending``.
+    ``start`` reads lines, some of them ``together``, with ``completion`` and ``history``; ``turn`` answers
+    each, with the question that is ``pending``.
 What a line may be, beside an instruction
     One of the ``commands``, or ``plain_words`` that mean one, or one of the ``questions``.
 What is known

@@ -6,7 +6,7 @@ from datetime import datetime
 
 from rich.text import Text
 
-from fuzzytime.errors import FuzzytimeError, InstructionError
+from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Plan, Problem, ProblemKind
 from fuzzytime.language import (
     About,
@@ -18,13 +18,13 @@ from fuzzytime.language import (
 )
 from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
-from fuzzytime_cli.inputs.lines import is_ticked_off, said_in
+from fuzzytime_cli.inputs.lines import is_ticked_off
 from fuzzytime_cli.render import plain, wrapped
-from fuzzytime_cli.repl.commands.by_name import command_of, without_colon
+from fuzzytime_cli.repl.commands.by_name import command_of
 from fuzzytime_cli.repl.commands.looking import move_lines, start_line
 from fuzzytime_cli.repl.conversation import Conversation, answered, lengths_of, news_of
 from fuzzytime_cli.repl.pending import Pending, asked_late, question_lines, question_of, untold_notes
-from fuzzytime_cli.repl.plain_words.speaking import are_about, reply_about
+from fuzzytime_cli.repl.plain_words.speaking import reply_about
 from fuzzytime_cli.repl.scene import (
     UNREAD,
     AskedBackError,
@@ -36,6 +36,7 @@ from fuzzytime_cli.repl.scene import (
     said,
     whole_number,
 )
+from fuzzytime_cli.repl.together import parted, words_of
 from fuzzytime_cli.session import NotKeptError, Started
 
 Line = Text | str
@@ -80,7 +81,7 @@ class Turns:
 
     def take(self, line: str, now: datetime) -> Reply:
         """Answer a line; every error of what was typed is an answer too."""
-        words = self._words_of(line)
+        words = words_of(line, self.conversation.interpreter.language)
         if not words:
             return said(f"ticked off, and not planned: {line.strip()}") if is_ticked_off(line) else Reply()
         pending = self._question_put()
@@ -93,29 +94,7 @@ class Turns:
 
     def together(self, lines: Sequence[str], now: datetime) -> list[list[str]]:
         """Part lines said at once: instructions in a row stand together, all else alone."""
-        told = [line for line in lines if self._words_of(line) or is_ticked_off(line)]
-        parts: list[list[str]] = []
-        went_on = False
-        for line, wish in zip(told, self._are_wishes([line.strip() for line in told], now), strict=True):
-            if wish and went_on:
-                parts[-1].append(line)
-            else:
-                parts.append([line])
-            went_on = wish
-        return parts
-
-    def _are_wishes(self, lines: Sequence[str], now: datetime) -> list[bool]:
-        """Tell of each line whether it is neither a command nor about what was said before."""
-        language = self.conversation.interpreter.language
-        try:
-            about = are_about(language, lines, now)
-        except InstructionError:
-            # Taken alone, each line says what is wrong with it.
-            return [False] * len(lines)
-        return [
-            self._words_of(line) == line and line[0] not in ":/" and not other
-            for line, other in zip(lines, about, strict=True)
-        ]
+        return parted(lines, self.conversation.interpreter.language, now)
 
     def _turn(self, answer: Callable[[], Reply], now: datetime) -> Reply:
         """Give an answer, with the schedule where that changed; every error is an answer too."""
@@ -199,11 +178,6 @@ class Turns:
         return lines
 
     # -- inside ---------------------------------------------------------------------------------------------
-
-    def _words_of(self, line: str) -> str:
-        """Give what was typed; a command that needs no colon as if it had it, and nothing for a comment."""
-        words = said_in(line)
-        return without_colon(words, self.conversation.interpreter.language.lexicon) if words else ""
 
     def _question_put(self) -> Pending | None:
         """Give the question that the last turn ended with; it is put once."""

@@ -1,37 +1,44 @@
 """What is said about what was asked for already: "no, make it six", "cancel the call", "when do I stir?".
 
-Values: ``about``, and a line ``said``. ``reading`` tells which kind of line it is: ``changes``
-(``moves``, ``exceptions``, ``lengths``, and ``meant``: which wishes), ``corrections``, ``turns`` to
-what was just said, ``reports``, ``questions`` and ``asking``, ``things`` alone. A tree tells what is
-``told_done``. ``news`` and what was ``awaited`` tell of what happens; ``answers`` tell which time is
-meant. A line in other words: ``rewording``, ``merging``, ``replacing``, ``respelling``.
+A line is ``said``, and what it is ``about`` is a value; ``reading`` tells which kind of line it is:
+
+What is to be otherwise
+    ``changes`` of which wishes (``meant``) and by how much (``lengths``); ``turns`` to what was just said;
+    ``corrections``; ``things`` alone; a line in ``other_words``.
+What is told or asked
+    What somebody has ``told``; what is ``asked``.
 """
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind
-from fuzzytime.language.about_wishes.answers import choice_meant, chooses_none, lets_be
-from fuzzytime.language.about_wishes.awaited import (
-    done_at_once,
-    is_untold,
-    tells_awaited,
-    tells_of_somebody,
-    written_out,
-)
 from fuzzytime.language.about_wishes.corrections import added_time, restated, without_closing
 from fuzzytime.language.about_wishes.lengths import by_how_much
-from fuzzytime.language.about_wishes.merging import merged_time
-from fuzzytime.language.about_wishes.news import News, NewsKind, clauses_of, news_in
-from fuzzytime.language.about_wishes.reading import about_wishes, behind_what_is_told
-from fuzzytime.language.about_wishes.replacing import behind_an_answer, in_its_place, said_apart, with_names
-from fuzzytime.language.about_wishes.respelling import respelled
-from fuzzytime.language.about_wishes.rewording import (
+from fuzzytime.language.about_wishes.other_words.answers import choice_meant, chooses_none, lets_be
+from fuzzytime.language.about_wishes.other_words.merging import merged_time
+from fuzzytime.language.about_wishes.other_words.replacing import (
+    behind_an_answer,
+    in_its_place,
+    said_apart,
+    with_names,
+)
+from fuzzytime.language.about_wishes.other_words.respelling import respelled
+from fuzzytime.language.about_wishes.other_words.rewording import (
     is_person,
     is_thing,
     may_be_thing,
     reworded,
     without_article,
 )
+from fuzzytime.language.about_wishes.reading import about_wishes, behind_what_is_told
 from fuzzytime.language.about_wishes.things import about_things, continuing
-from fuzzytime.language.about_wishes.told_done import perhaps_reported, reported, told_result
+from fuzzytime.language.about_wishes.told.awaited import (
+    done_at_once,
+    is_untold,
+    tells_awaited,
+    tells_of_somebody,
+    written_out,
+)
+from fuzzytime.language.about_wishes.told.news import News, NewsKind, clauses_of, news_in
+from fuzzytime.language.about_wishes.told.told_done import perhaps_reported, reported, told_result
 
 __all__ = [
     "AT_FIRST",

@@ -3,12 +3,12 @@
 from datetime import datetime
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.asking import asked
-from fuzzytime.language.about_wishes.changes import change
+from fuzzytime.language.about_wishes.asked.about_the_day import asked
+from fuzzytime.language.about_wishes.asked.about_the_plan import question
+from fuzzytime.language.about_wishes.changes.changes import change
 from fuzzytime.language.about_wishes.corrections import opening_correction
-from fuzzytime.language.about_wishes.questions import question
-from fuzzytime.language.about_wishes.reports import report
 from fuzzytime.language.about_wishes.said import ENDS, Said
+from fuzzytime.language.about_wishes.told.reports import report
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
 LONGEST_NAME = 4

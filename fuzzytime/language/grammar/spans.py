@@ -9,11 +9,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
-from fuzzytime.language.grammar.due import due_then
-from fuzzytime.language.grammar.judging.dated_entries import sure_in_front
 from fuzzytime.language.grammar.judging.judging import Judge
 from fuzzytime.language.grammar.judging.run_on_hours import typed_apart
-from fuzzytime.language.grammar.lending import (
+from fuzzytime.language.grammar.judging.walls.dated_entries import sure_in_front
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.numerals import numeral_pieces
+from fuzzytime.language.grammar.quotes import quotes_in
+from fuzzytime.language.grammar.timetables import holds_stretch
+from fuzzytime.language.grammar.understood.due import due_then
+from fuzzytime.language.grammar.understood.lending import (
     appointed,
     in_half,
     in_minutes,
@@ -22,11 +26,12 @@ from fuzzytime.language.grammar.lending import (
     moved_to,
     one_by_one,
 )
-from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.numerals import numeral_pieces
-from fuzzytime.language.grammar.quotes import quotes_in
-from fuzzytime.language.grammar.timetables import holds_stretch
-from fuzzytime.language.grammar.typed_hours import clock_of_alarm, going_on, gone_by, lasting_on_day
+from fuzzytime.language.grammar.understood.typed_hours import (
+    clock_of_alarm,
+    going_on,
+    gone_by,
+    lasting_on_day,
+)
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Phrase
 

@@ -8,7 +8,7 @@ from fuzzytime.language.instruction import Operation, Remark
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft
-from fuzzytime.language.sentence.sketches.pronouns import (
+from fuzzytime.language.sentence.sketches.meaning.pronouns import (
     resolved_object,
     thing_of_clause_in_front,
     undone_alone,

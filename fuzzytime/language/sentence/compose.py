@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
-from fuzzytime.language.grammar.leftovers import leftovers
+from fuzzytime.language.grammar.leftovers.leftovers import leftovers
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import (
     Instruction,
@@ -28,13 +28,13 @@ from fuzzytime.language.sentence.segments.connectives import (
 )
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.told.asides import Aside
-from fuzzytime.language.sentence.sketches.alternatives import offered
-from fuzzytime.language.sentence.sketches.clock_times import NOTHING, LastSaid, last_said
-from fuzzytime.language.sentence.sketches.days_of_events import on_days_of_events
-from fuzzytime.language.sentence.sketches.negations import awaiting, without_denial
-from fuzzytime.language.sentence.sketches.prepared import due_of
+from fuzzytime.language.sentence.sketches.around_events.days_of_events import on_days_of_events
+from fuzzytime.language.sentence.sketches.around_events.prepared import due_of
+from fuzzytime.language.sentence.sketches.meaning.alternatives import offered
+from fuzzytime.language.sentence.sketches.meaning.clock_times import NOTHING, LastSaid, last_said
+from fuzzytime.language.sentence.sketches.meaning.negations import awaiting, without_denial
+from fuzzytime.language.sentence.sketches.meaning.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.together.days.headings import day_above, read_heading
 from fuzzytime.language.sentence.together.days.titles import window_of
 from fuzzytime.language.sentence.together.none_of_it.denials import denied_together

@@ -20,9 +20,9 @@ from fuzzytime.language.sentence.references.several import of_several, one_is_en
 from fuzzytime.language.sentence.segments.connectives import agreeing, follows_nothing, within_after
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.sketches.at_events import at_events
-from fuzzytime.language.sentence.sketches.clause_requirements import of_clause, referred
-from fuzzytime.language.sentence.sketches.in_turns import in_turns
+from fuzzytime.language.sentence.sketches.around_events.at_events import at_events
+from fuzzytime.language.sentence.sketches.around_events.clause_requirements import of_clause, referred
+from fuzzytime.language.sentence.sketches.around_events.in_turns import in_turns
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Anchor, TimeRequirement
 

@@ -16,7 +16,6 @@ from fuzzytime.language.meaning.expressions import (
     HourMark,
     Offset,
     Range,
-    SameTime,
     Time,
     TimeWord,
     Wall,
@@ -38,70 +37,9 @@ SOME = "some"
 """The hedge before a length, that says how much of a thing as well: "some ten minutes", "some dinner"."""
 
 
-@grammar.rule("goal", "<wall>|<end>|<stretch>|<rest>|<word>")
+@grammar.rule("goal", "<wall>|<end>|<stretch>|<rest>|<word>|<same>")
 def goal(time: Time) -> Goal:
     """Any time."""
-    return Goal(time)
-
-
-@grammar.rule(
-    "same",
-    "this|same time on? <days>|<date>",
-    "at? the? same time on? <days>|<date>",
-    "<days> at? this|the same? time",
-    "<days>|<date> ,? same time",
-    weight=0.3,
-)
-def same_time(days: Calendar) -> SameTime:
-    """This time tomorrow."""
-    return SameTime(days)
-
-
-@grammar.rule("same", "the? top|start|beginning|end of the hour", "on the hour", weight=0.2)
-def on_the_hour() -> HourMark:
-    """On the hour."""
-    return HourMark(0)
-
-
-@grammar.rule("same", "the? bottom|middle of the hour", weight=0.2)
-def at_the_bottom_of_the_hour() -> HourMark:
-    """At the bottom of the hour."""
-    return HourMark(30)
-
-
-@grammar.rule("same", "on|at the half hour", weight=0.3)
-def on_the_half_hour() -> HourMark:
-    """On the half hour."""
-    return HourMark(30)
-
-
-@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> past|after the hour", weight=0.4)
-def past_the_hour(minutes: float) -> HourMark:
-    """(at) a quarter past the hour."""
-    return HourMark(int(minutes))
-
-
-@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> to|before the hour", weight=0.4)
-def to_the_hour(minutes: float) -> HourMark:
-    """(at) ten to the hour."""
-    return HourMark(60 - int(minutes))
-
-
-@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> past", weight=0.6)
-def past_no_hour(minutes: float) -> HourMark:
-    """(at) a quarter past: of the hour that was said before, or of the next."""
-    return HourMark(int(minutes), open=True)
-
-
-@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> to", weight=0.1)
-def to_no_hour(minutes: float) -> HourMark:
-    """(at) ten to: of the hour that was said before, or of the next."""
-    return HourMark(60 - int(minutes), open=True)
-
-
-@grammar.rule("goal", "<same>")
-def goal_like_now(time: SameTime | HourMark) -> Goal:
-    """A time of day that depends on the one now."""
     return Goal(time)
 
 

@@ -204,6 +204,7 @@ def from_then_on(goal: Goal) -> Said:
     return said_of(goal, "not before" if of_day else "from", Constraint.AFTER, Edge.START)
 
 
+@grammar.rule("said", "before|by it gets|is|turns <said> at the very? latest", weight=1.2)
 @grammar.rule(
     "said",
     "<said> ,? at? the? very? latest",
@@ -218,16 +219,10 @@ def from_then_on(goal: Goal) -> Said:
     weight=0.5,
 )
 def latest(said: Said) -> Said | None:
-    """In ten minutes at the latest, at the latest on friday."""
+    """In ten minutes at the latest; before it gets dark at the latest: no state is waited for there."""
     if said.constraint not in {None, Constraint.AT, Constraint.BEFORE} or isinstance(said.time, TimeWord):
         return None
     return replace(said, constraint=Constraint.BEFORE, preposition="no later than", edge=Edge.LAST)
-
-
-@grammar.rule("said", "before|by it gets|is|turns <said> at the very? latest", weight=1.2)
-def latest_as_it_gets(said: Said) -> Said | None:
-    """Before it gets dark at the latest: what says so is a bound, and no state that is waited for."""
-    return latest(said)
 
 
 @grammar.rule(

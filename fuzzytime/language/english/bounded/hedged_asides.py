@@ -10,9 +10,10 @@ from fuzzytime.language.english.at_times.goals import (
 )
 from fuzzytime.language.english.at_times.prepositions import beside
 from fuzzytime.language.english.bounded.bounds import deadline, release
-from fuzzytime.language.english.from_now.counted import after_duration, for_duration, from_now, in_duration
+from fuzzytime.language.english.from_now.counted import after_duration, from_now, in_duration
 from fuzzytime.language.english.from_now.counted import ago as ago_duration
 from fuzzytime.language.english.from_now.counted import within as within_duration
+from fuzzytime.language.english.from_now.how_long import for_duration
 from fuzzytime.language.english.intervals.ranges import between
 from fuzzytime.language.english.repeated.bounded_repetitions import roughly_repeated
 from fuzzytime.language.grammar.chart import Grammar

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.repeated.repeated_days import except_on, off
+from fuzzytime.language.english.repeated.days_left_out import except_on, off
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Fields, Weekend
 from fuzzytime.language.meaning.days.relations import Deictic, Relative, Which

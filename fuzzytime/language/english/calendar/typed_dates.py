@@ -62,14 +62,9 @@ def dotted(numbers: Typed) -> Fields | None:
 
 
 @grammar.rule("weak date", "<last d.m.>", weight=0.2)
-def stopped_at_end(numbers: Typed) -> Fields | None:
-    """On 3.4.: day and month, if a preposition says so, as the full stop may end a sentence."""
-    return stopped(numbers)
-
-
 @grammar.rule("date", "<d.m.>", weight=0.3)
 def stopped(numbers: Typed) -> Fields | None:
-    """20.3. at ten: day and month, as the full stop behind both says."""
+    """20.3. at ten: day and month, as the full stop says; on 3.4.: it may end a sentence, too."""
     return valid_date(None, numbers[1], numbers[0])
 
 

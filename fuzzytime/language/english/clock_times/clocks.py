@@ -47,6 +47,7 @@ def number(hour: Integer) -> Clock | None:
     return Clock(value % 24, full_day=full_day, bare=True, minutes=minutes, hours=hours)
 
 
+@grammar.rule("clock behind at", "<integer> hours|hrs")
 @grammar.rule(
     "clock",
     "<integer> o'clock|oclock",
@@ -55,7 +56,7 @@ def number(hour: Integer) -> Clock | None:
     "<integer> hundred hours",
 )
 def oclock(hour: Integer) -> Clock | None:
-    """Six o'clock, fourteen hundred hours."""
+    """Six o'clock, fourteen hundred hours; (at) five hours."""
     return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
 
 
@@ -97,9 +98,11 @@ def spaced_military(hour: Integer, minute: Integer) -> Clock | None:
     return Clock(hour.value % 24, minute.value, 0, Unit.MINUTE, full_day=True)
 
 
+@grammar.rule("clock behind at", "<hh.mm> hours|hrs")
+@grammar.rule("four digits with hours", "<hh:mm> hours|hrs")
 @grammar.rule("clock", "<hh:mm>", "<hh:mm> o'clock|oclock|hours|h|hrs")
 def typed(numbers: Typed) -> Clock | None:
-    """8:30, 08:30."""
+    """8:30, 08:30; (at) 18.30 hrs; (not before) 20:00 hours: no length is typed so."""
     hour, minute = numbers[0], numbers[1]
     if hour > 24 or minute >= 60:
         return None
@@ -128,12 +131,6 @@ def four_digits_with_hours(hour: Integer) -> Clock | None:
     return military(hour) if len(hour.digits) == FULL_DIGITS else None
 
 
-@grammar.rule("four digits with hours", "<hh:mm> hours|hrs")
-def typed_with_hours(numbers: Typed) -> Clock | None:
-    """(not before) 20:00 hours: no length is typed so, with what it is measured in behind it."""
-    return typed(numbers)
-
-
 @grammar.rule("four digits with hours", "<integer> hundred hours")
 def hundreds_with_hours(hour: Integer) -> Clock | None:
     """(before) twenty hundred hours: "two thousand hours" is a length."""
@@ -141,18 +138,6 @@ def hundreds_with_hours(hour: Integer) -> Clock | None:
 
 
 # Behind "at", and only there, these are clock times.
-
-
-@grammar.rule("clock behind at", "<integer> hours|hrs")
-def hours(hour: Integer) -> Clock | None:
-    """(at) five hours."""
-    return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
-
-
-@grammar.rule("clock behind at", "<hh.mm> hours|hrs")
-def dotted_hours(numbers: Typed) -> Clock | None:
-    """(at) 18.30 hrs."""
-    return typed(numbers)
 
 
 @grammar.rule("clock", "<hh.mm>", weight=-0.3)

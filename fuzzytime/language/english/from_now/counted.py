@@ -1,4 +1,4 @@
-"""Durations with a preposition, from now on or how long: "in about ten minutes", "for eight minutes"."""
+"""Durations with a preposition, from now on: "in about ten minutes", "within the hour", "two days ago"."""
 
 from dataclasses import replace
 
@@ -16,16 +16,15 @@ from fuzzytime.language.meaning.expressions import (
     Quantity,
     Said,
     UnitWord,
-    Wall,
 )
-from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.joined.distances import UPPER
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
 
-def _length(duration: Duration, constraint: Constraint, preposition: str) -> Said:
+def said_length(duration: Duration, constraint: Constraint, preposition: str) -> Said:
+    """Give a length with what it is hedged by, as a preposition binds it: "in about ten minutes"."""
     return Said(replace(duration, hedges=()), constraint, preposition, duration.hedges)
 
 
@@ -46,39 +45,28 @@ def coming_deadline(goal: Goal) -> Said:
 )
 def in_duration(duration: Duration) -> Said:
     """In ten minutes, in half an hour's time."""
-    return _length(duration, Constraint.AT, "in")
+    return said_length(duration, Constraint.AT, "in")
 
 
+@grammar.rule("said", "in <duration> ,? about", weight=0.4)
 @grammar.rule(
     "said", "in like|say ,? <duration>", "in about|around|roughly ,? say|like ,? <duration>", weight=0.6
 )
 def in_like(duration: Duration) -> Said:
-    """In like ten minutes."""
-    return _length(duration.hedged("about"), Constraint.AT, "in")
-
-
-@grammar.rule("said", "in <duration> ,? about", weight=0.4)
-def in_about(duration: Duration) -> Said:
-    """In ten minutes about; but "write in ten minutes about the flat" is refused where it stands."""
-    return in_like(duration)
-
-
-@grammar.rule("said", "for like|say ,? <duration>", weight=0.6)
-def for_like(duration: Duration) -> Said:
-    """For like ten minutes."""
-    return _length(duration.hedged("about"), Constraint.FOR, "for")
+    """In like ten minutes, in ten minutes about; but "write in ten minutes about the flat" is refused."""
+    return said_length(duration.hedged("about"), Constraint.AT, "in")
 
 
 @grammar.rule("said", "starting|beginning|commencing in <duration>", weight=0.4)
 def starting_in(duration: Duration) -> Said:
     """Starting in a quarter of an hour."""
-    return _length(duration, Constraint.AT, "in")
+    return said_length(duration, Constraint.AT, "in")
 
 
 @grammar.rule("said", "today in <duration>", weight=0.5)
 def today_in(duration: Duration) -> Said:
     """Today in one hour."""
-    return _length(duration, Constraint.AT, "in")
+    return said_length(duration, Constraint.AT, "in")
 
 
 @grammar.rule("said", "in <quantity>", weight=-0.1)
@@ -86,7 +74,7 @@ def in_number(quantity: Quantity) -> Said | None:
     """In 15: minutes."""
     if not 1 <= quantity.value <= 240 or quantity.indefinite or quantity.value != int(quantity.value):
         return None
-    return _length(minutes_of(quantity), Constraint.AT, "in")
+    return said_length(minutes_of(quantity), Constraint.AT, "in")
 
 
 @grammar.rule("said", "in <integer> -|to|or <integer>", weight=0.6)
@@ -95,7 +83,7 @@ def in_numbers(first: Integer, last: Integer) -> Said | None:
     if not 1 <= first.value < last.value <= 240:
         return None
     shorter, longer = (minutes_of(Quantity(number.value)) for number in (first, last))
-    return _length(replace(shorter, until=longer), Constraint.AT, "in")
+    return said_length(replace(shorter, until=longer), Constraint.AT, "in")
 
 
 @grammar.rule(
@@ -114,7 +102,7 @@ def after_duration(first: str | Duration, second: Duration | None = None) -> Sai
     hedges = (first,) if isinstance(first, str) else ()
     # "After not more than two minutes"
     bounded = not UPPER.isdisjoint(duration.hedges) and duration.until is None
-    return _length(duration.hedged(*hedges), Constraint.BEFORE if bounded else Constraint.AFTER, "after")
+    return said_length(duration.hedged(*hedges), Constraint.BEFORE if bounded else Constraint.AFTER, "after")
 
 
 @grammar.rule(
@@ -125,7 +113,7 @@ def after_duration(first: str | Duration, second: Duration | None = None) -> Sai
 )
 def before_the_next(hedge: str | None, duration: Duration) -> Said:
     """Before the next ten minutes, before approximately the next ten minutes."""
-    return _length(duration.hedged(*([hedge] if hedge else [])), Constraint.BEFORE, "before")
+    return said_length(duration.hedged(*([hedge] if hedge else [])), Constraint.BEFORE, "before")
 
 
 @grammar.rule("said", "before|within|in|over|during the? next|coming <unit> or <quantity>", weight=0.6)
@@ -134,73 +122,19 @@ def before_the_next_or_two(unit: UnitWord, more: Quantity) -> Said | None:
     if len(unit.form) == 1 or more.indefinite or more.value <= 1:
         return None
     last = Duration(((more.value * unit.count, unit.unit),), bare_end=True)
-    return _length(Duration(((unit.count, unit.unit),), until=last), Constraint.BEFORE, "before")
+    return said_length(Duration(((unit.count, unit.unit),), until=last), Constraint.BEFORE, "before")
 
 
 @grammar.rule("said", "before <duration>", "before <duration> from now", weight=0.2)
 def before_duration(duration: Duration) -> Said:
     """Before ten minutes."""
-    return _length(duration, Constraint.BEFORE, "before")
+    return said_length(duration, Constraint.BEFORE, "before")
 
 
 @grammar.rule("said", "<within> the? <duration>", "<within> <duration> from now|today", weight=0.5)
 def within(preposition: Preposition, duration: Duration) -> Said:
     """Within ten minutes; another such preposition counts from now as it binds."""
-    return _length(duration, preposition.constraint, preposition.name)
-
-
-@grammar.rule(
-    "said",
-    "for <duration>",
-    "for another <duration>",
-    "for a? total of <duration>",
-    "for <duration> in? total|all|altogether",
-    "lasting|taking|of? <duration> long",
-    "lasting|taking <duration>",
-    weight=0.35,
-)
-def for_duration(duration: Duration) -> Said:
-    """For eight minutes, for the next hour."""
-    return _length(duration, Constraint.FOR, "for")
-
-
-@grammar.rule("said", "for another <integer>", weight=0.2)
-def for_another(number: Integer) -> Said:
-    """For another five: minutes."""
-    return _length(minutes_of(Quantity(number.value)), Constraint.FOR, "for")
-
-
-@grammar.rule("said", "over|during|for the? next|coming <duration>", weight=0.5)
-def over_the_next(duration: Duration) -> Said:
-    """Over the next two hours: any time in them."""
-    return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
-
-
-@grammar.rule("said", "for the next|coming <unit>", weight=0.5)
-def for_the_next_one(unit: UnitWord) -> Said | None:
-    """For the next week, as for the next seven days: from now on."""
-    if len(unit.form) == 1 or unit.unit in SUB_DAY or unit.unit is Unit.DAY:
-        return None
-    return over_the_next(Duration(((unit.count, unit.unit),)))
-
-
-@grammar.rule("said", "for the? first <duration>", weight=0.5)
-def for_the_first(duration: Duration) -> Said:
-    """For the first twenty minutes."""
-    return replace(in_the_first(duration), preposition="for")
-
-
-@grammar.rule("said", "for the? first <unit>", "for the? first <unit> and a? <fraction>", weight=0.5)
-def for_the_first_one(unit: UnitWord, fraction: float = 0.0) -> Said | None:
-    """For the first hour, for the first hour and a half; but "for the first quarter" is of a year."""
-    length = Duration(((unit.count * (1 + fraction), unit.unit),))
-    return for_the_first(length) if len(unit.form) > 1 and unit.unit is not Unit.QUARTER else None
-
-
-@grammar.rule("said", "during|in|within the? first <duration>", weight=0.5)
-def in_the_first(duration: Duration) -> Said:
-    """During the first twenty minutes."""
-    return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
+    return said_length(duration, preposition.constraint, preposition.name)
 
 
 @grammar.rule("said", "within|in the <unit>", weight=0.3)
@@ -208,13 +142,13 @@ def within_the_hour(unit: UnitWord) -> Said | None:
     """Within the hour."""
     if unit.unit not in {Unit.HOUR, Unit.MINUTE} or len(unit.form) == 1:
         return None
-    return _length(Duration(((unit.count, unit.unit),)), Constraint.BEFORE, "within")
+    return said_length(Duration(((unit.count, unit.unit),)), Constraint.BEFORE, "within")
 
 
 @grammar.rule("said", "<preposition_before> in <duration>", weight=0.5)
 def not_later_than_in(preposition: Preposition, duration: Duration) -> Said:
     """No later than in ten minutes."""
-    return _length(duration, Constraint.BEFORE, preposition.name)
+    return said_length(duration, Constraint.BEFORE, preposition.name)
 
 
 @grammar.rule(
@@ -233,27 +167,13 @@ def not_for(first: Preposition | Duration, second: Duration | None = None) -> Sa
     duration = first if isinstance(first, Duration) else second
     if duration is None or (duration.hedges and len(duration.terms) > 1 and _is_late_clock(duration)):
         return None
-    return _length(duration, Constraint.AFTER, "not before")
+    return said_length(duration, Constraint.AFTER, "not before")
 
 
 def _is_late_clock(duration: Duration) -> bool:
     """Whether hours and minutes are rather a clock time: "not before about 14h30"."""
     hours = duration.seconds / UNIT_SECONDS[Unit.HOUR]
     return EARLIEST_WITH_MINUTES <= hours < UNIT_SECONDS[Unit.DAY] / UNIT_SECONDS[Unit.HOUR]
-
-
-@grammar.rule("said", "for the? <stretch>", weight=0.45)
-def for_stretch(stretch: Wall | Coming) -> Said | None:
-    """For the next hour: that long, from now."""
-    if not isinstance(stretch, Coming) or stretch.direction < 0:
-        return None
-    return _length(stretch.duration, Constraint.FOR, "for")
-
-
-@grammar.rule("said", "<duration>", weight=-0.2)
-def duration_alone(duration: Duration) -> Said:
-    """Ten minutes: how long."""
-    return Said(replace(duration, hedges=()), Constraint.FOR, None, duration.hedges)
 
 
 @grammar.rule("said", "<duration> <forward>", "<duration> '|'s <forward>", weight=0.3)
@@ -268,14 +188,9 @@ def from_now(duration: Duration, preposition: Preposition) -> Said:
     "when|once|after it has been <duration>",
     weight=0.5,
 )
-def when_it_has_been(duration: Duration) -> Said:
-    """When it's been ten minutes: since what was begun."""
-    return so_far_in(duration)
-
-
 @grammar.rule("said", "<duration> in", weight=0.2)
 def so_far_in(duration: Duration) -> Said:
-    """Ten minutes in: counted from what was begun."""
+    """Ten minutes in, when it's been ten minutes: counted from what was begun."""
     return Said(Offset(replace(duration, hedges=())), None, "later", duration.hedges)
 
 
@@ -300,10 +215,10 @@ def at_offset(first: Preposition, duration: Duration, second: Preposition) -> Sa
 @grammar.rule("said", "past <duration> from now|hence", weight=0.5)
 def past_offset(duration: Duration) -> Said:
     """Past ten minutes from now: not before that."""
-    return _length(duration, Constraint.AFTER, "after")
+    return said_length(duration, Constraint.AFTER, "after")
 
 
 @grammar.rule("said", "<preposition_before>|<within> <duration> <forward>", weight=0.3)
 def deadline_offset(first: Preposition, duration: Duration, second: Preposition) -> Said:
     """Before ten minutes from now."""
-    return _length(duration, Constraint.BEFORE, first.name)
+    return said_length(duration, Constraint.BEFORE, first.name)

@@ -2,7 +2,8 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.from_now.counted import for_another, so_far_in
+from fuzzytime.language.english.from_now.counted import so_far_in
+from fuzzytime.language.english.from_now.how_long import for_another
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed

@@ -180,6 +180,7 @@ def pointed(first: Goal, _: str, last: Goal) -> Said | None:
     return _side_by_side(first, last)
 
 
+@grammar.rule("said", "@ <clock> -|to|till|until <clock>", weight=1.2)
 @grammar.rule(
     "said",
     "anytime|sometime|whenever <clock> to|- <clock>",
@@ -187,7 +188,7 @@ def pointed(first: Goal, _: str, last: Goal) -> Said | None:
     weight=1.2,
 )
 def sometime_from(first: Clock, last: Clock) -> Said | None:
-    """Anytime 3 to 5."""
+    """Anytime 3 to 5; (lunch) @12-1: the mark says that they are hours."""
     return between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
 
 
@@ -199,12 +200,6 @@ def called_between(first: Clock, *last: Clock | str) -> Said | None:
         # "2026-09" is a month.
         return None
     return sometime_from(first, end)
-
-
-@grammar.rule("said", "@ <clock> -|to|till|until <clock>", weight=1.2)
-def marked_between(first: Clock, last: Clock) -> Said | None:
-    """(lunch) @12-1, @ 12:30 to 2: the mark says that they are hours."""
-    return sometime_from(first, last)
 
 
 @grammar.rule("said", "on|for? <wall> ,? <integer> - <integer>", weight=0.9)

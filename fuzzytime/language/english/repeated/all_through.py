@@ -1,6 +1,6 @@
 """Clock times all through a period: "at six for the rest of the week", "all week at noon"."""
 
-from fuzzytime.language.english.from_now.counted import for_the_next_one
+from fuzzytime.language.english.from_now.how_long import for_the_next_one
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Rest, Said, UnitWord, Wall

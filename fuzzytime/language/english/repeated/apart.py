@@ -13,9 +13,10 @@ SIDES = 2
 grammar = Grammar()
 
 
+@grammar.rule("each", "for? <duration> each time|go?", "each|every one|time? for <duration>")
 @grammar.rule("apart", "<duration> apart", "each|every? <duration> apart", "<duration> in between")
-def so_long_apart(duration: Duration) -> Duration | None:
-    """Two hours apart."""
+def so_long(duration: Duration) -> Duration | None:
+    """Two hours apart; five minutes each."""
     return duration if duration.seconds > 0 and duration.until is None else None
 
 
@@ -42,12 +43,6 @@ def so_often_in_all(repeat: Repeat, times: int) -> Repeat | None:
     if repeat.every is None or repeat != Repeat(repeat.every):
         return None
     return replace(repeat, times=times, starting=Offset(repeat.every, 1))
-
-
-@grammar.rule("each", "for? <duration> each time|go?", "each|every one|time? for <duration>")
-def so_long_each(duration: Duration) -> Duration | None:
-    """Five minutes each."""
-    return duration if duration.seconds > 0 and duration.until is None else None
 
 
 @grammar.rule("said", "<times> ,|-|( <each> )?", "<times> <each>", weight=0.6)

@@ -43,9 +43,10 @@ def every(unit: UnitWord) -> Repeat | None:
     return of_unit(unit) if len(unit.form) > 1 and unit.form != "night" else None
 
 
+@grammar.rule("repeat", "at|in <duration> -? intervals", "at intervals of <duration>", weight=0.4)
 @grammar.rule("repeat", "once? every|each <duration>")
 def every_so_long(duration: Duration) -> Repeat | None:
-    """Every twenty minutes, every two days, every hour and a half."""
+    """Every twenty minutes, every two days, every hour and a half; at twenty minute intervals."""
     if len(duration.terms) == 1 and duration.terms[0][1] not in SMALL and not duration.hedges:
         amount, unit = duration.terms[0]
         if amount == int(amount) and amount >= 1:
@@ -55,12 +56,6 @@ def every_so_long(duration: Duration) -> Repeat | None:
         middle = (duration.seconds + duration.until.seconds) / 2
         return Repeat(Duration(((middle, Unit.SECOND),), duration.hedges)) if middle > 0 else None
     return Repeat(duration) if duration.seconds > 0 else None
-
-
-@grammar.rule("repeat", "at|in <duration> -? intervals", "at intervals of <duration>", weight=0.4)
-def at_intervals(duration: Duration) -> Repeat | None:
-    """At twenty minute intervals."""
-    return every_so_long(duration)
 
 
 @grammar.rule("repeat", "every|each <unit> and <fraction>", weight=0.1)
@@ -205,16 +200,11 @@ def twice() -> int:
     return 2
 
 
+@grammar.rule("few", "<integer>")
 @grammar.rule("times", "<integer> times|x")
 def times(number: Integer) -> int | None:
-    """Three times, 3x."""
+    """Three times, 3x; two (a day), but "two every night" is a clock time."""
     return number.value if 0 < number.value <= 1000 else None
-
-
-@grammar.rule("few", "<integer>")
-def few(number: Integer) -> int | None:
-    """Two (a day); but "two every night" is a clock time."""
-    return times(number)
 
 
 @grammar.rule("repeat", "<few> a|an|per <unit>", weight=0.1)

@@ -1,11 +1,8 @@
-"""Whether a reading is a time where it stands (``judging``).
+"""Whether a reading is a time where it stands: ``judging`` a text as it is ``standing`` there.
 
 For any kind of time
-    ``borders``, ``cuts``, ``titles``, ``proper_names``, ``spoken_of``, ``no_times``, ``figures``,
-    ``particles``, ``doses``, ``dining``, ``events``, ``standing``, ``given_times``, ``things_of_times``.
-Behind another time
-    ``further``.
+    What stands at its ``borders``, and ``beside`` it; that it is one of ``no_times`` by its ``look_alikes``,
+    or one of ``given_times``, which something has.
 For each kind
-    ``walls`` with ``weak_walls``, ``bare_hours``, ``run_on_hours``, ``dated_entries`` and ``naming``;
-    ``ranges``; ``lengths``.
+    ``walls``, and several ``run_on_hours``; ``ranges``; ``lengths``; ``further`` ones behind another time.
 """

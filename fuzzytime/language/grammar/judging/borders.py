@@ -4,20 +4,20 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.due import tells_when_due
-from fuzzytime.language.grammar.judging.cuts import Cuts
-from fuzzytime.language.grammar.judging.dining import Dining
-from fuzzytime.language.grammar.judging.doses import Doses
-from fuzzytime.language.grammar.judging.events import Events
+from fuzzytime.language.grammar.judging.beside.cuts import Cuts
+from fuzzytime.language.grammar.judging.beside.dining import Dining
+from fuzzytime.language.grammar.judging.beside.doses import Doses
+from fuzzytime.language.grammar.judging.beside.events import Events
+from fuzzytime.language.grammar.judging.beside.particles import Particles
+from fuzzytime.language.grammar.judging.beside.titles import Titles
 from fuzzytime.language.grammar.judging.given_times import GivenTimes
+from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_from_the_past
 from fuzzytime.language.grammar.judging.no_times import NoTime
-from fuzzytime.language.grammar.judging.particles import Particles
-from fuzzytime.language.grammar.judging.things_of_times import is_from_the_past
-from fuzzytime.language.grammar.judging.titles import Titles
-from fuzzytime.language.grammar.lent import counts_one
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings.measuring import NEAR, Measures
+from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
+from fuzzytime.language.grammar.understood.due import tells_when_due
+from fuzzytime.language.grammar.understood.lent import counts_one
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Wall

@@ -4,12 +4,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Cell, Piece
-from fuzzytime.language.grammar.judging.cuts import Cuts
-from fuzzytime.language.grammar.judging.doses import Doses
+from fuzzytime.language.grammar.judging.beside.cuts import Cuts
+from fuzzytime.language.grammar.judging.beside.doses import Doses
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.measuring import Measures
-from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings.measuring import Measures
+from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Range, Said, Wall

@@ -3,17 +3,17 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.due import is_due
 from fuzzytime.language.grammar.judging.borders import Borders
-from fuzzytime.language.grammar.judging.dated_entries import HEADS_ALONE, heads_list
 from fuzzytime.language.grammar.judging.further import Further
 from fuzzytime.language.grammar.judging.lengths import Lengths
 from fuzzytime.language.grammar.judging.ranges import Ranges
-from fuzzytime.language.grammar.judging.walls import Walls
-from fuzzytime.language.grammar.lent import Lent, is_left_for, lacks_unit
+from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS_ALONE, heads_list
+from fuzzytime.language.grammar.judging.walls.walls import Walls
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings.measuring import NEAR, Measures
+from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
+from fuzzytime.language.grammar.understood.due import is_due
+from fuzzytime.language.grammar.understood.lent import Lent, is_left_for, lacks_unit
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.days.relations import CountedDay

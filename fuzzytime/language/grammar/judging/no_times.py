@@ -3,17 +3,17 @@
 from functools import cached_property
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.judging.figures import Figures
-from fuzzytime.language.grammar.judging.proper_names import (
+from fuzzytime.language.grammar.judging.look_alikes.figures import Figures
+from fuzzytime.language.grammar.judging.look_alikes.proper_names import (
     has_surname,
     is_called_like_day,
     is_event_of_weekday,
     is_whom,
     names_in,
 )
-from fuzzytime.language.grammar.judging.spoken_of import is_spoken_of
+from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_spoken_of
+from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_of_street
 from fuzzytime.language.grammar.judging.standing import Standing
-from fuzzytime.language.grammar.judging.things_of_times import is_of_street
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall
 from fuzzytime.requirement import Unit
 

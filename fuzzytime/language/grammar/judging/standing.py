@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.run_on_hours import RunOnHours
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings.measuring import NEAR, Measures
+from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 
 

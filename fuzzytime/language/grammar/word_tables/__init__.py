@@ -9,10 +9,11 @@ from pathlib import Path
 
 from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
-from fuzzytime.language.grammar.spelling import clipped, misspellings
-from fuzzytime.language.grammar.transliteration import Names
-from fuzzytime.language.grammar.verb_groups import Doing
-from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, NoTimes
+from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
+from fuzzytime.language.grammar.lexicon.spelling import clipped, misspellings
+from fuzzytime.language.grammar.lexicon.transliteration import Names
+from fuzzytime.language.grammar.lexicon.verb_groups import Doing
+from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses
 from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
 from fuzzytime.language.grammar.word_tables.feasts import is_transliterated, read_feasts
 from fuzzytime.language.grammar.word_tables.groups import read_groups

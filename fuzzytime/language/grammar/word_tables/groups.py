@@ -4,8 +4,9 @@ from dataclasses import fields
 from typing import TypeVar
 
 from fuzzytime.documents.nodes import Node
-from fuzzytime.language.grammar.verb_groups import Doing
-from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, NoTimes, Words
+from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
+from fuzzytime.language.grammar.lexicon.verb_groups import Doing
+from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses, Words
 from fuzzytime.language.grammar.word_tables.tables import Tables
 from fuzzytime.spelling import suggestion
 

@@ -1,7 +1,6 @@
 """From a phrase to the time requirement that the rest of the program works with."""
 
 from dataclasses import dataclass, replace
-from datetime import timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.days.relations import Relative
@@ -23,18 +22,15 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.grounded.range_instants import at_middle, since
-from fuzzytime.language.meaning.instants import Instants
-from fuzzytime.language.meaning.joined.distances import LOWER, UPPER, distance_bound, is_farther
+from fuzzytime.language.meaning.joined.distances import LOWER, UPPER, distance_bound
 from fuzzytime.language.meaning.recurrences.series import recurrence_that_comes
 from fuzzytime.language.meaning.required.decisions import Deciding
 from fuzzytime.language.meaning.required.denied_times import beside
+from fuzzytime.language.meaning.required.edges import Edges
 from fuzzytime.language.meaning.required.grains import grain_of, zone_in
 from fuzzytime.language.meaning.required.offered_days import on_each_day_offered
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
-
-LAST = frozenset({Edge.LAST, Edge.DUE})
-"""Edges that are the last moment of what is named."""
 
 _NOT_SAID = {
     Constraint.EVERY: "how often is not said: say an interval, as in 'every ten minutes'",
@@ -207,15 +203,16 @@ class _Grounder:
         lasting = self.said.lasting.seconds if self.said.lasting is not None else 0.0
         ends = self.said.constraint is Constraint.BEFORE
         opens = ends and self.said.edge is Edge.START
+        edges = Edges(self.said, self.moment, zone)
         here = replace(self.moment.grounding(zone), lasting=lasting, ends=ends, opens=opens)
         time = at_middle(time) if self.said.constraint in {Constraint.BEFORE, Constraint.AFTER} else time
         found = here.instants(time)
-        if isinstance(time, Wall) and _is_at_place(time) and self._has_begun(time, found, zone):
+        if isinstance(time, Wall) and _is_at_place(time) and edges.has_begun(time, found):
             # "Before work", said at work: before that of tomorrow.
             found = here.instants(replace(time, days=Relative(1)))
         if self.said.preposition == "since" and isinstance(time, Wall):
             found = since(here, time, found)
-        start, end = self._bounds(time, found, zone)
+        start, end = edges.bounds(time, found)
         constraint = self.said.constraint or distance_bound(self.said)
         if constraint is None:
             constraint = Constraint.AT if start == end else Constraint.BETWEEN
@@ -224,7 +221,7 @@ class _Grounder:
         earliest = None if constraint is Constraint.BEFORE else start
         latest = None if constraint is Constraint.AFTER else end
         if constraint is Constraint.BEFORE and self.said.within is not None:
-            constraint, earliest = Constraint.BETWEEN, self._begin_of(self.said.within, end, zone)
+            constraint, earliest = Constraint.BETWEEN, edges.begin_of(self.said.within, end)
         duration = time.duration if isinstance(time, (Offset, Coming)) else None
         hedges = self.said.hedges if duration is None else (*self.said.hedges, *duration.hedges)
         grain = found.grain if isinstance(time, (Wall, Range, Ending, Rest, HourMark)) else None
@@ -240,67 +237,12 @@ class _Grounder:
         )
         if isinstance(time, HourMark) and time.open:
             remarks = (*remarks, self._deciding.of_hour(found))
-        if self._has_begun(time, found, zone):
+        if edges.has_begun(time, found):
             message = (
                 f"{self.text!r} is taken as before {found.end:%H:%M}, as it began at {found.start:%H:%M}"
             )
             remarks = (*remarks, Remark(RemarkKind.POLICY, self.phrase.span, message))
         return Grounded(requirement=requirement, remarks=remarks, questions=questions)
-
-    def _bounds(self, time: Time, found: Instants, zone: str | None) -> tuple[float, float]:
-        """Give the seconds of the edges that count: of an interval that a bound names, the one it means."""
-        start, end = found.start, found.end
-        if self.said.beside:
-            start = end = end if self.said.edge is Edge.END else start
-        elif self.said.constraint is Constraint.BEFORE and start != end:
-            if self._counts_from_start(time) and not self._has_begun(time, found, zone):
-                end = start
-            if self.said.edge in LAST and isinstance(time, Wall) and time.part is None and end != start:
-                end -= timedelta(seconds=1)
-        elif self.said.constraint is Constraint.AFTER and start != end and self.said.edge is Edge.END:
-            start = end
-        elif is_farther(self.said):
-            start, end = end, start
-        due = isinstance(time, Ending) and self.said.constraint is Constraint.BEFORE
-        if due and isinstance(time, Ending) and time.edge is Edge.START:
-            # "By the start of next week"
-            end = start
-        elif due:
-            end = found.end if not found.is_point else found.end + timedelta(seconds=1)
-        return self.moment.seconds(start, zone), self.moment.seconds(end, zone)
-
-    def _begin_of(self, within: Wall, end: float, zone: str | None) -> float:
-        """Give the seconds to when that begins in which a deadline lies.
-
-        It is the part of the day; of a day, or where that part is later, the hours at which people do things,
-        or some before the deadline.
-        """
-        grounding = self.moment.grounding(zone)
-        day = grounding.instants(replace(within, part=None)).start
-        part = self.moment.seconds(grounding.instants(within).start, zone)
-        if within.part is not None and part < end:
-            return part
-        opens = self.moment.policy.begin_before(end - self.moment.seconds(day, zone))
-        return min(end, self.moment.seconds(day + timedelta(seconds=opens), zone))
-
-    def _has_begun(self, time: Time, found: Instants, zone: str | None) -> bool:
-        """Whether a deadline is at the start of a stretch that is running: "before dinner", said at dinner.
-
-        Then what is meant is as soon as can be, and in that stretch: nobody asks for the past.
-        """
-        part = isinstance(time, Wall) and time.part is not None and time.clock is None
-        if not part or self.said.constraint is not Constraint.BEFORE or not self._counts_from_start(time):
-            return False
-        return self.moment.seconds(found.start, zone) <= 0 < self.moment.seconds(found.end, zone)
-
-    def _counts_from_start(self, time: Time) -> bool:
-        if self.said.edge is Edge.END:
-            return False
-        if self.said.edge is Edge.START:
-            return not isinstance(time, (Ending, Range, Rest))
-        part = time.part if isinstance(time, Wall) else None
-        # A meal is something that begins: "no later than lunch".
-        return part is not None and (self.said.edge is Edge.DUE or part.meal)
 
 
 def _is_at_place(wall: Wall) -> bool:

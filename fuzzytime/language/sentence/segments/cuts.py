@@ -16,9 +16,9 @@ from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node
-from fuzzytime.language.sentence.verbs.actions import action_of
-from fuzzytime.language.sentence.verbs.called import person_due
-from fuzzytime.language.sentence.verbs.statements import second_statement
+from fuzzytime.language.sentence.verbs.meant.actions import action_of
+from fuzzytime.language.sentence.verbs.statements.called import person_due
+from fuzzytime.language.sentence.verbs.statements.statements import second_statement
 
 CHAIN = re.compile(r",?w(?:,w)*,?&")
 """Words (w), commas and "and" (&) before the last of some verbs that share an object."""

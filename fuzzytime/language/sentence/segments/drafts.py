@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.grammar.denied import denied
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import MARKS, Scanned, phrases_of
+from fuzzytime.language.grammar.understood.denied import denied
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.phrases import places_in

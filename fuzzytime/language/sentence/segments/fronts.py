@@ -12,9 +12,9 @@ from fuzzytime.language.sentence.clauses.conditions import ITS, being, happening
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
-from fuzzytime.language.sentence.verbs.actions import is_doubtful
-from fuzzytime.language.sentence.verbs.orders_before import denied_from
-from fuzzytime.language.sentence.verbs.statement_trees import as_statement
+from fuzzytime.language.sentence.verbs.meant.actions import is_doubtful
+from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
+from fuzzytime.language.sentence.verbs.statements.statement_trees import as_statement
 
 CARRIER = "please "
 """Words behind which a parser sees an order."""

@@ -19,7 +19,7 @@ from fuzzytime.language.sentence.segments.segment import Segment, segments_of
 from fuzzytime.language.sentence.segments.told.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
 from fuzzytime.language.sentence.trees.tree import Trees
-from fuzzytime.language.sentence.verbs.called import with_clause
+from fuzzytime.language.sentence.verbs.statements.called import with_clause
 
 ROUNDS = 12
 """How often a segment may be cut again: instructions joined by "and" in one sentence."""

@@ -23,9 +23,9 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
-from fuzzytime.language.sentence.verbs.actions import is_doubtful
-from fuzzytime.language.sentence.verbs.happenings import happens, may_be_ordered
-from fuzzytime.language.sentence.verbs.statement_trees import leaves
+from fuzzytime.language.sentence.verbs.meant.actions import is_doubtful
+from fuzzytime.language.sentence.verbs.statements.statement_trees import leaves
+from fuzzytime.language.sentence.verbs.without_verbs.happenings import happens, may_be_ordered
 
 JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but|or|nor)\b)?[\s,;&]*(\bplease\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""

@@ -8,7 +8,7 @@ from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.told.messages import Message
 from fuzzytime.language.sentence.segments.waiting import Part
-from fuzzytime.language.sentence.verbs.actions import Action
+from fuzzytime.language.sentence.verbs.meant.actions import Action
 
 AS = "as"
 RECIPIENT = "to "

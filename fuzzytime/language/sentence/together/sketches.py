@@ -7,8 +7,8 @@ from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Duration, Repeat
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.told.asides import Aside
-from fuzzytime.language.sentence.sketches.alternatives import not_used
-from fuzzytime.language.sentence.sketches.clause_requirements import BECOMING
+from fuzzytime.language.sentence.sketches.around_events.clause_requirements import BECOMING
+from fuzzytime.language.sentence.sketches.meaning.alternatives import not_used
 from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch_of
 from fuzzytime.language.sentence.together.days.below_headings import under_first_line
 from fuzzytime.language.sentence.together.days.day_by_day import day_by_day, each_day_too

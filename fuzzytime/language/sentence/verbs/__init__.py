@@ -1,11 +1,15 @@
 """What verbs say: what is to be done, and what happens by itself.
 
-What is to be done
-    The verb that is meant (``actions``), also in ``small_clauses``; which of its ``moments`` is; its
-    object and the rest (``operations``, ``particles``, ``verb_words``), ``places``, ``amounts``; what is
-    to be ``remembered``, ``put_there``, or ``due_by_then``; ``orders_before`` the root of a tree.
-What is only told
-    ``statements``, with their ``statement_trees`` and ``plural_statements``; who is ``called`` and acts;
-    who is ``stated`` to do it; ``happenings`` and ``named_moments`` without a verb, and ``named_deeds``;
-    what else is ``named_alone``.
+From the ground:
+
+``meant``
+    The verb that is meant, and which moment of what is done.
+``places``
+    Where and how it is done.
+``statements``
+    What is only told, and who is said to do it.
+``operations``
+    What is to be done: the verb, its object and the rest.
+``without_verbs``
+    What is to be done, or happens, where nobody says a verb.
 """

@@ -12,7 +12,7 @@ from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import (
 )
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
-from fuzzytime.language.sentence.verbs.actions import action_of
+from fuzzytime.language.sentence.verbs.meant.actions import action_of
 
 DONE = frozenset({"VBN", "VBD"})
 """Tags of what is done with something; trees mistake one for the other."""

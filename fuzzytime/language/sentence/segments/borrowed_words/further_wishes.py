@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
-from fuzzytime.language.sentence.verbs.actions import action_of
+from fuzzytime.language.sentence.verbs.meant.actions import action_of
 
 NAMING = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "NNPS", "CD", "POS"})
 """Tags of words that name who or what a wish is about."""

@@ -23,9 +23,9 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
 )
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
-from fuzzytime.language.sentence.verbs.actions import action_of, gone_to_do
-from fuzzytime.language.sentence.verbs.orders_before import denied_from
-from fuzzytime.language.sentence.verbs.statements import (
+from fuzzytime.language.sentence.verbs.meant.actions import action_of, gone_to_do
+from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
+from fuzzytime.language.sentence.verbs.statements.statements import (
     being_behind_order,
     due_too,
     goes_on,

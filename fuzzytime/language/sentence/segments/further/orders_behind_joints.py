@@ -16,7 +16,7 @@ from fuzzytime.language.sentence.segments.further.run_on_orders import governs, 
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
-from fuzzytime.language.sentence.verbs.actions import action_of
+from fuzzytime.language.sentence.verbs.meant.actions import action_of
 
 LEAST = 3
 """Words of an order with its thing and a joint behind them, at least."""

@@ -4,7 +4,7 @@ from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
-from fuzzytime.language.sentence.verbs.orders_before import denied_from
+from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
 
 ANY_SUBJECTS = (*GRAMMATICAL_SUBJECTS, "csubj")
 COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")

@@ -16,7 +16,7 @@ from fuzzytime.language.sentence.segments.further.overlooked_orders import is_ba
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
-from fuzzytime.language.sentence.verbs.orders_before import denied_from
+from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
 
 LEAST = 2
 """Words of an order that another may stand behind, at least."""

@@ -8,7 +8,7 @@ from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.waiting import Part, Source
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
-from fuzzytime.language.sentence.verbs.called import worker_doing
+from fuzzytime.language.sentence.verbs.statements.called import worker_doing
 
 JOINTS = frozenset({"", ",", "and", ", and", "&"})
 """What stands between what one does first and next, beside "then"."""

@@ -21,9 +21,14 @@ from fuzzytime.language.sentence.segments.mended.reminded_of import with_reminde
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
-from fuzzytime.language.sentence.verbs.called import with_called, with_clause, with_event, with_worker
-from fuzzytime.language.sentence.verbs.named_deeds import with_named_deed
-from fuzzytime.language.sentence.verbs.statement_trees import as_statement
+from fuzzytime.language.sentence.verbs.statements.called import (
+    with_called,
+    with_clause,
+    with_event,
+    with_worker,
+)
+from fuzzytime.language.sentence.verbs.statements.statement_trees import as_statement
+from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import with_named_deed
 
 CARRIERS = ("", "please ", "you should ")
 """Words that make a parser see the verb behind them, tried in this order."""

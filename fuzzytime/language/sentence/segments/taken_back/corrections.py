@@ -4,9 +4,9 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from fuzzytime.language.grammar.lent import is_timed_entry
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
+from fuzzytime.language.grammar.understood.lent import is_timed_entry
 from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.looked_up import TIMELY
 from fuzzytime.language.grammar.spans import Scanned
+from fuzzytime.language.grammar.surroundings.looked_up import TIMELY
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Phrase, Said
 from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.requirement import Constraint, Unit

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.days.listed_days import heads_list
-from fuzzytime.language.sentence.verbs.named_alone import named_alone
+from fuzzytime.language.sentence.verbs.without_verbs.named_alone import named_alone
 
 
 def things_alone(sketches: Sequence[Sketch], text: str, *, headed: bool) -> list[Sketch]:

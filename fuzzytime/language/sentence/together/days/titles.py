@@ -16,7 +16,7 @@ from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
-from fuzzytime.language.sentence.verbs.named_deeds import names_deed
+from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import names_deed
 
 FEWEST = 3
 """Lines below a title, at least."""

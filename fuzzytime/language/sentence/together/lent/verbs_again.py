@@ -8,8 +8,8 @@ from fuzzytime.language.instruction import Operation, Span, overlap
 from fuzzytime.language.meaning.expressions import Offset, Repeat, Said
 from fuzzytime.language.meaning.joined.distances import EARLIER, LATER
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.verbs.due_by_then import BE, MUST, MUST_BE
 from fuzzytime.language.sentence.verbs.places import says_where
+from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import BE, MUST, MUST_BE
 from fuzzytime.requirement import Constraint
 
 DO = "do"

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from fuzzytime.language.grammar.judging.dated_entries import HEADS_ALONE
+from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS_ALONE
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.words import Word, words_of

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.measuring import AMOUNTED
+from fuzzytime.language.grammar.surroundings.measuring import AMOUNTED
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.sentence.sketches.sketch import Sketch

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.sentence.sketches.at_events import events_in
+from fuzzytime.language.sentence.sketches.around_events.at_events import events_in
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
 

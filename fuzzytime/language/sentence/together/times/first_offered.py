@@ -7,7 +7,7 @@ from itertools import pairwise
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.sentence.clauses.conditions import IF
-from fuzzytime.language.sentence.sketches.alternatives import not_used
+from fuzzytime.language.sentence.sketches.meaning.alternatives import not_used
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 

@@ -23,7 +23,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
-from fuzzytime.language.sentence.sketches.clause_requirements import LASTING
+from fuzzytime.language.sentence.sketches.around_events.clause_requirements import LASTING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.told.consequences import leads_to_consequence
 from fuzzytime.requirement import Constraint

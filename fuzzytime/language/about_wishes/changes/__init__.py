@@ -1,0 +1,1 @@
+"""Orders that are about wishes (``changes``): ``moves`` to another time, ``exceptions`` from a repetition."""

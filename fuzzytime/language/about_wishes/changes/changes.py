@@ -1,0 +1,222 @@
+"""Orders that are about wishes: "cancel the call", "push everything back by ten minutes", "swap the two"."""
+
+import re
+from dataclasses import replace
+
+from fuzzytime.language.about_wishes.about import AT_FIRST, AT_ONCE, About, AboutKind
+from fuzzytime.language.about_wishes.changes.exceptions import cleared, exception
+from fuzzytime.language.about_wishes.changes.moves import delayed, moved
+from fuzzytime.language.about_wishes.corrections import opening_correction
+from fuzzytime.language.about_wishes.lengths import DIRECTIONS, days_on, later_by
+from fuzzytime.language.about_wishes.meant import about_thing, is_last, named_in
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.turns import all_but, several_in, turned
+from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.requirement import Unit
+
+FIRST = "first"
+FOR = "for"
+EVERY = "every"
+
+OWNER = re.compile(r"(?<=\w)['\u2019]s\b")
+"""What tells whose something is."""
+
+DOING = "do"
+MAKING = "make"
+LEAVE, OUT = "leave", "out"
+
+
+def change(said: Said) -> About | None:
+    """Read an order about wishes; None where it may be a wish itself."""
+    return (
+        _undone(said)
+        or turned(said)
+        or _swapped(said)
+        or cleared(said)
+        or exception(said)
+        or _dropped(said)
+        or _ordered(said)
+        or _corrected(said)
+        or delayed(said)
+        or moved(said)
+    )
+
+
+def _undone(said: Said) -> About | None:
+    for kind, name in ((AboutKind.UNDO, "undoing"), (AboutKind.REDO, "redoing")):
+        rest = said.after(name)
+        if rest is not None and (is_last(rest) or rest.is_in("both") or rest.places):
+            return About(kind=kind, both=not is_last(rest), certain=True)
+    form = longest_match(said.words, 0, {(first[0],) for first in said.table("undoing") if len(first) == 2})
+    particle = {first[1] for first in said.table("undoing") if len(first) == 2}
+    if form is not None and said.forms[-1] in particle and is_last(said.until(len(said.words) - 1).behind(1)):
+        # "Take that back"
+        return About(kind=AboutKind.UNDO, certain=True)
+    return None
+
+
+def _swapped(said: Said) -> About | None:
+    rest = said.after("swapping")
+    if rest is None:
+        return None
+    rest = rest.until(len(rest.words) - 1) if rest.forms[-1:] in said.table("behind swapping") else rest
+    if not rest.words or rest.is_in("both"):
+        return About(kind=AboutKind.SWAP, both=True, certain=True)
+    if (both := several_in(rest)) is not None:
+        return About(kind=AboutKind.SWAP, names=both, both=True, certain=True)
+    joint = next(
+        (place for place, word in enumerate(rest.forms) if word in said.lexicon.closed.joints_of_swaps), 0
+    )
+    one, other = rest.until(joint), rest.behind(joint + 1)
+    if not joint or not other.words:
+        return None
+    return About(kind=AboutKind.SWAP, names=named_in(one), others=named_in(other))
+
+
+def _dropped(said: Said) -> About | None:
+    rest = said.after("clearing")
+    if rest is not None and (rest.is_in("everything") or (not rest.words and len(said.words) > 1)):
+        return About(kind=AboutKind.DROP, everything=True, certain=True)
+    if rest is not None and (rest.label or rest.places or rest.is_in("the next")):
+        return about_thing(AboutKind.DROP, rest)
+    if rest is not None and not rest.has_time and (owned := _appointment(rest)):
+        return About(kind=AboutKind.DROP, names=owned)
+    dropped = said.after("dropping") or rest
+    if dropped is not None and (kept := all_but(dropped)) is not None:
+        return About(kind=AboutKind.DROP, names=named_in(kept), everything=True, certain=True)
+    if said.forms[:1] == (LEAVE,) and said.forms[-1:] == (OUT,) and len(said.words) > 2:
+        # "Leave the soup out"
+        return about_thing(AboutKind.DROP, said.until(len(said.words) - 1).behind(1))
+    rest = said.after("dropping")
+    if rest is not None and (
+        rest.label
+        or rest.places
+        or several_in(rest) is not None
+        or rest.is_in("other")
+        or rest.is_in("the next")
+    ):
+        return about_thing(AboutKind.DROP, rest)
+    if rest is None or rest.has_time:
+        return None
+    if rest.is_in("everything"):
+        return About(kind=AboutKind.DROP, everything=True, certain=True)
+    if rest.is_in("both"):
+        return About(kind=AboutKind.DROP, both=True, certain=True)
+    if is_last(rest):
+        return About(kind=AboutKind.DROP, certain=True)
+    certain = said.opens_with("letting go") > 0
+    return about_thing(AboutKind.DROP, rest, certain=certain) if rest.names else None
+
+
+def _appointment(said: Said) -> frozenset[str]:
+    """Give the words that name what is planned, and no thing: "Ann's call", "the meeting"; else none."""
+    bare = Said(OWNER.sub("", said.text), said.now, said.lexicon)
+    lexicon = said.lexicon
+    timed = lexicon.happening | lexicon.events | lexicon.taken
+    return bare.names if bare.forms[-1:] and bare.forms[-1] in timed else frozenset()
+
+
+def _ordered(said: Said) -> About | None:
+    """Read what is wished to come first, or beside another: "do the soup first", "do it after the call"."""
+    if said.forms[:1] not in {(DOING,), (MAKING,)} or len(said.words) < 3:
+        return None
+    verb = said.forms[0]
+    if verb == MAKING and said.without("more")[1]:
+        # "Make the lesson an hour longer"
+        return None
+    for place in range(2, len(said.words)):
+        thing, rest = said.until(place).behind(1), said.behind(place)
+        if rest.is_in("first"):
+            time = AT_FIRST if rest.forms == (FIRST,) else AT_ONCE
+            return replace(about_thing(AboutKind.MOVE, thing), time=time)
+        new = rest.without("instead")[0]
+        undirected, directions = new.without(*DIRECTIONS)
+        if new.words and not undirected.words and is_last(thing):
+            # "Do it earlier": by how much is not said
+            return About(kind=AboutKind.DELAY, earlier="earlier" in directions, certain=True)
+        if (later := later_by(new)) is not None and not later[1].words:
+            about = about_thing(AboutKind.DELAY, thing)
+            return replace(about, by=later[0].by, text=later[0].text, earlier=later[0].earlier)
+        if verb == MAKING and (is_last(thing) or new.as_time() == new.text):
+            # "Make the bed at six", "make dinner for six"
+            return None
+        if days := days_on(new):
+            return replace(about_thing(AboutKind.MOVE, thing), days=days)
+        if (time := new.as_time()) and (thing.names or is_last(thing)):
+            # Who has dishes to do, and says so again, may mean others.
+            again = "" if new.words != rest.words else verb
+            return replace(about_thing(AboutKind.MOVE, thing), time=time, text=again)
+        beside = rest.beside()
+        if beside is not None and beside[1].names:
+            return replace(about_thing(AboutKind.MOVE, thing), time=beside[0], others=beside[1].names)
+    return None
+
+
+def _corrected(said: Said) -> About | None:
+    place = opening_correction(said)
+    rest = said.behind(place)
+    if place and rest.forms[:1] and rest.forms[0] in said.lexicon.doing.keeping and is_last(rest.behind(1)):
+        # "No wait, keep it"
+        return About(kind=AboutKind.UNDO, text=rest.text, certain=True)
+    if rest.words and not rest.without(*DIRECTIONS)[0].words:
+        # "Earlier, please": by how much is not said
+        earlier = "earlier" in rest.without(*DIRECTIONS)[1]
+        return About(kind=AboutKind.DELAY, earlier=earlier, corrects=place > 0, certain=True)
+    delayed = later_by(rest)
+    if delayed is not None and (about := _later(*delayed)) is not None:
+        # "Ten minutes later", "no, make it ten minutes earlier"
+        return replace(about, corrects=place > 0)
+    if days := days_on(rest):
+        # "No, the day after"
+        return About(kind=AboutKind.MOVE, days=days, corrects=place > 0, certain=True)
+    proposed = rest.after("proposing")
+    if proposed is not None and proposed.words and (about := _corrected(proposed)) is not None:
+        return replace(about, corrects=True)
+    proposed = (
+        None if proposed is None else proposed.without_end(said.table("instead") | said.table("preferring"))
+    )
+    if proposed is not None and (time := proposed.as_time()):
+        # "Let's say nine"
+        bare = proposed.is_bare(time)
+        return About(kind=AboutKind.MOVE, time=time, bare=bare, corrects=True, certain=True)
+    if place == 0 or not rest.words:
+        return None
+    thing, is_said, new = rest.text.rpartition(" is ")
+    if is_said:
+        # "Actually, the dentist is at half past four"
+        time = Said(new, said.now, said.lexicon).as_time()
+        names = Said(thing, said.now, said.lexicon).names
+        return About(kind=AboutKind.MOVE, names=names, time=time) if time and names else None
+    if rest.forms[:1] == (EVERY,) and (number := rest.behind(1).as_number()):
+        # "No, every ten"
+        time = f"{EVERY} {number} {Unit.MINUTE}s"
+        return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
+    longer, more = rest.without("more")
+    if more and (found := longer.length()) is not None and not found.rest.words:
+        # "Make it ten minutes longer"
+        return About(kind=AboutKind.MORE, by=found.seconds, certain=True)
+    number = rest.as_number()
+    time = rest.as_time() or (f"for {number} {Unit.MINUTE}s" if number else "")
+    if not time:
+        return _beside_another(rest) or change(rest)
+    bare = rest.is_bare(time)
+    return About(kind=AboutKind.MOVE, time=time, number=number, bare=bare, corrects=True, certain=True)
+
+
+def _beside_another(said: Said) -> About | None:
+    """Read what is to be beside another thing instead: "no, before the balloons"."""
+    beside = said.beside()
+    if beside is None or not beside[1].names:
+        return None
+    return About(kind=AboutKind.MOVE, time=beside[0], others=beside[1].names, corrects=True, certain=True)
+
+
+def _later(about: About, beside: Said) -> About | None:
+    """Give what is later where nothing is named beside it but all, or both: "both an hour earlier"."""
+    if not beside.words or is_last(beside):
+        return replace(about, certain=True)
+    if beside.is_in("everything"):
+        return replace(about, everything=True, certain=True)
+    if beside.is_in("both") or several_in(beside) is not None:
+        return replace(about, names=several_in(beside) or frozenset(), both=True, certain=True)
+    return None

@@ -1,0 +1,188 @@
+"""Wishes that get another time: "push everything back by ten minutes", "move the call to six"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, by_length, minutes_alone
+from fuzzytime.language.about_wishes.meant import about_thing, is_last
+from fuzzytime.language.about_wishes.said import Said, one_time
+from fuzzytime.language.about_wishes.told.awaited import written_out
+from fuzzytime.language.finding import find_times
+from fuzzytime.language.sentence.trees.content_words import content_words
+
+FOR = "for"
+PUT = "put"
+NOW = "now"
+LEAVE = "leave"
+LEFT = frozenset({FOR, "till", "until"})
+"""What stands between what is left and until when."""
+
+
+def delayed(said: Said) -> About | None:
+    """Read what is moved by a length, or only back or forward: "push the call back by ten minutes"."""
+    delaying = said.after("delaying")
+    rest = delaying if delaying is not None else said.behind(1)
+    if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
+        return None
+    if delaying is not None and not rest.words:
+        return About(kind=AboutKind.DELAY, certain=True)
+    if (within := _all_within(rest)) is not None:
+        return within
+    if (
+        not rest.words
+        or not rest.is_one
+        or any(f" {joint}" in f" {rest.text.lower()}" for joint in said.towards)
+    ):
+        return None
+    thing, directions = rest.without(*DIRECTIONS)
+    # "Push it all back" says no length.
+    whole = thing.is_in("everything") or is_last(thing)
+    found = None if whole else thing.length() or minutes_alone(thing, directed=bool(directions))
+    if found is None:
+        if thing.has_time or (delaying is None and not directions):
+            return None
+    elif delaying is None and (
+        found.joint == FOR or not (directions or said.forms[0] in said.lexicon.moving)
+    ):
+        # "Put the meat back for ten minutes"
+        return None
+    earlier = "earlier" in directions
+    by = None if found is None else -found.seconds if earlier else found.seconds
+    moved = thing if found is None else found.rest
+    named, referred = moved.without(*REFERRED)
+    if moved.is_in("both"):
+        return About(kind=AboutKind.DELAY, both=True, by=by, earlier=earlier, certain=True)
+    if not named.names and not referred and (delaying is None or named.words):
+        return None
+    if "everything" in referred and not named.names:
+        return About(kind=AboutKind.DELAY, everything=True, by=by, earlier=earlier, certain=True)
+    # Who pushes a table back says no length of time.
+    certain = delaying is not None or (found is not None and found.joint == "by")
+    return replace(about_thing(AboutKind.DELAY, named, certain=certain), by=by, earlier=earlier)
+
+
+def _all_within(said: Said) -> About | None:
+    """Read what is moved of a stretch by a length: "everything after lunch an hour later"."""
+    taken = said.opens_with("everything")
+    for place in range(len(said.words) - 1, taken, -1) if taken else ():
+        stretch, shift = said.until(place).behind(taken), by_length(said.behind(place))
+        if shift is not None and not shift[1].words and stretch.one_time() is not None:
+            return About(kind=AboutKind.DELAY, everything=True, time=stretch.text, by=shift[0], certain=True)
+    return None
+
+
+def moved(said: Said) -> About | None:
+    """Read a new time for what has one: "move the call to six", "I need it by three"."""
+    wanted = said.after("wanted by")
+    if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
+        # "I need it by three"
+        return About(kind=AboutKind.MOVE, time=time, certain=True)
+    if (able := _able(said) or _now_at(said) or _is_then(said) or _left_for(said)) is not None:
+        return able
+    delaying = said.after("delaying")
+    if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
+        return None
+    behind = (delaying or said.behind(1)).text
+    joint = next((to for to in said.towards if f" {to}" in f" {behind.lower()}"), "")
+    if not joint:
+        return _moved_at(said, behind) if delaying is not None else _moved_beside(said) or _put_at(said)
+    place = f" {behind.lower()}".rfind(f" {joint}")
+    thing = Said(behind[:place].rstrip(), said.now, said.lexicon)
+    new = Said(behind[place:].strip(), said.now, said.lexicon)
+    if not thing.words:
+        return None
+    if thing.is_in("everything") or thing.is_in("both"):
+        return About(kind=AboutKind.MOVE, everything=True, certain=True)
+    about = about_thing(AboutKind.MOVE, thing)
+    if not (about.names or about.places or about.upcoming) and not is_last(thing):
+        return None
+    if time := new.as_time():
+        return replace(about, time=time, bare=new.is_bare(time))
+    beside = Said(new.text[len(joint) :], said.now, said.lexicon).beside()
+    return None if beside is None else replace(about, time=beside[0], others=beside[1].names)
+
+
+def _moved_beside(said: Said) -> About | None:
+    """Read what something is moved behind, or in front of: "move the call after the soup"."""
+    if said.forms[0] not in said.lexicon.moving:
+        return None
+    for place in range(2, len(said.words)):
+        thing, beside = said.until(place).behind(1), said.behind(place).beside()
+        if beside is not None and thing.names and beside[1].names:
+            return About(kind=AboutKind.MOVE, names=thing.names, time=beside[0], others=beside[1].names)
+    return None
+
+
+def _able(said: Said) -> About | None:
+    """Read when somebody can do what was asked for: "they can only do four", "Ann can make it at one"."""
+    for place in range(1, len(said.words) if said.is_one else 0):
+        who, told = said.until(place), said.behind(place).after("saying")
+        rest = told or said.behind(place).after("able at")
+        time = rest.as_time() if rest is not None and rest.words else ""
+        # "Well she can make it at one"
+        last = who.behind(len(who.words) - 1).is_in("they") or who.is_in("speaker")
+        if rest is not None and time and (last or who.names):
+            names, sure = frozenset() if last else who.names, last or told is None
+            return About(kind=AboutKind.MOVE, names=names, time=time, bare=rest.is_bare(time), certain=sure)
+    return None
+
+
+def _is_then(said: Said) -> About | None:
+    """Read when what was said last is: "that's for tomorrow"; but "it's friday" tells the day."""
+    who, mark, behind = written_out(said.text).partition(" is ")
+    new = Said(behind, said.now, said.lexicon)
+    last = bool(mark) and Said(who, said.now, said.lexicon).is_in("last")
+    time = new.as_time() if last else ""
+    told = one_time(time, said.now, said.lexicon) if time else None
+    joint = told is not None and (told.preposition is not None or new.forms[0] == FOR)
+    if not joint or not behind.lower().endswith(time.lower()):
+        return None
+    return About(kind=AboutKind.MOVE, time=time, corrects=True, certain=True)
+
+
+def _left_for(said: Said) -> About | None:
+    """Read until when something is left: "leave it till monday"; but "leave the dough for an hour"."""
+    for place in range(2, len(said.words) if said.forms[0] == LEAVE else 0):
+        thing, new = said.until(place).behind(1), said.behind(place)
+        time = new.as_time() if new.forms[0] in LEFT else ""
+        if time and not time.startswith(f"{FOR} ") and (thing.names or is_last(thing)):
+            return replace(about_thing(AboutKind.MOVE, thing), time=time)
+    return None
+
+
+def _now_at(said: Said) -> About | None:
+    """Read when something is now that was to be at another time: "the train's at ten past eight now"."""
+    for place in range(1, len(said.words) if said.forms[-1:] == (NOW,) and said.is_one else 0):
+        thing, rest = said.until(place), said.behind(place).until(len(said.words) - place - 1)
+        short = thing.text.endswith(("'s", "\u2019s"))
+        being = rest.forms[:1] and rest.forms[0] in said.lexicon.closed.third_person_be
+        time = (rest.behind(1) if being and not short else rest).as_time() if short or being else ""
+        if time and thing.names:
+            return About(kind=AboutKind.MOVE, names=thing.names, time=time)
+    return None
+
+
+def _put_at(said: Said) -> About | None:
+    """Read a new time behind what is put there: "put the review at eleven"."""
+    what, time = said.behind(1).parted() if said.forms[0] == PUT else ("", "")
+    thing = Said(what, said.now, said.lexicon)
+    # "Put the soup on at four" is done with soup.
+    named = bool(what) and (is_last(thing) or bool(content_words(what.split()[-1])))
+    new = Said(time, said.now, said.lexicon).as_time() if named else ""
+    if not new or new.lower().startswith(f"{FOR} ") or not said.text.lower().endswith(time.lower()):
+        return None
+    return replace(about_thing(AboutKind.MOVE, thing), time=new)
+
+
+def _moved_at(said: Said, behind: str) -> About | None:
+    """Read a new time that stands without a word between: "postpone the call tomorrow"."""
+    found = find_times(behind, said.now, said.lexicon).requirements[-1:]
+    if not found:
+        return None
+    first = found[0].span[0]
+    thing = Said(behind[:first].rstrip(), said.now, said.lexicon)
+    time = Said(behind[first:], said.now, said.lexicon).as_time()
+    if not thing.words:
+        # "Reschedule for friday"
+        return About(kind=AboutKind.MOVE, time=time, certain=True) if time else None
+    return replace(about_thing(AboutKind.MOVE, thing), time=time) if time else None

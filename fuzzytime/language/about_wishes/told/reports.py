@@ -1,0 +1,234 @@
+"""Reports of how it goes: "done", "the soup is ready", "I'm ten minutes late", "five more minutes"."""
+
+from fuzzytime.english import EMPTY, PARTICIPLE
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.corrections import opening_correction
+from fuzzytime.language.about_wishes.lengths import lengthened
+from fuzzytime.language.about_wishes.said import FOR, Said
+from fuzzytime.language.about_wishes.told.awaited import written_out
+
+WITH = "with"
+ON = "on"
+TO = "to"
+MAKE = "make"
+ADD = "add"
+
+
+def report(said: Said) -> About | None:
+    """Read how it goes; None where it may be a wish."""
+    return (
+        _of_last(said)
+        or _late(said)
+        or _more(said)
+        or _added(said)
+        or _so_long(said)
+        or lengthened(said)
+        or _unstarted(said)
+        or _started(said)
+        or _finished(said)
+        or _going_on(said)
+        or _protest(said)
+    )
+
+
+def _of_last(said: Said) -> About | None:
+    """Read that what was spoken of last was done, or was not: "I already did", "no, not yet"."""
+    rest = said.behind(opening_correction(said))
+    if rest.is_in("said of me"):
+        return About(kind=AboutKind.DONE, text=rest.text, certain=True)
+    if rest.is_in("not done"):
+        return About(kind=AboutKind.UNSTARTED, text=rest.text, certain=True)
+    both, over = rest.opens_with("both"), rest.behind(rest.opens_with("both"))
+    if both and over.words and _is_over(over):
+        return About(kind=AboutKind.DROP, both=True, certain=True)
+    return None
+
+
+def _late(said: Said) -> About | None:
+    """Read who is late, or needs a while: "I'm ten minutes late", "give me five minutes"."""
+    while_ = said.after("asking for a while")
+    alone = None if while_ is None or while_.without("more")[1] else while_.length()
+    if alone is not None and not alone.rest.words and alone.joint != FOR:
+        return About(kind=AboutKind.LATE, by=alone.seconds, certain=True)
+    found = said.length()
+    left, tables = (said if found is None else found.rest).without("late", "speaker")
+    by = None if found is None else found.seconds
+    if "late" in tables and "speaker" in tables and not left.names:
+        return About(kind=AboutKind.LATE, by=by, certain=True)
+    who, mark, _ = written_out(left.text).rpartition(" is")
+    named = Said(who, said.now, said.lexicon)
+    if "late" in tables and mark and left.text.endswith(("is", "'s", "\u2019s")) and named.names:
+        # "Bob is running late"
+        return About(kind=AboutKind.DELAY, names=named.names, by=by)
+    return None
+
+
+def _more(said: Said) -> About | None:
+    """Read for how much longer something goes on: "five more minutes", "the soup needs another minute"."""
+    if said.forms[:1] == (MAKE,):
+        return _made_longer(said.behind(1))
+    without, tables = said.without("more")
+    found = without.length() if "more" in tables and said.is_one else None
+    if found is None:
+        left, parts = said.without("more", "needing", "lengths")
+        # "The sanding takes longer": by how much is not said
+        known = {"more", "needing"} <= parts and said.forms[-1:] in said.table("lengths")
+        # "It takes longer", "the sanding takes longer"
+        if not known or (left.words and not (left.names or left.is_in("last"))):
+            return None
+        return About(kind=AboutKind.MORE, names=left.names, certain=True)
+    rest = found.rest
+    named, parts = rest.without("needing", "last")
+    certain = not named.names or "needing" in parts
+    return About(kind=AboutKind.MORE, names=named.names, by=found.seconds, certain=certain)
+
+
+def _made_longer(said: Said) -> About | None:
+    """Read what is to take longer: "make the lesson ten minutes longer"."""
+    without, tables = said.without("more")
+    for place in range(1, len(without.words)):
+        found = without.behind(place).length()
+        if "more" in tables and found is not None and not found.rest.words:
+            thing = without.until(place)
+            names = thing.meant
+            return About(kind=AboutKind.MORE, names=names, by=found.seconds, certain=True)
+    return None
+
+
+def _added(said: Said) -> About | None:
+    """Read what is added to something that goes on: "add five minutes to the timer"."""
+    found = said.length() if said.opens_with("adding") else None
+    if found is not None and found.rest.forms == (ADD,):
+        return About(kind=AboutKind.MORE, by=found.seconds, certain=True)
+    if found is None or found.joint or found.rest.forms[1:2] not in {(TO,), (ON,)}:
+        return None
+    thing = found.rest.behind(2)
+    names = thing.meant
+    return About(kind=AboutKind.MORE, names=names, by=found.seconds) if names or thing.words else None
+
+
+def _so_long(said: Said) -> About | None:
+    """Read how long takes what was spoken of last, or what has a label: "it takes two hours"."""
+    for place in range(1, len(said.words)):
+        rest = said.behind(place).after("lasting so long")
+        if rest is None:
+            continue
+        thing, time = said.until(place), rest.as_time()
+        if time.lower().startswith(FOR) and (thing.is_in("last") or thing.label):
+            names = thing.meant
+            return About(kind=AboutKind.TAKES, names=names, time=time, certain=True)
+    return None
+
+
+def _unstarted(said: Said) -> About | None:
+    """Read what has not begun: "I haven't started yet", "I haven't started the soup"."""
+    rest = said
+    while not rest.opens_with("unstarted") and (taken := rest.opens_with("speaker")):
+        rest = rest.behind(taken)
+    thing = rest.after("unstarted")
+    if thing is None or thing.has_time:
+        return None
+    thing = thing.without("yet")[0]
+    # "With the soup", "on the soup"
+    thing = thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
+    names = thing.meant
+    return About(kind=AboutKind.UNSTARTED, names=names, certain=True)
+
+
+def _started(said: Said) -> About | None:
+    """Read what has begun just now: "started", "I've started the soup", or is to begin: "start now"."""
+    if said.is_in("beginning now"):
+        return About(kind=AboutKind.STARTED, upcoming=True, certain=True)
+    if said.forms[0] in said.lexicon.doing.beginning and (label := said.behind(1).label):
+        # "Start s2"
+        return About(kind=AboutKind.STARTED, names=frozenset({label}), certain=True)
+    thing = said.after("started")
+    if thing is None or not thing.is_one:
+        return None
+    thing = thing.without("yet")[0]
+    if thing.has_time:
+        return None
+    thing = thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
+    names = thing.meant
+    return About(kind=AboutKind.STARTED, names=names, upcoming=not thing.words, certain=True)
+
+
+def _going_on(said: Said) -> About | None:
+    """Read what is not over yet, of which nothing changes: "still cutting the boards"."""
+    rest = said.after("still at")
+    going_on = rest is not None and rest.words and rest.forms[0].endswith(PARTICIPLE) and not rest.has_time
+    return About(kind=AboutKind.WHEN, names=rest.names, certain=True) if rest and going_on else None
+
+
+def _protest(said: Said) -> About | None:
+    """Read that something is wrong, or cannot be done: "that's not right", "I can't do that now"."""
+    for kind in (AboutKind.WRONG, AboutKind.UNABLE):
+        rest = said.after(kind.value)
+        if rest is not None and not rest.without("yet", "first", "last")[0].words:
+            return About(kind=kind, certain=True)
+    who = said.without_end(said.table("unable then"))
+    if len(who.words) < len(said.words) and who.names and said.is_one and not said.has_time:
+        # "Jo can't make it"
+        return About(kind=AboutKind.UNABLE, names=who.names)
+    for place in range(1, len(said.words) if said.is_one else 0):
+        who, rest = said.until(place), said.behind(place).after("unable at")
+        if rest is not None and who.names and rest.words and rest.as_time():
+            # "Jo can't do two"
+            return About(kind=AboutKind.UNABLE, names=who.names)
+    return None
+
+
+def _finished(said: Said) -> About | None:
+    rest = said
+    while taken := rest.opens_with("speaker"):
+        rest = rest.behind(taken)
+    over = rest.opens_with("finished")
+    if over:
+        # "Done", "I'm done with the soup", "finished the soup"
+        thing = rest.behind(over)
+        with_it = thing.forms[:1] == (WITH,)
+        thing = thing.behind(1) if with_it else thing
+        having = with_it or not thing.words or rest.opens_with("having")
+        if not having or thing.has_time:
+            return None
+        if thing.is_in("everything"):
+            return About(kind=AboutKind.DROP, everything=True, certain=True)
+        return About(kind=AboutKind.DONE, names=thing.meant, certain=True)
+    for place, word in enumerate(said.forms):
+        subject, mark, being = word.partition("'")
+        state = said.behind(place + 1)
+        if (mark + being if mark else word) in said.lexicon.closed.third_person_be and _is_over(state):
+            # "The soup is ready", "it's done"
+            thing = said.until(place)
+            owner = thing if not mark else Said(f"{thing.text} {subject}".strip(), said.now, said.lexicon)
+            if (owner.has_time and not owner.label) or any(
+                len(form) == 1 and form[0] in owner.forms for form in said.lexicon.clauses
+            ):
+                # "Serve the rice after the soup is done"
+                return None
+            # "Check that the soup is ready" is no report.
+            named = len(owner.words) < 2 or owner.forms[0] in EMPTY or bool(owner.label)
+            return About(kind=AboutKind.DONE, names=owner.meant, certain=named)
+    return _stated_over(said)
+
+
+def _stated_over(said: Said) -> About | None:
+    """Read what is over without a verb: "number 1 done", "shirts done"."""
+    closing = max(
+        (len(form) for form in said.table("finished") if said.forms[-len(form) :] == form), default=0
+    )
+    thing = said.until(len(said.words) - closing)
+    if not closing or not thing.words or (thing.has_time and not thing.label):
+        return None
+    if thing.label:
+        return About(kind=AboutKind.DONE, names=frozenset({thing.label}), certain=True)
+    if thing.is_in("everything"):
+        return About(kind=AboutKind.DROP, everything=True, certain=True)
+    named = thing.behind(1) if thing.forms[0] in said.lexicon.closed.noun_openers else thing
+    # "Get the shirts done" is a wish.
+    return About(kind=AboutKind.DONE, names=named.names) if len(named.words) == 1 and named.names else None
+
+
+def _is_over(state: Said) -> bool:
+    left, tables = state.without("finished", "speaker")
+    return "finished" in tables and not left.words

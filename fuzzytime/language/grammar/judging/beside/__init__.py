@@ -1,0 +1,5 @@
+"""What stands beside a reading and makes it no time, or another one.
+
+It is ``cuts`` out of a larger word, belongs to ``particles`` of a verb or to ``titles``, names ``events``, or
+counts ``doses`` of what is taken; but ``dining`` says when.
+"""

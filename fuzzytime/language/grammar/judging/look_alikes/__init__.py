@@ -1,0 +1,1 @@
+"""What looks like a time: ``figures``, ``proper_names``, words ``spoken_of``, and ``things_of_times``."""

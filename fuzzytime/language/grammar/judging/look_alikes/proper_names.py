@@ -1,0 +1,126 @@
+"""Names that hold a word about time: of persons, bands, films, brands, and of what is named after them."""
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon, form_of, longest_match
+from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
+from fuzzytime.language.grammar.words import Word
+
+NOTABLE = frozenset({"about", "with", "by", "of", "as"})
+"""Prepositions before who is spoken of: "read about Wednesday Addams"."""
+
+
+NEXT_TO = ("next", "to")
+"""Words before somebody who is beside another."""
+
+
+@lru_cache(maxsize=4)
+def _forms(texts: frozenset[str]) -> dict[str, list[tuple[str, ...]]]:
+    """Give forms of some words by their first."""
+    found: dict[str, list[tuple[str, ...]]] = {}
+    for form in map(form_of, sorted(texts)):
+        found.setdefault(form[0], []).append(form)
+    return found
+
+
+def names_in(words: Sequence[Word], lexicon: Lexicon) -> list[tuple[int, int]]:
+    """Give where what is known by such a name stands: idioms and titles, those with capitals if so typed.
+
+    A name with capitals is one where other words have none: not in "Call Ann After Eight".
+    """
+    kinds, found = lexicon.no_times, []
+    for start, word in enumerate(words):
+        for texts in (kinds.idioms, kinds.capital_names):
+            forms = _forms(texts).get(word.text)
+            form = longest_match(words, start, forms) if forms else None
+            if form is not None and (texts is kinds.idioms or _is_typed(words, start, len(form), lexicon)):
+                found.append((start, start + len(form)))
+    return found
+
+
+def _is_typed(words: Sequence[Word], start: int, length: int, lexicon: Lexicon) -> bool:
+    """Whether a name is typed with its capitals, where other words are small."""
+    inside, others = words[start : start + length], (*words[:start], *words[start + length :])
+    small = lexicon.closed.of_titles
+    capitals = all(word.capital or not word.is_letters or word.text in small for word in inside)
+    return capitals and any(word.is_letters and not word.capital for word in others)
+
+
+def has_surname(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is a weekday with a name behind it, right behind a verb: "tell Wednesday Addams".
+
+    Persons whose word is no name may be asked on that day: "call Wednesday Mum".
+    """
+    place = piece.start + (around.texts[piece.start] in NOTABLE)
+    if place + 1 != piece.end or not around.is_weekday(place) or not around.words[place].capital:
+        return False
+    name = around.words[piece.end : piece.end + 1]
+    if not name or not name[0].capital or around.timely(piece.end):
+        return False
+    if name[0].text in around.lexicon.persons | around.lexicon.function_words:
+        return False
+    small = any(word.is_letters and not word.capital for word in around.words)
+    before = around.texts[place - 1] if place else ""
+    acted = place > 0 and around.opens(place - 1) and before.isalpha()
+    acted = acted and before not in around.lexicon.function_words and not around.words[place - 1].capital
+    return small and (acted or before in NOTABLE)
+
+
+def is_called_like_day(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is a weekday as somebody's name, right behind a verb: "text Friday the butler".
+
+    Who that is says the person or the animal behind it, and behind a verb of giving whose is what is given:
+    "give Tuesday her dinner". Other words are small: not "Text Friday The Butler".
+    """
+    place, texts = piece.start, around.texts
+    if place + 1 != piece.end or not around.is_weekday(place) or not around.words[place].capital:
+        return False
+    verb = place - 1
+    if verb < 0 or not around.opens(verb) or (around.words[verb].capital and verb):
+        return False
+    opener, noun = ("", "", *texts[piece.end : piece.end + 2])[-2:]
+    somebody = noun in around.lexicon.persons | around.lexicon.animals
+    ends = not "".join(texts[piece.end + 2 : piece.end + 3]).isalnum()
+    told = opener == "the" and somebody and ends and len(texts) > piece.end + 1
+    given = texts[verb] in around.lexicon.no_times.handing and opener in {"his", "her", "its"}
+    return told or given
+
+
+def is_event_of_weekday(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is a weekday by which something is called that one is at: "shop at Sunday market"."""
+    texts = around.texts
+    follower = around.follower(piece)
+    named = follower.isalpha() and follower not in around.lexicon.function_words
+    place = piece.end - 1
+    at = place > 0 and texts[place - 1] == "at" and piece.start in {place - 1, place}
+    return at and named and around.is_weekday(place) and not around.timely(piece.end)
+
+
+def is_whom(place: int, around: Surroundings) -> bool:
+    """Whether a preposition at a place, and a name behind it, say who gets or hears something.
+
+    "Give the keys to April", "dine with Dawn", "look after June"; but "push it back to April".
+    """
+    texts, kinds = around.texts, around.lexicon.no_times
+    if place + 1 >= len(texts) or not _is_given_name(place + 1, around):
+        return False
+    joint, before = texts[place], texts[place - 1] if place else ""
+    if (
+        joint in kinds.together
+        or (before, joint) == NEXT_TO
+        or (joint in {"after", "for"} and before in kinds.looking)
+    ):
+        return True
+    moved = around.lexicon.moving | around.lexicon.rescheduling
+    given = not kinds.handing.isdisjoint(texts[:place]) and moved.isdisjoint(texts[:place])
+    given = given and before not in around.beside.put_off and not around.is_day(place - 1)
+    return joint == "to" and given
+
+
+def _is_given_name(place: int, around: Surroundings) -> bool:
+    """Whether a word is a month, a season or a part of the day that persons are called by: "April"."""
+    word = around.words[place]
+    named = around.texts[place] in around.lexicon.no_times.given_names
+    return named and word.capital and any(one.is_letters and not one.capital for one in around.words)

@@ -1,0 +1,235 @@
+"""Whether a number alone, or two that may be hour and minute, are a clock time where they stand."""
+
+from functools import cached_property
+from itertools import takewhile
+
+from fuzzytime.english import looks_plural
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.judging.standing import Standing
+from fuzzytime.language.grammar.judging.walls.dated_entries import LINE_STARTS
+from fuzzytime.language.grammar.timetables import (
+    HALF_DAY,
+    counts_nothing,
+    has_time,
+    is_hour_of,
+    leads_entry,
+    timetable_of,
+)
+from fuzzytime.language.grammar.words import joins
+from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.requirement import Unit
+
+DEGREES_DIGITS = 3
+"""Digits of an oven's temperature, and of few clock times."""
+
+YEARS = frozenset(map(str, range(1900, 2100)))
+"""Numbers of four digits in front of a thing that are hardly an hour: "2026 budget"."""
+
+WITH = "with"
+
+QUARTERS = frozenset({15, 30, 45})
+"""Minutes that hardly a price has."""
+
+
+class BareHours(Standing):
+    """What stands around numbers that may be clock times, and whether it makes one doubtful."""
+
+    def accept_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
+        listed = said.preposition in {"at", "for"} and bool(self.run_on.behind(wall.clock, piece.end))
+        if listed or self._leads_entry(piece, said) or self._opens_line(piece, said):
+            return True
+        ends = self.around.may_end(piece) or self._leads_to_distance(piece)
+        if not ends or self.around.is_unit(piece.end):
+            return False
+        if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
+            # "At three to one"
+            return False
+        sized = self.texts[max(0, piece.start - 2) : piece.start - 1] in (["to"], ["a"])
+        if said.preposition == "by" and sized and self.measures.is_number(piece.start - 1):
+            # "Cut the plank to 6 by 2"
+            return False
+        if self._is_counted(piece, said) or self._counts_either(piece):
+            return False
+        if said.preposition is None and self._ends_meeting(piece):
+            return True
+        # "At fourteen hundred"
+        spelt = self.texts[piece.end - 1] == "hundred" and wall.clock is not None and wall.clock.full_day
+        hour = (
+            spelt
+            or self.measures.is_sure(piece.end - 1)
+            or (wall.clock is not None and wall.clock.grain is Unit.HOUR)
+        )
+        sure = said.preposition == "at" and hour and not self.measures.named(piece)
+        if not sure and said.preposition != "for" and self.measures.measured(piece):
+            return False
+        degrees = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == DEGREES_DIGITS
+        if degrees and self.lexicon.measure_verbs & set(self.texts):
+            # "Bake it at 180 for an hour, then half an hour at 200"
+            return False
+        if said.preposition == "to" and self.given.puts_off(piece):
+            # "Move my three o'clock to five"
+            return True
+        if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
+            return said.preposition is None and (bool(said.hedges) or self._is_listed(piece))
+        return True
+
+    def _counts_either(self, piece: Piece) -> bool:
+        """Whether it is the first of two numbers that count what is behind them: "around 3 or 4 cats"."""
+        offered = self.around.follower(piece) in self.closed.alternatives
+        second = piece.end + 1
+        if not offered or not self.measures.is_number(second):
+            return False
+        counted = "".join(self.texts[second + 1 : second + 2])
+        return counted.isalpha() and counted.endswith("s") and counted not in self.lexicon.function_words
+
+    def _is_counted(self, piece: Piece, said: Said) -> bool:
+        """Whether a number before it makes it the second of two: "two by four", "pages 3 through 7"."""
+        before = piece.start - 1
+        if piece.start > 1 and joins(self.words, before):
+            # "A two-by-four"
+            return True
+        if not self.measures.is_number(before):
+            return False
+        called = self.texts[before - 1] if before else ""
+        # "Answer question 9 by 9"; but "a table 4 by 6"
+        named = called in self.lexicon.machines or self.measures.is_called(before)
+        # "Choose one by five"
+        named = named or self.texts[before] in self.closed.singular_determiners
+        measures = not named and not self.measures.is_amount(before)
+        return said.preposition == "through" or (said.preposition == "by" and measures)
+
+    def accept_pair(self, piece: Piece, said: Said) -> bool:
+        """Whether two numbers are hour and minute: "at five thirty", not the "to three fifty" of an oven."""
+        if said.preposition == "to" and self.measures.measured(piece) and not self.given.puts_off(piece):
+            return False
+        if said.preposition is None and self.given.is_caught(piece):
+            # "Catch the 4.15 train"
+            return True
+        # "At five thirty pick up bread": no amount is said like that.
+        worded = all(text in self.lexicon.numbers for text in self.texts[piece.end - 2 : piece.end])
+        sure = said.preposition == "at" and worded
+        unit = self.around.is_unit(piece.end) or self.measures.measured(piece)
+        bound = said.preposition is not None or bool(said.hedges)
+        # "Pick up the kids three fifteen": it is no number that is picked.
+        alone = not (bound or self.around.is_unit(piece.end)) and (
+            self._ends_behind_object(piece)
+            or self._is_listed(piece)
+            or self._is_in_front(piece)
+            or self._leads_entry(piece, said)
+        )
+        return alone or (bound and (self.around.may_end(piece) or (sure and not unit)))
+
+    def _ends_behind_object(self, piece: Piece) -> bool:
+        """Whether it ends an order with a person, an animal or a call: "meet me five thirty"."""
+        place = piece.start - (self.around.before(piece) in self.beside.put_off)
+        before = self.texts[place - 1] if place else ""
+        met = self.lexicon.persons | self.lexicon.animals | self.lexicon.events | self.beside.calls
+        someone = before in self.closed.object_pronouns | met
+        named = (place > 1 and self.words[place - 1].capital) or self.is_called(place)
+        spelt = all(text.isalpha() or text == "-" for text in self.texts[piece.start : piece.end])
+        happens = before in self.lexicon.happening - self.lexicon.measure_nouns
+        if self.words[piece.start].is_digits and piece.value.time.clock.minute in QUARTERS:
+            # "Dentist 9.30", but "lunch 12.50"
+            taken = self.lexicon.taken - self.lexicon.measure_nouns
+            known = (place == 1 and (happens or before in taken)) or self._is_met(place)
+            return known and self._ends_order(piece)
+        told = someone or named or happens or self._ends_at_quarter(piece, place)
+        return spelt and told and self._ends_order(piece)
+
+    def _ends_at_quarter(self, piece: Piece, place: int) -> bool:
+        """Whether minutes that few numbers end in stand behind a thing: "feed the cat six fifteen"."""
+        before = self.texts[place - 1] if place else ""
+        costs = not self.lexicon.no_times.costing.isdisjoint(self.texts[: place - 1])
+        counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | self.lexicon.no_times.codes
+        named = before.isalpha() and before not in counted | self.lexicon.function_words
+        thing = named and not self.measures.is_number(place - 1) and not self.around.opens(place - 1)
+        return thing and not costs and piece.value.time.clock.minute in QUARTERS
+
+    def _ends_meeting(self, piece: Piece) -> bool:
+        """Whether a number ends what is said of a meeting: "call mum 5", "lunch 12", "call ann 1430"."""
+        if piece.end - piece.start > 1 or not self._ends_order(piece):
+            return False
+        if self.measures.is_sure(piece.start):
+            return self.is_called(piece.start)
+        number = self.texts[piece.start]
+        return number.isdecimal() and 0 < int(number) <= HALF_DAY and self._is_met(piece.start)
+
+    def _is_met(self, place: int) -> bool:
+        """Whether somebody is met, or something happens, right before a place: "pick up the kids | 3"."""
+        marks = {",", ".", ";"} | self.closed.further_clause
+        said = [*takewhile(lambda text: text not in marks, reversed(self.texts[:place]))]
+        noun, before = (said[0], set(said[1:])) if said else ("", set[str]())
+        unmet = self.lexicon.called_by_number | self.lexicon.addressing | self.lexicon.orders
+        unmet |= self.lexicon.playing
+        if not noun or noun in unmet or any(text.isdecimal() for text in said):
+            # "Vet 10 dentist 3"
+            return False
+        if self.is_called(place) or noun in self.lexicon.happening | self.lexicon.taken:
+            return True
+        # "Pay Bob 10"
+        person = noun in self.lexicon.persons - self.lexicon.workers
+        person = person or (bool(before) and self.words[place - 1].capital)
+        met = before & (self.lexicon.doing.meeting | self.lexicon.addressing | {WITH})
+        return person and bool(met or (not before and not looks_plural(noun)))
+
+    def _is_in_front(self, piece: Piece) -> bool:
+        """Whether two typed numbers stand in front of what is then: "14.30 tea"; but "2.50 coffee"."""
+        clock = piece.value.time.clock
+        typed = clock is not None and self.words[piece.start].is_digits
+        leads = self._begins_line(piece) and counts_nothing(self.words, piece.end, self.lexicon)
+        if not typed or not leads:
+            return False
+        # "7.00 bake the rolls": no price is done.
+        done = not self.closed.noun_openers.isdisjoint(self.texts[piece.end + 1 : piece.end + 2])
+        return done or clock.hour >= self.lexicon.policy.bare_pair_from or clock.minute in QUARTERS
+
+    def _begins_line(self, piece: Piece) -> bool:
+        """Whether it stands at the start of a text, or of an entry."""
+        return not piece.start or self.texts[piece.start - 1] in LINE_STARTS
+
+    def _ends_order(self, piece: Piece) -> bool:
+        """Whether nothing more is said of what is to be done behind it."""
+        return self.around.follower(piece) in {"", ".", "!", ",", ";"} | self.closed.further_clause
+
+    def _is_listed(self, piece: Piece) -> bool:
+        """Whether it is the hour of an entry of a list: "vet 10, dentist 3"."""
+        return self._timetable.get(piece.end, piece.start) < piece.start
+
+    @cached_property
+    def _timetable(self) -> dict[int, int]:
+        """Where the entries of a list begin, by where they end: the same for all of its hours."""
+        return timetable_of(self.words, self.lexicon)
+
+    def _leads_entry(self, piece: Piece, said: Said) -> bool:
+        """Whether it is the hour in front of an entry of a list: "10am vet; 12 lunch"."""
+        led = said.preposition is None or self.texts[piece.start] == "@"
+        return led and leads_entry(self.words, piece.start, piece.end, self.lexicon)
+
+    def _opens_line(self, piece: Piece, said: Said) -> bool:
+        """Whether it stands in front of what is then, and counts nothing: "1430 tea", "@9 standup"."""
+        if not self._begins_line(piece):
+            return False
+        first, number = self.texts[piece.start], self.texts[piece.end - 1]
+        behind = piece.end + (self.around.follower(piece) in {":", "-"})
+        if said.preposition is None and is_hour_of(self.words, piece.start, piece.end, self.lexicon):
+            # "12 lunch", "9 market"
+            return True
+        sure = first == "@" or number.startswith("0")
+        if not counts_nothing(self.words, behind, self.lexicon, plural=sure):
+            return False
+        if said.preposition == "at":
+            return first == "@" and self.words[piece.start + 1].glued
+        whole = piece.end - piece.start == 1 and self.measures.is_sure(piece.start)
+        if said.preposition is not None or not whole or number in YEARS:
+            return False
+        # "1000 piece puzzle", but "1000 briefing"
+        known = has_time(self.around.follower(piece), self.lexicon)
+        known = known or self.around.is_part_or_meal(piece.end)
+        return known or number.startswith("0") or not number.endswith("00")
+
+    def _leads_to_distance(self, piece: Piece) -> bool:
+        """Whether so long before or after something follows: "at ten two days before the fair"."""
+        unit = piece.end + 1
+        counted = self.measures.is_number(piece.end) and self.around.is_unit(unit)
+        return counted and self.texts[unit + 1 : unit + 2] in (["before"], ["after"])

@@ -1,0 +1,306 @@
+"""Whether a wall-clock expression is a time where it stands, and not a number or a part of a noun."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.judging.standing import Standing
+from fuzzytime.language.grammar.judging.walls.bare_hours import BareHours
+from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS, LINE_STARTS
+from fuzzytime.language.grammar.judging.walls.naming import Naming
+from fuzzytime.language.grammar.judging.walls.weak_walls import WeakWalls
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings.measuring import NEAR, Measures
+from fuzzytime.language.grammar.surroundings.surroundings import THING, Surroundings
+from fuzzytime.language.grammar.timetables import has_time
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.calendar import Cycle, Fields
+from fuzzytime.language.meaning.days.relations import Deictic, Which
+from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.language.meaning.feasts import OfYear, Season
+from fuzzytime.requirement import Unit
+
+PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR))
+"""Periods that "the week" and "the year" are, behind a preposition."""
+
+SHORT_YEAR = 2
+"""Digits of a year without its century."""
+
+ONE = "one"
+"""What stands for a thing behind a word for which: "a new one"."""
+
+
+class Walls(Standing):
+    """What stands around days and clock times, and whether it makes one doubtful."""
+
+    def __init__(
+        self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
+    ) -> None:
+        super().__init__(words, lexicon, measures, around)
+        self.hours = BareHours(words, lexicon, measures, around)
+        self.weak = WeakWalls(words, lexicon, measures, around)
+        self.naming = Naming(words, lexicon, measures, around)
+
+    def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether a day, a part of the day or a clock time is one here."""
+        if self._is_counted_part(piece, wall) or self._is_unbound(piece, said, wall):
+            return False
+        if wall.clock is not None and (self._is_degrees(piece) or self._is_mixed(piece)):
+            return False
+        if self._goes_on(piece, wall) or self._is_of_event(piece, wall) or self._counts_named(piece, wall):
+            return False
+        if self._is_thing(piece, wall) or self.naming.hold(piece, said, wall) or self._is_one(piece, wall):
+            return False
+        if wall.bare or self._goes_to_number(piece, wall):
+            return self._accepts_number(piece, said, wall)
+        if self._begins_other(piece, said, wall):
+            return False
+        if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
+            return self.hours.accept_pair(piece, said)
+        if wall.weak:
+            return self.weak.accept(piece, said, wall)
+        parted = wall.days is None and wall.clock is None and not self._ends_in_thing(piece)
+        if parted and self._is_of_noun(piece, said):
+            return False
+        weekly = isinstance(wall.days, Fields) and wall.days.weekly
+        led = self.texts[piece.end - 2 : piece.end - 1] == ["the"]
+        if weekly and led and self.is_ambiguous(piece.end - 1):
+            # "Before the sun goes down"
+            return False
+        # "The sun", "in the sun": a weekday never stands with "in".
+        words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "a", "in"}]
+        if self._doubtful_feast(piece, said, wall) is not None:
+            ends = self.around.may_end(piece) and self.around.follower(piece) != "of"
+            return said.preposition not in {None, "to"} and ends
+        alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
+        # "Check the baby in the night"
+        alone = alone and (wall.part is None or not led)
+        entered = self._is_listed(piece) or self._heads_entry(piece) or self._ends_entry(piece)
+        return not alone or (weekly and entered)
+
+    def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether a number is an hour: "at six", "push lunch to one tomorrow"."""
+        if wall.bare:
+            return self.hours.accept_number(piece, said, wall)
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        moved = self.given.reschedules(before) and not self.measures.measured(piece)
+        return said.preposition == "to" and (moved or self.hours.accept_number(piece, said, wall))
+
+    def _goes_to_number(self, piece: Piece, wall: Wall) -> bool:
+        """Whether "to" is before a number alone, and a day behind it: "set the heating to 20 tomorrow"."""
+        hour = wall.clock is not None and wall.clock.grain is Unit.HOUR and wall.clock.half is None
+        place = piece.start + (self.texts[piece.start] == "to")
+        told = self.beside.of_hours | self.beside.of_clocks
+        alone = self.measures.is_number(place) and told.isdisjoint(self.texts[place + 1 : place + 2])
+        return hour and not wall.bare and alone and self.texts[place - 1 : place] == ["to"]
+
+    def _is_one(self, piece: Piece, wall: Wall) -> bool:
+        """Whether it begins with one of some things, and a day: "order a new one | fri"."""
+        if not piece.start or wall.days is None or wall.clock is None or self.texts[piece.start] != ONE:
+            return False
+        hour = (
+            self.measures.is_number(piece.start + 1) or self.texts[piece.start + 1] in self.beside.of_clocks
+        )
+        return self.around.before(piece).isalpha() and not hour
+
+    def _leads_event(self, piece: Piece) -> bool:
+        """Whether what happens stands behind it, and no meal: "wed dentist 2:30"."""
+        meal = self.around.is_part_or_meal(piece.end)
+        return not meal and has_time(self.around.follower(piece), self.lexicon)
+
+    def _heads_entry(self, piece: Piece) -> bool:
+        """Whether a short name of a day begins an entry: "sat: market", "wed dentist"."""
+        if piece.start and self.texts[piece.start - 1] not in {",", *LINE_STARTS}:
+            return False
+        behind = self.around.follower(piece)
+        if behind in HEADS or self._leads_event(piece):
+            return True
+        begun = (p + 1 for p, text in enumerate(self.texts[:-1]) if text in {",", *LINE_STARTS})
+        others = [p for p in (0, *begun) if p != piece.start]
+        return behind.isalpha() and any(self.around.is_weekday(p) for p in others)
+
+    def _ends_entry(self, piece: Piece) -> bool:
+        """Whether a short name of a day ends an order: "call mum sat", not "find where dad sat"."""
+        before, place = self.around.before(piece), piece.start
+        ends = self.around.follower(piece) in self.beside.polite_ends | {""}
+        named = before.isalpha() and before not in self.lexicon.function_words | self.lexicon.addressing
+        clause = self.closed.relatives | self.closed.free_relatives | self.closed.personal_pronouns
+        told = any(text in clause or (text,) in self.lexicon.clauses for text in self.texts[:place])
+        if told or not (ends and named and self.is_ambiguous(place)):
+            return False
+        thing = self.texts[place] in self.beside.things_in_days and not self.words[place].capital
+        return not thing or self.is_called(place)
+
+    def _doubtful_feast(self, piece: Piece, said: Said, wall: Wall) -> Piece | None:
+        """Give what it begins with, a feast or not: "he lent it", "call Ramadan"; None with its year."""
+        if isinstance(wall.days, OfYear):
+            return None
+        # A preposition, and hedges, may stand before its name: "around the lantern festival".
+        before = {"the", *" ".join((said.preposition or "", *said.hedges)).split()}
+        places = range(piece.start, piece.end)
+        first = next((place for place in places if self.texts[place] not in before), piece.end)
+        feasts = (one for one in self.around.pieces(first) if one.category == "feast")
+        return next((one for one in feasts if one.value.doubtful), None)
+
+    def may_be_order(self, piece: Piece, said: Said) -> bool:
+        """Whether it may say what is to be done on a weekday: "clean monday"."""
+        feast = self._doubtful_feast(piece, said, said.time) if isinstance(said.time, Wall) else None
+        return feast is not None and said.preposition is None and self.around.is_weekday(feast.end - 1)
+
+    def _begins_other(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether its last word belongs to a noun, or its first is a thing that has a number."""
+        number = said.preposition is None and bool(said.hedges) and self.measures.is_number(piece.start)
+        if number and wall.days is None and not self.around.may_end(piece):
+            # "Bring six or so boxes"
+            return True
+        if wall.zone is not None and self.is_ambiguous(piece.end - 1) and not self.around.may_end(piece):
+            # "At six central station"
+            return True
+        if self.around.is_unit(piece.end) and isinstance(wall.days, Fields) and not wall.days.weekly:
+            # "The 18th century table"
+            return True
+        counts = wall.clock is not None and self.measures.is_number(piece.end - 1)
+        if self.around.is_unit(piece.end) and (counts or wall.days in PRESENT):
+            # "On the quarter hour", "tonight, | 20 min"
+            return True
+        if said.preposition == "of" and (self._is_ordinal(piece.end - 1) or isinstance(wall.days, Season)):
+            # "Within a minute of the first", "within an hour of the fall"
+            return True
+        first = piece.start + (self.texts[piece.start] == "to")
+        led = first > 0 and self.texts[first - 1] == "to"
+        if led and self._is_ratio(first) and not self.given.puts_off(piece):
+            # "Fill the tub to 3/4 at eight"
+            return True
+        whole = wall.clock is not None and not wall.clock.shift
+        if whole and said.preposition is None and self.measures.named(piece):
+            # "Seat 12A"; but "at the gate five past nine"
+            return True
+        # "Before bed", but "before the bed is made"
+        place = wall.part is not None and wall.part.place
+        return place and self.texts[piece.end - 2] in self.closed.noun_openers
+
+    def _is_degrees(self, piece: Piece) -> bool:
+        """Whether its number is a temperature: "overnight at 4 degrees"."""
+        return self.words[piece.end - 1].is_digits and self.around.follower(piece) in self.beside.degrees
+
+    def _is_mixed(self, piece: Piece) -> bool:
+        """Whether its two numbers are how something is mixed: "dilute it 1:10"."""
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        colon = ":" in self.texts[piece.start : piece.end] and self.words[piece.start].is_digits
+        return colon and not self.beside.mixing.isdisjoint(before)
+
+    def _is_ratio(self, place: int) -> bool:
+        """Whether two numbers at a place may be a part of a whole: "3/4"."""
+        marks = [text for text in self.texts[place + 1 : place + 4 : 2] if text == "/"]
+        return self.words[place].is_digits and self.texts[place + 1 : place + 2] == marks == ["/"]
+
+    def _is_of_noun(self, piece: Piece, said: Said) -> bool:
+        """Whether a part of the day describes the noun behind it."""
+        if self.around.may_end(piece) or self.around.is_spent(piece):
+            return False
+        if said.preposition in {None, "to", "of"}:
+            # "Switch to night mode"
+            return True
+        if said.preposition == "for" and self.texts[piece.start] == "for" and piece.end - piece.start == 2:
+            # "Sign up for evening classes"
+            return True
+        # "The kettle for the night staff"
+        owned = self.texts[piece.end - 2] in self.closed.noun_openers and piece.end - piece.start > 1
+        return owned and piece.start > 0 and self.around.before(piece) not in self.beside.sentence_starts
+
+    def _is_of_event(self, piece: Piece, wall: Wall) -> bool:
+        """Whether it is of a day that an event says: "the morning of the party"."""
+        part = wall.part is not None and wall.days is None and wall.clock is None
+        return part and self.texts[piece.end - 2] == "the" and self.around.follower(piece) == "of"
+
+    def _is_listed(self, piece: Piece) -> bool:
+        """Whether another day of the week stands beside it: "on mon, wed and fri"."""
+        before, behind = piece.start - 1, piece.end
+        while before > 0 and self.texts[before] in self.closed.coordinators_of_days:
+            before -= 1
+        while behind < len(self.texts) and self.texts[behind] in self.closed.coordinators_of_days:
+            behind += 1
+        return any(place >= 0 and self.around.is_weekday(place) for place in (before, behind))
+
+    def _goes_on(self, piece: Piece, wall: Wall) -> bool:
+        """Whether what is behind it, or in it, makes it what a thing is for, or one of several things."""
+        joints = self.closed.coordinators_of_days | self.closed.range_joints
+        return self.around.follower(piece) in joints and self._counts_things(piece, wall)
+
+    def _counts_things(self, piece: Piece, wall: Wall) -> bool:
+        """Whether ordinals count things and no days: "on the first and second floor", "on the 2nd to 3rd"."""
+        numbered = isinstance(wall.days, Fields) and wall.days.is_day_of_month and wall.clock is None
+        last = piece.end - 1
+        if not numbered or not (self._is_ordinal(last) or self._is_ordinal(last - 1)):
+            return False
+        behind = piece.end + 1 + (self.texts[piece.end + 1 : piece.end + 2] == ["the"])
+        if not self._is_ordinal(behind):
+            return False
+        typed = self.words[behind].is_digits
+        return not self.around.may_end(replace(piece, end=behind + 1 + typed))
+
+    def _is_unbound(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether it names a period that no preposition makes a time: "check the year on the coin"."""
+        return said.preposition is None and wall.days in PRESENT and self.texts[piece.start] == "the"
+
+    def _counts_named(self, piece: Piece, wall: Wall) -> bool:
+        """Whether one of its numbers counts what is named beside it."""
+        return self._counts_several(piece, wall) or self._counts_feast(piece, wall)
+
+    def _counts_feast(self, piece: Piece, wall: Wall) -> bool:
+        """Whether its first number counts what a feast has: "two christmas cards"."""
+        if wall.clock is None or wall.days is None or not self.measures.is_number(piece.start):
+            return False
+        feast = any(one.category == "feast" for one in self.around.pieces(piece.start + 1))
+        follower = self.around.follower(piece)
+        return feast and follower.isalpha() and follower not in self.lexicon.function_words
+
+    def _counts_several(self, piece: Piece, wall: Wall) -> bool:
+        """Whether its last number counts what is behind it: "paint it tomorrow, two coats"."""
+        year = isinstance(wall.days, Fields) and wall.days.year is not None and wall.clock is None
+        # "Book 6 march 30 seats"
+        last = wall.clock is not None or (year and len(self.texts[piece.end - 1]) <= SHORT_YEAR)
+        if wall.days is None or not last or not self.measures.is_number(piece.end - 1):
+            return False
+        follower, led = self.around.follower(piece), self.texts[piece.end - 2]
+        several = follower.endswith("s") and follower not in self.lexicon.function_words
+        return several and follower.isalpha() and led not in self.closed.prepositions_of_points
+
+    def _is_thing(self, piece: Piece, wall: Wall) -> bool:
+        """Whether it is served, described, wished: "with tea", "the first thing you see", "good morning"."""
+        if self._ends_in_thing(piece):
+            follower = self.around.follower(piece)
+            ends = follower in {""} | self.beside.behind_things
+            # "First thing water the plants"
+            bare = "the" not in self.texts[piece.end - 3 : piece.end]
+            if bare and follower == "to" and self.around.before(piece) in self.closed.object_pronouns:
+                # "Remind me first thing to water the plants"
+                return False
+            led = self.around.opens(piece.start) and follower.isalpha()
+            led = led and follower not in self.lexicon.function_words
+            # "Phone Ann first thing about the bins"
+            more = follower in self.closed.prepositions_behind_times
+            return not ends and not (bare and (led or more))
+        served = self.is_ambiguous(piece.end - 1) or not self.around.may_end(piece)
+        greeting = self.around.before(piece) in self.beside.greeting and (
+            wall.clock is None or wall.days is not None
+        )
+        return greeting or (self.texts[piece.start] == "with" and served)
+
+    def _ends_in_thing(self, piece: Piece) -> bool:
+        """Whether its last word may be any thing: "first thing"."""
+        return self.texts[piece.end - 1] == THING
+
+    def _is_counted_part(self, piece: Piece, wall: Wall) -> bool:
+        """Whether an ordinal counts parts of the day, and is no date: "cancel the second night"."""
+        dated = isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day)
+        counted = self.texts[piece.end - 2] in self.lexicon.ordinals and not self._ends_in_thing(piece)
+        return dated and wall.part is not None and counted
+
+    def _is_ordinal(self, place: int) -> bool:
+        """Whether an ordinal is at a place: a word, or a number and its ending."""
+        if not 0 <= place < len(self.texts):
+            return False
+        behind = {*self.texts[place + 1 : place + 2]}
+        typed = self.words[place].is_digits and not behind.isdisjoint(self.beside.ordinal_endings)
+        return typed or self.texts[place] in self.lexicon.ordinals

@@ -1,0 +1,1 @@
+"""What looks like a time and is part of none: ``leftovers``, ``countdowns``, but not ``called_things``."""

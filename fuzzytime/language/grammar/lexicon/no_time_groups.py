@@ -1,0 +1,57 @@
+"""Groups of words around what looks like a time and is none: rows of ``rules/lexicon.yaml``."""
+
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon.word_groups import Words
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NoTimes:
+    """Words around what looks like a time and is none, by what it is instead: ``no_times``."""
+
+    streets: Words
+    set_to: Words
+    holding: Words
+    scales: Words
+    valuing: Words
+    renewing: Words
+    reckoning: Words
+    far: Words
+    for_periods: Words
+    rounds: Words
+    tiny: Words
+    adjectives: Words
+    idioms: Words
+    capital_names: Words
+    words: Words
+    words_for: Words
+    spelling: Words
+    writing: Words
+    speaking: Words
+    sending: Words
+    works: Words
+    naming: Words
+    meaning: Words
+    rhyming: Words
+    listening: Words
+    titled: Words
+    copies: Words
+    beginning_titles: Words
+    of_years: Words
+    aging: Words
+    numbered: Words
+    numbered_in_two: Words
+    costing: Words
+    versioning: Words
+    screens: Words
+    shapes: Words
+    betting: Words
+    sizing: Words
+    measured_in: Words
+    around_ages: Words
+    of_decades: Words
+    codes: Words
+    together: Words
+    looking: Words
+    handing: Words
+    given_names: Words

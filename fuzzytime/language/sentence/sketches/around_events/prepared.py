@@ -1,0 +1,61 @@
+"""What is prepared, and for what: "the bus leaves at 8:05, so be there by 8", "…, leave at ten to"."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.instruction import Instruction
+from fuzzytime.language.meaning.expressions import HourMark
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
+from fuzzytime.language.sentence.sketches.its_times.retimed import is_there
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.requirement import Constraint
+
+HALF = 30
+"""Minutes past an hour from which on a mark is one to the next hour: "twenty to"."""
+
+
+def due_of(
+    text: str,
+    before: Sequence[Sketch],
+    sketch: Sketch,
+    instructions: Sequence[Instruction],
+    since: float | None,
+) -> float | None:
+    """Give when in seconds that happens which an instruction prepares, by those before it; None for none.
+
+    ``since`` is the clock time that a line before it said last.
+    """
+    words = text[: sketch.part.segment.span[0]].lower().split()
+    # "The train goes at five past nine, be on the platform by nine"
+    bounded = any(phrase.said.constraint is Constraint.BEFORE for phrase in sketch.phrases)
+    goes = _goes(sketch)
+    if goes and _is_to_the_hour(sketch):
+        # "Vet at ten", then "leave at twenty to"
+        return _begin_of(instructions[-1]) if before else since
+    if not before or (words[-1:] != ["so"] and not bounded and not goes) or before[-1].operation is None:
+        return None
+    asked = sketch.operation is None or not sketch.operation.stated
+    told = before[-1].operation.stated or before[-1].operation.due is not None
+    if not told or not asked:
+        # "Story at seven, lights out by half past" is one after the other.
+        return None
+    return _begin_of(instructions[-1])
+
+
+def _begin_of(instruction: Instruction) -> float | None:
+    """Give when something begins, in seconds; of what is repeated, the first of today."""
+    said = [requirement.earliest for requirement in instruction.requirements]
+    repeats = instruction.repeats
+    said += repeats.occurrences(DAY_SECONDS)[:1] if repeats is not None else ()
+    return next((seconds for seconds in said if seconds is not None), None)
+
+
+def _goes(sketch: Sketch) -> bool:
+    """Whether somebody is to leave, or to be somewhere: "leave at nine"."""
+    operation = sketch.operation
+    return operation is not None and operation.is_asked and is_there(operation, sketch.part.tree.lexicon)
+
+
+def _is_to_the_hour(sketch: Sketch) -> bool:
+    """Whether its time is so many minutes to an hour that is not said."""
+    times = [phrase.said.time for phrase in sketch.phrases]
+    return bool(times) and all(isinstance(t, HourMark) and t.open and t.minute > HALF for t in times)

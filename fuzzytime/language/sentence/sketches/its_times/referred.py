@@ -1,0 +1,86 @@
+"""Which moment of what is done its times and clauses are about: its start, its end, all of it."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation, Span
+from fuzzytime.language.meaning.expressions import Phrase, Range
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.clauses.times_of_events import AHEAD, OVER
+from fuzzytime.language.sentence.segments.waiting import Part
+from fuzzytime.language.sentence.sketches.its_clauses.deadlines import DEADLINE
+from fuzzytime.language.sentence.sketches.its_times.elsewhere import is_of_subject
+from fuzzytime.language.sentence.sketches.its_times.own_times import OwnTimes
+from fuzzytime.language.sentence.sketches.its_times.retimed import by_that_day, is_there, on_that_day, put_off
+from fuzzytime.language.sentence.sketches.its_times.said_of_time import DATED
+from fuzzytime.language.sentence.verbs.meant.actions import Action
+from fuzzytime.language.sentence.verbs.meant.moments import reference_of
+from fuzzytime.requirement import Reference
+
+LEAVE = "leave"
+
+
+def referred(
+    part: Part, times: OwnTimes, action: Action, operation: Operation, lexicon: Lexicon
+) -> tuple[tuple[Phrase, ...], tuple[Clause, ...], tuple[Reference | None, ...]]:
+    """Give an operation's times as its verb means them, its clauses, and what each of the times is about."""
+    clauses = tuple(
+        replace(clause, reference=_reference_at(part, clause.span, action, lexicon))
+        for clause in times.clauses
+    )
+    phrases = times.phrases
+    if not operation.negated:
+        phrases = tuple(by_that_day(phrase, clauses) for phrase in phrases)
+    references = tuple(_reference(part, phrase, action, lexicon, clauses) for phrase in phrases)
+    if is_there(operation, lexicon):
+        phrases = tuple(on_that_day(phrase) for phrase in phrases)
+    if not operation.negated and {operation.lemma, operation.phrase} & lexicon.moving:
+        phrases = tuple(put_off(phrase) for phrase in phrases)
+    if _is_gone(operation, lexicon):
+        references = tuple(None if one is Reference.THROUGHOUT else one for one in references)
+    if operation.stated:
+        # "The shop is closed between ten and eleven" is so all that time.
+        references = tuple(
+            None if isinstance(phrase.said.time, Range) else one
+            for phrase, one in zip(phrases, references, strict=True)
+        )
+    return phrases, clauses, references
+
+
+def _is_gone(operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether "leave" is to go: "leave the house between seven and eight" is no "leave the lamp on"."""
+    if operation.phrase != LEAVE or operation.complement is not None:
+        return False
+    if operation.object is None:
+        return operation.place is not None and operation.place.lower().startswith(("for ", "to "))
+    return operation.place is None and operation.object.lower().split()[-1] in lexicon.beside.sites
+
+
+def _reference(
+    part: Part, phrase: Phrase, action: Action, lexicon: Lexicon, clauses: Sequence[Clause]
+) -> Reference | None:
+    """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
+    if phrase.rule in {DATED, DEADLINE}:
+        # What its clause is about starts or ends then, not what is to be done.
+        return action.reference
+    if any(clause.kind in OVER | AHEAD and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
+        # "Lock up when everyone has left on friday"
+        return action.reference
+    if action.reference is Reference.FINISH and is_of_subject(part, phrase, action):
+        # "Staff meeting at 3.30, should be done by half four"
+        return None
+    return _reference_at(part, phrase.span, action, lexicon)
+
+
+def _reference_at(part: Part, span: Span, action: Action, lexicon: Lexicon) -> Reference | None:
+    """Give which moment words in a stretch are about, by the verb nearest above them."""
+    first, end = (place - part.offset for place in span)
+    for place in part.tree.at(first, end):
+        for above in part.tree.above(place):
+            if above == action.place:
+                return action.reference
+            inside = first <= part.tree.nodes[above].start < end
+            if part.tree.nodes[above].is_verb and not inside:
+                return reference_of(part.tree, above, lexicon) or action.reference
+    return action.reference

@@ -1,0 +1,95 @@
+"""What was said last: a clock time, which one without am or pm hardly precedes, and a day, to count from."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from datetime import timedelta
+
+from fuzzytime.language.instruction import Reading
+from fuzzytime.language.meaning.grounded.chosen_clocks import CLOSE, FOLLOWING
+from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.sentence.sketches.meaning.alternatives import SAID_WHEN
+from fuzzytime.requirement import BOUNDS, Constraint, TimeRequirement, Unit
+
+A_DAY = 86400.0
+A_WEEK = 7 * A_DAY
+"""Seconds of a day and of a week; what is longer names no day."""
+
+
+NIGHT_SECONDS = A_DAY / 2 + 1
+"""What goes on over midnight for longer leaves open which half of the day is meant."""
+
+
+@dataclass(frozen=True, slots=True)
+class LastSaid:
+    """The clock time, and the day, that were said last, in seconds from now; None where none was.
+
+    ``night`` is from when to when something goes on over midnight, as was told; ``forward`` is how many clock
+    times in a row came later than the one before, on ``lines`` before this, and ``earliest`` the earliest of
+    all.
+    """
+
+    clock: float | None = None
+    day: float | None = None
+    night: tuple[float, float] | None = None
+    forward: int = 0
+    lines: int = 0
+    earliest: float | None = None
+
+    @property
+    def in_order(self) -> bool:
+        """Whether lines go through a day in its order, as far as is known."""
+        return self.forward >= IN_ORDER
+
+    @property
+    def opened(self) -> float | None:
+        """The earliest clock time of enough lines, before which another is hardly meant."""
+        return self.earliest if self.lines >= SEVERAL else None
+
+    def behind(self, before: "LastSaid") -> "LastSaid":
+        """Give the same, with how far lines have gone on from what was said before."""
+        if before.clock is None or self.clock is None or self.clock == before.clock:
+            return replace(self, forward=before.forward, lines=before.lines, earliest=before.earliest)
+        forward = before.forward + 1 if self.clock > before.clock else 0
+        earliest = min(self.clock, before.clock if before.earliest is None else before.earliest)
+        return replace(self, forward=forward, lines=before.lines + 1, earliest=earliest)
+
+
+IN_ORDER = 2
+"""Times in a row that come later than the one before, from which on lines go through a day in its order."""
+
+SEVERAL = 3
+"""Lines with another clock time than the one before, from which on the earliest is where a day begins."""
+
+NOTHING = LastSaid()
+
+
+def last_said(requirements: Iterable[TimeRequirement], before: LastSaid) -> LastSaid:
+    """Give the last clock time and day that are said; those of before where there are none."""
+    for requirement in requirements:
+        begin, latest = requirement.earliest, requirement.latest
+        length = 0.0 if begin is None or latest is None else latest - begin
+        if begin is not None and length <= A_WEEK and requirement.constraint in SAID_WHEN:
+            # Of a weekend, its last day.
+            named = requirement.grain in {*SUB_DAY, Unit.DAY} or length > A_DAY
+            before = replace(before, day=begin + max(0.0, length - A_DAY)) if named else before
+        offered = requirement.constraint is Constraint.AFTER and requirement.alternative
+        if requirement.constraint in SAID_WHEN | BOUNDS and requirement.grain in SUB_DAY and not offered:
+            if latest is not None and (begin is None or latest - begin > FOLLOWING.total_seconds()):
+                # "Charge overnight and be ready at seven"
+                begin = latest
+            before = replace(before, clock=before.clock if begin is None else begin)
+    return before
+
+
+def night_told(reading: Reading, before: LastSaid) -> LastSaid:
+    """Add from when to when something goes on over midnight and begins soon: a shift from 19:30 to 07:30."""
+    now = reading.now
+    stated = (one for one in reading.instructions if one.operation is not None and one.operation.stated)
+    for part in (part for one in stated for part in one.requirements):
+        first, last = part.earliest, part.latest
+        if now is None or first is None or last is None or part.constraint is not Constraint.BETWEEN:
+            continue
+        over = (now + timedelta(seconds=last)).date() - (now + timedelta(seconds=first)).date()
+        if over.days == 1 and last - first < NIGHT_SECONDS and first <= CLOSE.total_seconds():
+            before = replace(before, night=(first, last))
+    return before

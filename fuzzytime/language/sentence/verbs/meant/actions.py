@@ -1,0 +1,290 @@
+"""The verb that is meant, below "I want to" and "don't forget to"."""
+
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.meant.moments import reference_of
+from fuzzytime.language.sentence.verbs.meant.orders_before import is_order, order_before
+from fuzzytime.language.sentence.verbs.meant.small_clauses import gets_to_do, small_clause
+from fuzzytime.requirement import Reference
+
+COMPLEMENTS = ("xcomp", "ccomp")
+PRESENT = frozenset({"VBZ", "VBP"})
+FINITE = PRESENT | {"VBD"}
+
+DEEPEST = 4
+"""How many verbs stand at most above the one that is meant: "I'd like to try to remember to call"."""
+
+
+@dataclass(frozen=True, slots=True)
+class Action:
+    """The verb of an instruction in its tree, and what the words around it say."""
+
+    place: int
+    reference: Reference | None
+    negated: bool
+
+
+def is_doubtful(tree: Tree) -> bool:
+    """Whether a tree has no verb at its root, or an infinitive that nothing governs: "alter it to repeat"."""
+    root = tree.root
+    if not tree.nodes or not tree.nodes[root].is_verb or _is_title(tree, root):
+        return True
+    if tree.nodes[root].tag == "VBG" and tree.children(root, "det"):
+        # "Do the ironing"
+        return True
+    return any(tree.nodes[p].lower == "to" for p in tree.children(root, "aux"))
+
+
+def _is_title(tree: Tree, root: int) -> bool:
+    """Whether one word alone is no order: "Pancakes", "Agenda"."""
+    node = tree.nodes[root]
+    alone = all(other is node or other.tag == "UH" for other in tree.nodes if other.text[0].isalnum())
+    return alone and (node.tag == "VBZ" or not node.may_act)
+
+
+def action_of(tree: Tree, lexicon: Lexicon, *, told: bool = False) -> Action | None:
+    """Find the verb that is meant: below "I want to", "can you", "don't forget to", "start".
+
+    One word alone is no order, but may be what is ``told``: "the drone takes off, then lands".
+    """
+    if not tree.nodes:
+        return None
+    root = tree.root if told else _governing(tree)
+    if root is None:
+        return None
+    needless = _needless(tree, root)
+    negated = needless is not None or _is_negated(tree, root)
+    root = root if needless is None else needless
+    root = gone_to_do(tree, root, lexicon) or root
+    reference: Reference | None = None
+    for _ in range(DEEPEST):
+        assured = _assured(tree, root, lexicon)
+        below = _meant_below(tree, root, lexicon) if assured is None else assured
+        if below is None:
+            break
+        if assured is None:
+            reference = _reference_of_verb(tree, root, below, lexicon) or reference
+            negated = _is_negated(tree, below) or (
+                negated and tree.nodes[root].lemma not in lexicon.forgetting
+            )
+        root = gone_to_do(tree, below, lexicon) or below
+    if reference is None:
+        reference = reference_of(tree, root, lexicon)
+    return Action(root, reference, negated)
+
+
+def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
+    """Give the verb that is meant below another, which says that it is wanted or begun; None for none."""
+    lemma = tree.nodes[root].lemma
+    below = _complement(tree, root, lemma)
+    if below is None or is_numbered_place(tree, below, lexicon) or _names_kind(tree, root, below):
+        # "Get to gate 22", "get wrapping paper"
+        return None
+    if gets_to_do(tree, root, below):
+        return None
+    if lemma not in lexicon.wanting and _brings_about(tree, root, lexicon):
+        return None
+    if lemma in lexicon.doing.watching and below - _has_to(tree, below) > root + 1:
+        # "Help gran wash, dress her"
+        return None
+    leads = (
+        lemma in lexicon.forgetting
+        or lemma in lexicon.wanting
+        or (lemma in lexicon.doing.remembering and _has_to(tree, below) and _is_said_of(tree, root))
+        or (lemma in lexicon.indicators and not _is_left(tree, root, below, lexicon))
+        or _is_going_to(tree, root)
+        or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root, lexicon)))
+        or (lemma == "have" and _has_to(tree, below))
+    )
+    return below if leads else None
+
+
+def _is_said_of(tree: Tree, place: int) -> bool:
+    """Whether somebody does, or is to do, what a verb says: "I must remember to call"; but "remember to"."""
+    return place != tree.root or bool(tree.children(place, *SUBJECTS))
+
+
+def _names_kind(tree: Tree, root: int, below: int) -> bool:
+    """Whether a gerund says of which kind a thing is that is got: "get wrapping paper"; not "get going".
+
+    So it is of what is needed: "we need cleaning products".
+    """
+    thing = below + 1
+    if (
+        tree.nodes[root].lemma not in tree.lexicon.doing.needing | {"get"}
+        or tree.nodes[below].tag != "VBG"
+        or below != root + 1
+    ):
+        return False
+    objects = tree.children(below, "dobj")
+    bare = [p for p in objects if tree.nodes[p].tag in {"NN", "NNS"} and not tree.children(p, "det", "poss")]
+    return any(tree.reach(p)[0] == thing for p in bare)
+
+
+def _is_left(tree: Tree, root: int, below: int, lexicon: Lexicon) -> bool:
+    """Whether a verb has an aim: "leave at eight to be there for nine"; but "continue to stir"."""
+    lemma = tree.nodes[root].lemma
+    goes_on = Reference(lexicon.indicators[lemma]) is Reference.START or lemma in lexicon.doing.continuing
+    return _has_to(tree, below) and not goes_on
+
+
+def _reference_of_verb(tree: Tree, root: int, below: int, lexicon: Lexicon) -> Reference | None:
+    """Give which moment of what is below a verb is meant, where that verb says it."""
+    lemma = tree.nodes[root].lemma
+    if lemma in lexicon.forgetting:
+        return None
+    if lemma in lexicon.wanting:
+        # "I want the floor cleaned by noon": the result is what is wanted then.
+        return Reference.FINISH if tree.nodes[below].tag == "VBN" else None
+    named = lexicon.indicators.get(lemma)
+    return None if named is None else Reference(named)
+
+
+def _needless(tree: Tree, root: int) -> int | None:
+    """Give what there is no need to do: "no need to call", "there's no need to call mum"."""
+    for need in (root, *tree.children(root, "xcomp", "attr", "dobj", "nsubj")):
+        denied = any(tree.nodes[p].lower == "no" for p in tree.children(need, "det", "advmod", "neg"))
+        if tree.nodes[need].lemma == "need" and denied:
+            verbs = tree.children(need, "xcomp", "acl", "relcl", "advcl")
+            return next((p for p in verbs if p > need and _has_to(tree, p)), None)
+    return None
+
+
+def gone_to_do(tree: Tree, place: int, lexicon: Lexicon) -> int | None:
+    """Give the verb behind "go and", "come and", "try and", which say nothing more: "go and check it"."""
+    verb = place + 2
+    if tree.nodes[place].lemma not in lexicon.doing.trying or verb >= len(tree.nodes):
+        return None
+    joined = tree.nodes[place + 1].lower == "and" and tree.nodes[verb].head == place
+    return verb if joined and tree.nodes[verb].tag == "VB" else None
+
+
+def _governing(tree: Tree) -> int | None:
+    """Find the verb of the sentence; None where it has none, or says only that something is so."""
+    if _is_title(tree, tree.root):
+        return None
+    is_verb = tree.nodes[tree.root].is_verb
+    verb = tree.root if is_verb else next((p for p in tree.children(tree.root) if is_order(tree, p)), None)
+    if verb is None:
+        return None
+    root = order_before(tree, verb)
+    return None if _only_is(tree, root) or _keeps_on(tree, root) else root
+
+
+def _keeps_on(tree: Tree, root: int) -> bool:
+    """Whether it tells what happens again and again: "I keep losing my keys"; but "I will keep it on"."""
+    closed = tree.lexicon.closed
+    told = any(tree.nodes[p].lower in closed.first_and_third_person for p in tree.children(root, *SUBJECTS))
+    again = any(tree.nodes[p].tag == "VBG" for p in tree.children(root, "xcomp"))
+    return (
+        told
+        and again
+        and tree.nodes[root].lemma in tree.lexicon.doing.keeping
+        and not tree.children(root, "aux")
+    )
+
+
+def _only_is(tree: Tree, root: int) -> bool:
+    """Whether something is so and nothing is to be done: "it's hot in here"; but "it's time to eat"."""
+    told = any(tree.nodes[p].lower == "it" for p in tree.children(root, *SUBJECTS))
+    return (
+        told
+        and tree.nodes[root].lemma in tree.lexicon.closed.lemmas_of_be
+        and not any(tree.nodes[p].tag == "VB" for p in tree.below(root))
+        and not tree.children(root, "aux")
+    )
+
+
+def says_how_things_are(tree: Tree, verb: int) -> bool:
+    """Whether somebody or something is said to be so, or to do so now: "I'm running late"."""
+    closed = tree.lexicon.closed
+    node = tree.nodes[verb]
+    if node.lemma == "be" and node.relation == "xcomp" and _is_going_to(tree, node.head):
+        # "It's going to be lovely"
+        whose = [tree.nodes[p].lower for p in tree.children(node.head, *SUBJECTS)]
+        return bool(whose) and whose[0] not in closed.second_person
+    subjects = [p for p in tree.children(verb, *SUBJECTS) if p < verb]
+    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux", "auxpass")}
+    if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in closed.second_person:
+        return False
+    is_so = node.lemma in closed.lemmas_of_be and node.tag in PRESENT and not helping
+    goes_on = node.tag == "VBG" and bool(helping) and helping <= closed.present_be
+    became = node.tag == "VBN" and bool(tree.children(verb, "auxpass")) and helping <= closed.present_be
+    return is_so or became or (goes_on and _complement(tree, verb, node.lemma) is None)
+
+
+def _assured(tree: Tree, place: int, lexicon: Lexicon) -> int | None:
+    """Give the verb below what it is time for, or to be sure of: "be careful to close it"."""
+    for below in tree.children(place, "acomp", "ccomp", "oprd", "attr"):
+        if tree.nodes[below].lower in lexicon.doing.sure:
+            verbs = tree.children(below, "xcomp", "relcl", "acl")
+            return next((p for p in verbs if tree.nodes[p].tag == "VB"), None)
+    return None
+
+
+def _complement(tree: Tree, place: int, lemma: str) -> int | None:
+    """Give the verb below a verb, with "to" or as a gerund; "let us" has it bare."""
+    for below in tree.children(place, *COMPLEMENTS):
+        node = tree.nodes[below]
+        if node.tag == "VBG" and tree.nodes[below - 1].tag in {"DT", "PRP$"}:
+            # "Do the ironing" has it for a thing.
+            continue
+        if node.is_verb and (node.tag in {"VB", "VBG"} or lemma == "let") and below > place:
+            return below
+        if lemma in tree.lexicon.doing.wishing and node.tag in {"VBN", "VBP"}:
+            return below
+        if lemma == "have" and node.tag == "VBN" and tree.children(below, "auxpass") and _has_to(tree, below):
+            # "The dog has to be walked"
+            return below
+    return None
+
+
+def is_numbered_place(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what a tree takes for a verb is called by the number behind it: "take it to station 4"."""
+    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
+    known = lexicon.machines | lexicon.measure_nouns
+    led = any(tree.nodes[p].lower == "to" for p in tree.children(place, "aux"))
+    return counted and led and tree.nodes[place].lower in known
+
+
+def _brings_about(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a verb is what is to be done: "leave the cake to cool", not "let us go"."""
+    lets = tree.nodes[place].lemma == "let" and (_lets(tree, place) or _lets_forget(tree, place, lexicon))
+    return not lets and small_clause(tree, place, lexicon) is not None
+
+
+def _lets(tree: Tree, place: int) -> bool:
+    """Whether it is "let us" or "lets", not "let me know"."""
+    following = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
+    return tree.nodes[place].lower == "lets" or following in {"us", "'s", "’s"}
+
+
+def _lets_forget(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether it is "don't let me forget to post it", "don't let me forget the bins"."""
+    below = _complement(tree, place, "let")
+    forgets = below is not None and tree.nodes[below].lemma in lexicon.forgetting
+    return forgets and below is not None and bool(tree.children(below, "xcomp", "dobj"))
+
+
+def _is_going_to(tree: Tree, place: int) -> bool:
+    """Whether it is "it's going to rain", not "go to see her"."""
+    return tree.nodes[place].lower in {"going", "gonna", "gon"} and bool(tree.children(place, "aux"))
+
+
+def _has_to(tree: Tree, below: int) -> bool:
+    """Whether it is "have to do", not "have it done"."""
+    marks = [tree.nodes[p].lower for p in tree.children(below, "aux")]
+    return "to" in marks and not tree.children(below, *SUBJECTS)
+
+
+def _is_negated(tree: Tree, place: int) -> bool:
+    """Whether what denies a verb stands in front of it or right behind: not "after lunch, not before"."""
+    denying = (
+        p
+        for p in tree.children(place, "neg", "advmod")
+        if tree.nodes[p].lower in tree.lexicon.closed.negators
+    )
+    return any(p <= place + 1 for p in denying)

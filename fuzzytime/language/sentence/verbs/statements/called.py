@@ -1,0 +1,164 @@
+"""Who or what is called by a number or a letter, and acts: "robot 2 cleans the tank", "truck A arrives"."""
+
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.verbs.statements.statement_trees import singular_verb
+
+ACTED = frozenset({"while", "when", "if"})
+"""Kinds of clauses that name no event: somebody does something in them."""
+
+
+def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
+    """Give the tree of "room 12 checks out at ten" its verb, which was taken for a plural.
+
+    ``timed`` are the words about time: one stands right behind the verb, or behind its particle.
+    """
+    first = 1 if tree.nodes and tree.nodes[0].lower == "the" else 0
+    verb = first + 2
+    if verb + 1 >= len(tree.nodes):
+        return tree
+    name, called, acting = tree.nodes[first : verb + 1]
+    if not _acts(name, called, acting, lexicon):
+        return tree
+    particle = verb + 1 if tree.nodes[verb + 1].lower in lexicon.particles else None
+    behind = verb + 1 if particle is None or verb + 1 in timed else verb + 2
+    if behind not in timed:
+        return tree
+    nodes = _acting(tree, verb, {*range(verb + 1), tree.root})
+    if first:
+        nodes[0] = replace(nodes[0], head=first)
+    if behind == verb + 2:
+        nodes[verb + 1] = replace(nodes[verb + 1], tag="RP", relation="prt")
+    return tree.with_nodes(nodes)
+
+
+def _acts(name: Node, called: Node, word: Node, lexicon: Lexicon) -> bool:
+    """Whether a name, a number or a letter, and what may be a verb stand side by side."""
+    known = lexicon.machines | lexicon.workers | lexicon.travelling | lexicon.measure_nouns
+    numbered, lettered = called.text.isdigit(), len(called.text) == 1 and called.text.isupper()
+    if name.lower not in known or not (numbered or lettered) or not word.may_act:
+        return False
+    finite = word.tag in {"NNS", "VBZ", "NNPS"} and word.lower.endswith("s")
+    # "Train 14 guards at nine" asks for it.
+    sure = lettered or not name.may_act or word.lower in lexicon.doing.timed | lexicon.passing
+    return finite and sure
+
+
+def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
+    """Give who does it, called by a number: "robot 2 cleans the tank"; None where nobody is.
+
+    "Machine 3 starts at nine" asks for nothing.
+    """
+    closed = lexicon.closed
+    node = tree.nodes[verb]
+    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")}
+    if node.lower in lexicon.doing.timed and not tree.children(verb, "dobj"):
+        return None
+    if not helping <= closed.future | closed.obligation | {"to", "can"} or tree.children(verb, "auxpass"):
+        return None
+    for place in tree.children(verb, "nsubj"):
+        for first in (place - 1, place):
+            name = tree.nodes[max(first, 0) : first + 2]
+            numbered = len(name) == 2 and name[1].tag == "CD" and name[1].text.isdigit()
+            if first >= 0 and numbered and name[0].lower in lexicon.workers and first + 1 < verb:
+                acts = node.tag in {"VBZ", "VBP"} or helping
+                return " ".join(part.text for part in name) if acts else None
+    return None
+
+
+def person_due(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
+    """Give who must do something with a thing: "Tim must hand in his homework"; None for nobody.
+
+    So it is who is asked for: "can Tim wash the car".
+    """
+    over = tree.nodes[verb].head if tree.nodes[verb].relation == "xcomp" else verb
+    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")} - {"to"}
+    helping |= set() if over == verb else {tree.nodes[over].lower}
+    subjects = tree.children(over, "nsubj")
+    asked = tree.nodes[0].relation == "aux" and helping <= lexicon.closed.requesting_modals
+    due = bool(helping) and (asked or helping <= lexicon.closed.verbs_of_obligation)
+    if not due or tree.nodes[verb].tag != "VB" or len(subjects) != 1 or not tree.children(verb, "dobj"):
+        return None
+    name = tree.nodes[subjects[0]]
+    known = name.lower in lexicon.persons - lexicon.closed.persons_addressed and name.tag != "PRP"
+    named = known or (name.tag == "NNP" and name.text[0].isupper())
+    led = all(tree.nodes[p].tag in DETERMINERS for p in tree.children(subjects[0]))
+    # "The kids must do their homework"
+    return tree.text[tree.nodes[tree.reach(subjects[0])[0]].start : name.end] if named and led else None
+
+
+def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give the tree of "robot 3 docks at noon" its verb, which was taken for a plural."""
+    root = tree.root
+    verb = next((p for p in (root, root + 2) if _is_numbered(tree, p, lexicon)), None)
+    if verb is None:
+        return tree
+    return tree.with_nodes(_acting(tree, verb, {root}))
+
+
+def with_event(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give the tree of "charge drone 2 when drone 1 lands" the verb of its clause, taken for a plural."""
+    for verb in range(3, len(tree.nodes)):
+        marker, name, called, word = tree.nodes[verb - 3 : verb + 1]
+        own = {verb - 2, verb - 1, verb}
+        outside = [node.head for node in (name, called, word) if node.head not in own]
+        begins = (marker.lower,) in lexicon.clauses and word.tag == "NNS"
+        if begins and outside and tree.root not in own and _acts(name, called, word, lexicon):
+            nodes = _acting(tree, verb, {verb - 2})
+            nodes[verb] = replace(nodes[verb], head=outside[0], relation="advcl")
+            nodes[verb - 3] = replace(marker, head=verb, relation="advmod")
+            return tree.with_nodes(nodes)
+    return tree
+
+
+def _acting(tree: Tree, verb: int, heads: AbstractSet[int | None]) -> list[Node]:
+    """Give the nodes of a tree in which what stands before a word does it, and has what hung on ``heads``."""
+    nodes = [replace(node, head=verb) if node.head in heads else node for node in tree.nodes]
+    word = tree.nodes[verb]
+    nodes[verb] = replace(word, tag="VBZ", lemma=singular_verb(word.lower), head=verb, relation="ROOT")
+    # "Drone 4 films the dam"
+    taken = (p for p, node in enumerate(nodes) if p > verb and node.head == verb and node.relation == "appos")
+    for thing in list(taken)[:1]:
+        nodes[thing] = replace(nodes[thing], relation="dobj")
+    nodes[verb - 2] = replace(nodes[verb - 2], tag="NN", head=verb, relation="nsubj")
+    nodes[verb - 1] = replace(nodes[verb - 1], head=verb - 2, relation="nummod")
+    return nodes
+
+
+def _is_numbered(tree: Tree, place: int | None, lexicon: Lexicon) -> bool:
+    """Whether a plural that may be a verb stands right behind a worker's number."""
+    if place is None or not 2 <= place < len(tree.nodes):
+        return False
+    name, number, word = tree.nodes[place - 2 : place + 1]
+    return word.tag == "NNS" and word.may_act and name.lower in lexicon.workers and number.text.isdigit()
+
+
+def with_clause(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give the tree of "while Dad milks" its verb, taken for a plural, which hardly stands behind "while"."""
+    for verb in range(2, len(tree.nodes)):
+        word, name = tree.nodes[verb], tree.nodes[verb - 1]
+        first = verb - 1
+        while first > 0 and tree.nodes[first - 1].tag in {"DT", "PRP$"}:
+            first -= 1
+        kind = lexicon.clauses.get((tree.nodes[first - 1].lower,)) if first else None
+        ends = verb + 1 == len(tree.nodes) or not tree.nodes[verb + 1].text[0].isalnum()
+        named = name.tag == "NNP" or name.lower in lexicon.persons
+        plural = (
+            word.tag in {"NNS", "NNPS"} and word.may_act and word.lower.endswith("s") and name.head == verb
+        )
+        if kind not in ACTED or not (named and plural and ends):
+            continue
+        nodes = list(tree.nodes)
+        root = verb if word.head == verb else word.head
+        relation = "ROOT" if root == verb else "advcl"
+        nodes[verb] = replace(word, tag="VBZ", lemma=singular_verb(word.lower), head=root, relation=relation)
+        nodes[verb - 1] = replace(name, relation="nsubj")
+        for place in range(first, verb - 1):
+            nodes[place] = replace(nodes[place], head=verb - 1)
+        nodes[first - 1] = replace(nodes[first - 1], head=verb, relation="mark")
+        return tree.with_nodes(nodes)
+    return tree

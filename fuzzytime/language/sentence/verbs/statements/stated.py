@@ -1,0 +1,232 @@
+"""Who or what is said to do it: statements ask for nothing."""
+
+from dataclasses import dataclass
+
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.verbs.meant.actions import FINITE
+from fuzzytime.language.sentence.verbs.places import Places
+from fuzzytime.language.sentence.verbs.statements.statements import others_do
+
+STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
+
+IT = "it"
+BE = "be"
+ON = "on"
+MUST, MUST_BE, NEEDS, NEED = "must", "must be", "needs", "need"
+
+
+@dataclass(frozen=True, slots=True)
+class Stated(Places):
+    """Reads off a tree who does what a verb says, and whether that is only told."""
+
+    def _subject(self, verb: int) -> str | None:
+        """Give what a statement is about: "the assignment should start now"."""
+        closed = self.lexicon.closed
+        node = self.tree.nodes[verb]
+        # "The sauce needs to simmer"
+        verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
+        subjects = [p for v in verbs for p in self.tree.children(v, *SUBJECTS) if not self.timed(p)]
+        if not subjects:
+            return None
+        described = self.tree.children(subjects[0], "det", "amod")
+        if self.tree.nodes[subjects[0]].lower in closed.subject_pronouns and not described:
+            alone = self.tree.nodes[subjects[0]].lower
+            wished = node.tag == "VBN" and self.tree.nodes[node.head].lemma in self.lexicon.doing.wishing
+            if wished and alone not in closed.first_and_second_person:
+                # "I want it cleaned by six"
+                return alone
+            helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux")}
+            return (
+                alone
+                if alone in closed.third_person_singular and others_do(self.tree, verb, helping, self.lexicon)
+                else None
+            )
+        return self.said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
+
+    def _due(self, verb: int) -> str | None:
+        """Give what "it" must do: "it has to rest for ten minutes" is about what was said before."""
+        node = self.tree.nodes[verb]
+        if node.lower in self.lexicon.results or self.tree.children(verb, "auxpass"):
+            return None
+        verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
+        subjects = [self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, *SUBJECTS)]
+        helping = {self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, "aux", "auxpass")}
+        helping |= {self.tree.nodes[v].lower for v in verbs[1:]}
+        due = not helping.isdisjoint(self.lexicon.closed.verbs_of_obligation)
+        return {"it": "it", "they": "them"}.get(subjects[0]) if subjects and due else None
+
+    def _must(self, verb: int) -> str:
+        """Give the words between what must do something, or be done with, and its verb."""
+        tag = self.tree.nodes[verb].tag
+        if tag == "VBG":
+            # "The lawn needs mowing", "the beds need making"
+            return NEED if self.tree.nodes[self.tree.nodes[verb].head].tag == "VBP" else NEEDS
+        if self.tree.nodes[verb].lemma in self.lexicon.doing.needing:
+            # "The car needs fuel"
+            return ""
+        passive = tag == "VBN" or self.tree.children(verb, "auxpass")
+        return MUST_BE if passive else MUST
+
+    def _is_attended(self, verb: int) -> bool:
+        """Whether it is said where somebody is, or what they have, and that takes them: "I'm out at noon"."""
+        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        if self._is_own(verb):
+            return True
+        if (
+            self.tree.nodes[verb].lemma not in {"have", "be"}
+            or not subjects & self.lexicon.closed.first_person
+        ):
+            return False
+        behind = [p for p in self.tree.below(verb) if p > verb]
+        if self._performing(verb):
+            return True
+        # "Office hours" go on around other work, but not "a meeting for two hours".
+        frames = {self.tree.nodes[p].lower for p in behind if not self.timed(p)} & self.lexicon.frames
+        return not frames and any(self.tree.nodes[p].lower in self.lexicon.taken for p in behind)
+
+    def _is_own(self, verb: int) -> bool:
+        """Whether an appointment of who speaks is said to be then: "my interview is at ten"."""
+        owned = [
+            p
+            for p in self.tree.children(verb, "nsubj")
+            if any(
+                self.tree.nodes[owner].lower in self.lexicon.closed.first_person_possessives
+                for owner in self.tree.children(p, "poss")
+            )
+        ]
+        names = {self.tree.nodes[p].lower for p in owned}
+        taken = self.lexicon.taken - self.lexicon.happening - self.lexicon.frames
+        return self.tree.nodes[verb].lemma in self.lexicon.doing.happening and not names.isdisjoint(taken)
+
+    def _performing(self, verb: int) -> list[int]:
+        """Give the "on" of "we're on at 20:30", which governs nothing."""
+        on = (p for p in self.tree.children(verb, "advmod", "prep", "prt") if self.tree.nodes[p].lower == ON)
+        return [p for p in on if p == verb + 1 and all(map(self.timed, self.tree.children(p)))]
+
+    def attending(self, verb: int) -> list[int]:
+        """Give the words for where somebody is who is taken by that: "I'm out", "we're on"."""
+        out = [
+            p for p in self.tree.below(verb) if self.tree.nodes[p].lower in self.lexicon.taken and p > verb
+        ]
+        return self._performing(verb) or out[:1]
+
+    def _has_frame(self, verb: int) -> bool:
+        """Whether who speaks has what goes on around other work: "I have the late shift from 2 to 10"."""
+        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        objects = (self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj", "attr"))
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
+        return has and not self.lexicon.frames.isdisjoint(objects)
+
+    def _is_standing(self, verb: int) -> bool:
+        """Whether it is said in what state something is for a while: "the bridge is closed until noon".
+
+        A clock time or a deadline beside it asks for that: "the gate is closed at ten".
+        """
+        closed = self.lexicon.closed
+        helping, timed = self._helping(verb), [p for p in self.tree.children(verb) if self.timed(p)]
+        points = {self.tree.nodes[p].lower for p in timed} & closed.prepositions_of_points
+        named = bool(self.tree.children(verb, "nsubjpass", "nsubj")) and bool(timed) and not points
+        return (
+            named
+            and bool(helping)
+            and helping <= closed.present_be
+            and self.tree.nodes[verb].lower in self.lexicon.standing
+        )
+
+    def _has_visitors(self, verb: int) -> bool:
+        """Whether who speaks has somebody there: "we have the electricians in from eight to noon"."""
+        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        named = {self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj")}
+        named |= {name.removesuffix("s") for name in named}
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
+        return has and not self.lexicon.persons.isdisjoint(named)
+
+    def _exists(self, verb: int, helping: set[str]) -> bool:
+        """Whether something is said to be then: "there's a delivery at ten"; but not "there's no need to"."""
+        node = self.tree.nodes[verb]
+        there = self.tree.children(verb, "expl") and node.lemma in self.lexicon.closed.lemmas_of_be
+        finite = node.tag in FINITE if not helping else helping <= self.lexicon.closed.future
+        timed = any(map(self.timed, self.tree.below(verb)))
+        return bool(there and finite and timed and self.tree.children(verb, "attr"))
+
+    def _is_foretold(self, verb: int, helping: set[str]) -> bool:
+        """Whether it is only told that something is to come: "rain is expected at three"."""
+        node, closed, doing = self.tree.nodes[verb], self.lexicon.closed, self.lexicon.doing
+        over = self.tree.nodes[node.head]
+        called = {self.tree.nodes[p].lower for p in self.tree.children(verb, *SUBJECTS)}
+        called |= {self.tree.nodes[p].lower for p in self.tree.children(node.head, *SUBJECTS)}
+        if not called.isdisjoint(closed.first_and_second_person):
+            return False
+        if node.relation == "xcomp" and node.tag == "VB" and not self.tree.children(verb, "auxpass"):
+            helped = self._helping(node.head) | {over.lower}
+            goes = node.lemma in doing.arriving | doing.leaving | doing.several_timed
+            # "The ferry is due to leave at six"
+            return over.lower in doing.foretold and bool(helped & closed.present_be) and goes
+        come = helping and helping <= closed.present_be | closed.future | {BE}
+        # "Rain expected at three"
+        named = self.tree.children(verb, *SUBJECTS) or (node.relation == "acl" and verb == node.head + 1)
+        told = come or (not helping and node.relation in {"acl", "ROOT"} and named)
+        alone = not self.tree.children(verb, "xcomp")
+        return bool(told) and alone and node.tag == "VBN" and node.lower in doing.foretold
+
+    def _helping(self, verb: int) -> set[str]:
+        """Give the verbs that help one, and what denies it."""
+        return {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
+
+    def _is_stated(self, verb: int) -> bool:
+        """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
+        beside = self.lexicon.beside
+        closed = self.lexicon.closed
+        doing = self.lexicon.doing
+        subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
+        governing = self.tree.children(self.tree.nodes[verb].head, "nsubj")
+        named = subjects or [self.tree.nodes[p].lower for p in governing]
+        words = {self.tree.nodes[p].lower for p in (verb, *self.tree.children(verb, "acomp", "attr"))}
+        if named == [IT] and not self.lexicon.impersonal.isdisjoint(words):
+            # "It's going to rain at four"
+            return True
+        becomes = self.tree.nodes[verb].lemma in self.lexicon.doing.being - {BE}
+        if named == [IT] and becomes and self.tree.nodes[verb].tag == "VBZ":
+            # "It gets cold after nine"
+            return True
+        helping = self._helping(verb)
+        if others_do(self.tree, verb, helping, self.lexicon) or self._exists(verb, helping):
+            return True
+        if self._is_foretold(verb, helping):
+            return True
+        finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= closed.future
+        if finite and (self._has_frame(verb) or self._has_visitors(verb)):
+            return True
+        finite = finite or (
+            self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= closed.present_be
+        )
+        told = bool(subjects) and subjects[0] not in closed.subject_pronouns - closed.first_and_third_person
+        lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))
+        goes = self.tree.nodes[verb].lower in doing.timed or (
+            lasts and self.tree.nodes[verb].lemma in doing.running
+        )
+        told = told or (subjects[:1] == ["it"] and goes)
+        if finite and self._is_attended(verb):
+            return True
+        if self.tree.nodes[verb].lemma in doing.taking and helping <= closed.future | closed.tentative_modals:
+            # "It should take an hour", "they need twenty minutes"
+            objects = self.tree.children(verb, "dobj", "npadvmod")
+            return bool(subjects) and subjects[0] not in closed.sure_persons and any(map(self.timed, objects))
+        if self._is_standing(verb):
+            return True
+        due = beside.due | self.lexicon.results if helping & closed.future else beside.due
+        rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
+        if self.tree.nodes[verb].lemma == "be" and not helping:
+            # "The hall is free between ten and noon"; but "the hall is ready by ten" asks for it.
+            asked = self.lexicon.results
+            rest = [
+                p for p in rest if self.tree.nodes[p].relation != "acomp" or self.tree.nodes[p].lower in asked
+            ]
+        # "The delivery arrives between ten and eleven"
+        rest = [p for p in rest if not self.timed(p)]
+        comes = (
+            bool(subjects) and subjects[0] in closed.first_and_third_person and bool(helping & closed.future)
+        )
+        # "I'll be late"
+        rest = [p for p in rest if not (comes and self.tree.nodes[p].relation == "acomp")]
+        return told and finite and not rest

@@ -1,0 +1,270 @@
+"""Trees of what happens, mended where a model takes the verb for a noun: "the train leaves at 8:40"."""
+
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
+from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.statements.plural_statements import is_led_by_plural, with_plural
+from fuzzytime.language.sentence.verbs.statements.statements import (
+    behind_particles,
+    plural_subject,
+)
+
+
+def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str]) -> Tree:
+    """Give the tree of "the train leaves at 8:40" its verb, which was taken for a plural: "train leaves".
+
+    ``timed`` are the words about time: one stands right behind the verb. What is ``travelling`` leaves.
+    """
+    tree = _with_being(_with_having(_with_got(_with_phase(tree, timed, travelling))), timed)
+    tree = _with_two(_with_done(tree), timed)
+    tree = with_plural(_with_subject(tree), timed)
+    root = tree.root
+    if behind_particles(tree, root) not in timed:
+        return tree
+    if tree.nodes[root].tag in {"NN", "JJ"} and tree.nodes[root].may_act and is_led_by_plural(tree, root):
+        # "My parents land at four", "the guests in room 12 check out at ten"
+        nodes = list(tree.nodes)
+        nodes[root] = replace(nodes[root], tag="VBP", lemma=nodes[root].lower)
+        for place in tree.children(root, "nummod"):
+            nodes[place] = replace(nodes[place], head=place - 1)
+        return tree.with_nodes(nodes)
+    if root + 1 not in timed:
+        return tree
+    if tree.nodes[root].tag not in {"NNS", "VBZ"}:
+        return tree
+    sure = _with_sure(tree, root)
+    if sure is not None:
+        return sure
+    subject = plural_subject(tree, root)
+    first, second = tree.nodes[0], tree.nodes[1].tag if len(tree.nodes) > 1 else ""
+    # "Print the boarding passes today"
+    ordered = root > 1 and first.may_act and first.lower == first.lemma.lower() and second in DETERMINERS
+    if subject is None or ordered or tree.children(root, *GRAMMATICAL_SUBJECTS):
+        return tree
+    described = set(tree.children(root, "det", "poss", "amod", "compound")) - {subject}
+    nodes = list(tree.nodes)
+    nodes[root] = replace(nodes[root], tag="VBZ", lemma=singular_verb(nodes[root].lower))
+    nodes[subject] = replace(nodes[subject], relation="nsubj")
+    for place in described:
+        nodes[place] = replace(nodes[place], head=subject)
+    return tree.with_nodes(nodes)
+
+
+def _with_sure(tree: Tree, root: int) -> Tree | None:
+    """Give "the post office closes at five" its verb, before which a tree has what does it already."""
+    named = [p for p in tree.children(root, *GRAMMATICAL_SUBJECTS) if p < root]
+    node = tree.nodes[root]
+    if node.tag != "NNS" or not named or node.lower not in tree.lexicon.doing.surely_timed:
+        return None
+    nodes = list(tree.nodes)
+    nodes[root] = replace(node, tag="VBZ", lemma=singular_verb(node.lower))
+    return tree.with_nodes(nodes)
+
+
+def leaves(tree: Tree, place: int, travelling: AbstractSet[str]) -> bool:
+    """Whether a word is what something on its way does: "coach leaves at 8:15", but "rake leaves at nine"."""
+    known = 0 < place < len(tree.nodes) and tree.nodes[place - 1].lower in travelling
+    return known and tree.nodes[place].lower in tree.lexicon.doing.timed
+
+
+def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str]) -> Tree:
+    """Give the tree of "guided tour starts at ten" its verb, where its first word was taken for one."""
+    root, nodes = tree.root, tree.nodes
+    event = bool(nodes) and nodes[0].lower in tree.lexicon.happening | tree.lexicon.taken
+    # "School finishes at three"; but "polish finishes at four"
+    sure = (
+        p
+        for p in range(1 if event else 2, len(nodes))
+        if p + 1 in timed and nodes[p].lower in tree.lexicon.doing.surely_timed
+    )
+    found = (p for p in range(1, len(nodes)) if p + 1 in timed and leaves(tree, p, travelling))
+    verb = next(found, next(sure, None))
+    if root != 0 or verb is None or nodes[verb].head != root:
+        return tree
+    if nodes[verb - 1].tag not in SINGULAR and not (event and verb == 1):
+        return tree
+    if any(node.tag in DETERMINERS or node.tag in {"IN", ",", "CC"} for node in nodes[1:verb]):
+        # "Check what starts at ten", "take the bus that leaves at ten"
+        return tree
+    turned = [
+        replace(node, head=verb - 1, relation="compound")
+        if p < verb
+        else replace(node, head=verb)
+        if node.head == root
+        else node
+        for p, node in enumerate(nodes)
+    ]
+    turned[verb] = replace(
+        nodes[verb], tag="VBZ", lemma=singular_verb(nodes[verb].lower), head=verb, relation="ROOT"
+    )
+    turned[verb - 1] = replace(nodes[verb - 1], tag="NN", head=verb, relation="nsubj")
+    return tree.with_nodes(turned)
+
+
+def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "my flight lands at ten and immigration takes an hour" its first verb, taken for a plural."""
+    root = tree.root
+    for verb in tree.children(root, "nsubj") if tree.nodes[root].tag == "VBZ" else ():
+        named = plural_subject(tree, verb)
+        second = [p for p in tree.children(verb, "conj") if p > verb + 1 and tree.nodes[p].tag in SINGULAR]
+        told = tree.nodes[verb].tag == "NNS" and verb + 1 in timed and tree.nodes[verb].may_act
+        if not told or named is None or not second:
+            continue
+        nodes = list(tree.nodes)
+        nodes[verb] = replace(
+            nodes[verb], tag="VBZ", relation="ccomp", lemma=singular_verb(nodes[verb].lower)
+        )
+        for place in tree.children(verb, "det", "poss", "amod", "compound"):
+            nodes[place] = replace(nodes[place], head=named)
+        nodes[named] = replace(nodes[named], head=verb, relation="nsubj")
+        nodes[second[0]] = replace(nodes[second[0]], head=root, relation="nsubj")
+        return tree.with_nodes(nodes)
+    return tree
+
+
+def _with_subject(tree: Tree) -> Tree:
+    """Give "the road is closed" what is so, which a tree may hang on the helping verb."""
+    root = tree.root
+    if tree.nodes[root].tag != "VBN":
+        return _with_name(tree)
+    helping = [
+        p for p in tree.children(root, "auxpass") if tree.nodes[p].lower in tree.lexicon.closed.present_be
+    ]
+    subjects = [p for verb in helping for p in tree.children(verb, "nsubj")]
+    if not subjects:
+        return tree
+    nodes = list(tree.nodes)
+    nodes[subjects[0]] = replace(nodes[subjects[0]], head=root, relation="nsubjpass")
+    return tree.with_nodes(nodes)
+
+
+def _with_done(tree: Tree) -> Tree:
+    """Give "skip collected at three" what is collected, and "desk manned from eight" its participle."""
+    root = tree.root
+    if tree.children(root, "aux", "dobj"):
+        return tree
+    nodes = list(tree.nodes)
+    taken = [p for p in tree.children(root, "auxpass") if p == root - 1 == 0 and nodes[p].tag == "VB"]
+    if nodes[root].tag == "VBN" and taken and nodes[0].lemma not in tree.lexicon.causing:
+        nodes[0] = replace(nodes[0], tag="NN", relation="nsubjpass")
+        return tree.with_nodes(nodes)
+    named = [p for p in tree.children(root, "nsubj") if p == root - 1 and nodes[p].tag in {"NN", "NNS"}]
+    so = nodes[root].lower in tree.lexicon.standing | tree.lexicon.results
+    if nodes[root].tag == "VBD" and so and named and not tree.children(named[0], "det", "poss"):
+        nodes[root] = replace(nodes[root], tag="VBN")
+        return tree.with_nodes(nodes)
+    return tree
+
+
+def _with_name(tree: Tree) -> Tree:
+    """Give "at 9:15 Atlas drives to bay 3" who does it, whom a tree took for a part of the verb's name."""
+    root = tree.root
+    if tree.nodes[root].tag != "VBZ" or tree.children(root, *GRAMMATICAL_SUBJECTS):
+        return tree
+    named = [p for p in tree.children(root, "compound", "npadvmod") if p == root - 1]
+    if not named or tree.nodes[named[0]].tag != "NNP":
+        return tree
+    nodes = list(tree.nodes)
+    nodes[named[0]] = replace(nodes[named[0]], relation="nsubj")
+    return tree.with_nodes(nodes)
+
+
+def _with_got(tree: Tree) -> Tree:
+    """Give "I've got a meeting at ten" the verb that it means: to have; and of who comes, what they do."""
+    root = tree.root
+    if tree.nodes[root].lower != "got" or tree.children(root, "xcomp"):
+        return tree
+    helping = [
+        p
+        for p in tree.children(root, "aux", "auxpass")
+        if tree.nodes[p].lower in tree.lexicon.closed.have_before_got
+    ]
+    nodes = list(tree.nodes)
+    coming = [p for p in tree.children(root, "ccomp") if tree.nodes[p].tag == "VBG"]
+    if coming and helping and tree.children(coming[0], "nsubj"):
+        for place in (root, *(p for p in tree.children(root) if p != coming[0])):
+            nodes[place] = replace(nodes[place], head=coming[0], relation="dep")
+        nodes[coming[0]] = replace(nodes[coming[0]], head=coming[0], relation="ROOT", tag="VBZ")
+        return tree.with_nodes(nodes)
+    if not helping or not tree.children(root, "dobj"):
+        return tree
+    nodes[root] = replace(nodes[root], lemma="have", tag="VBP")
+    for place in helping:
+        nodes[place] = replace(nodes[place], relation="dep")
+    for place in tree.children(root, "nsubjpass"):
+        nodes[place] = replace(nodes[place], relation="nsubj")
+    return tree.with_nodes(nodes)
+
+
+def _with_having(tree: Tree) -> Tree:
+    """Give "the kids have swimming at four" its verb, which was taken for one that helps."""
+    root = tree.root
+    if tree.nodes[root].tag != "VBG":
+        return tree
+    helping = tree.children(root, "aux")
+    if len(helping) != 1 or tree.nodes[helping[0]].lemma != "have" or helping[0] != root - 1:
+        return tree
+    have, nodes = helping[0], list(tree.nodes)
+    for place in tree.children(root):
+        nodes[place] = replace(nodes[place], head=have)
+    nodes[have] = replace(nodes[have], head=have, relation="ROOT")
+    nodes[root] = replace(nodes[root], head=have, relation="dobj", tag="NN")
+    return tree.with_nodes(nodes)
+
+
+def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "the drill's at nine" its verb, which was taken for an owner's mark; so of "nobody's home"."""
+    root = tree.root
+    owner = [
+        p
+        for p in tree.children(root, "poss")
+        if tree.nodes[p].lower in tree.lexicon.closed.indefinite_pronouns
+    ]
+    if owner and owner[0] + 2 == root and tree.nodes[owner[0] + 1].tag == "POS":
+        mark = owner[0] + 1
+        turned = [replace(node, head=mark) if node.head == root else node for node in tree.nodes]
+        turned[mark] = replace(tree.nodes[mark], tag="VBZ", lemma="be", head=mark, relation="ROOT")
+        turned[owner[0]] = replace(tree.nodes[owner[0]], head=mark, relation="nsubj")
+        turned[root] = replace(tree.nodes[root], head=mark, relation="advmod")
+        return tree.with_nodes(turned)
+    doing = _with_one_doing(tree)
+    if doing is not None:
+        return doing
+    being = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in timed)
+    verb = next(being, None)
+    if verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):
+        return tree
+    nodes = [
+        replace(node, head=verb) if node.head == root and p > root else node
+        for p, node in enumerate(tree.nodes)
+    ]
+    nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
+    nodes[verb] = replace(nodes[verb], tag="VBZ", lemma="be", head=verb, relation="ROOT")
+    return tree.with_nodes(nodes)
+
+
+OWNED = frozenset({"'s", "’s"})
+"""How an owner's mark is typed that may be "is"."""
+
+
+def _with_one_doing(tree: Tree) -> Tree | None:
+    """Give "the plumber's coming at nine" its helping verb, taken for an owner's mark; None without one."""
+    root = tree.root
+    mark = root - 1
+    if mark < 1 or tree.nodes[mark].lower not in OWNED or not tree.nodes[root].lower.endswith("ing"):
+        return None
+    who, nodes = tree.nodes[mark].head, list(tree.nodes)
+    if nodes[who].head != root or nodes[who].relation not in {"nsubj", "poss"} or not nodes[root].may_act:
+        return None
+    nodes[who] = replace(nodes[who], relation="nsubj")
+    nodes[mark] = replace(nodes[mark], tag="VBZ", lemma="be", head=root, relation="aux")
+    lemma = nodes[root].lemma if nodes[root].is_verb else nodes[root].lower.removesuffix("ing")
+    nodes[root] = replace(nodes[root], tag="VBG", lemma=lemma)
+    return tree.with_nodes(nodes)
+
+
+def singular_verb(verb: str) -> str:
+    """Give the bare form of a verb in -s."""
+    return verb[:-2] if verb.endswith(("sses", "shes", "ches", "xes")) else verb[:-1]

@@ -1,0 +1,103 @@
+"""What stands beside when, where no verb is understood: "toolbox talk first thing", "on the road by 6:30".
+
+A plan names most things so. A noun names what is done then; words that begin with where somebody is name no
+one, and whoever is asked is to be there.
+"""
+
+from collections.abc import Collection, Sequence
+
+from fuzzytime.english import looks_plural
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import BE
+
+NOUNS = ("NN", "VBG", "CD")
+"""How the tags begin of what something is called by."""
+
+FIRST = (*NOUNS, "JJ")
+"""How the tag of the first word of a name begins."""
+
+INSIDE = (*FIRST, "DT", "PRP$", "PDT", "VBN", "POS", "IN", "TO", "CC", "RB", "RP", "HYPH", "SYM")
+"""How the tags begin of what a name, or a place, may hold: no verb of somebody."""
+
+MARKS = frozenset({",", ";", "(", "–", "+"})
+"""What ends a name before it."""
+
+DENYING = "no"
+
+
+def named_alone(tree: Tree, heard: Collection[int]) -> Operation | None:
+    """Give what is named beside times and clauses, whose places are ``heard``; None for what is no name."""
+    said = _said(tree, heard)
+    nodes = [tree.nodes[place] for place in said]
+    if not nodes or not all(_is_inside(tree, place) for place in said) or _denies(tree, nodes):
+        return None
+    name, span = _lowered(_text(tree, said)), (nodes[0].start, nodes[-1].end)
+    if _is_where(tree, nodes):
+        return Operation(verb=BE, lemma=BE, span=span, place=name)
+    heads = [node for node in nodes if node.head not in said or tree.nodes[node.head] is node]
+    if nodes[0].tag in DETERMINERS:
+        # "The dog at seven" goes on with the verb said last.
+        return None
+    if not heads or not nodes[0].tag.startswith((*FIRST, "VB")) or not _is_noun(heads[0]):
+        return None
+    return Operation(verb=name, lemma=heads[0].lemma, span=span)
+
+
+def _said(tree: Tree, heard: Collection[int]) -> list[int]:
+    """Give the places of the words beside what is heard, up to a mark: "piano at ten, 2 people"."""
+    said: list[int] = []
+    for place, node in enumerate(tree.nodes):
+        if said and node.text in MARKS:
+            break
+        if place not in heard and node.text[0].isalnum():
+            said.append(place)
+    return said
+
+
+def _is_inside(tree: Tree, place: int) -> bool:
+    """Whether a word may be in a name: none that somebody does, nor a helping verb."""
+    return tree.nodes[place].tag.startswith(INSIDE) or _is_noun(tree.nodes[place])
+
+
+def _is_noun(node: Node) -> bool:
+    """Whether a word is a noun, or was taken for a verb and is none, or for what one does: "rolls at ten"."""
+    return (
+        node.tag.startswith(NOUNS)
+        or (node.tag.startswith("VB") and not node.may_act)
+        or (node.tag == "VBZ" and looks_plural(node.lower))
+    )
+
+
+def _is_where(tree: Tree, nodes: Sequence[Node]) -> bool:
+    """Whether words begin with where somebody, or something, is: "up", "online", "on the road"."""
+    lexicon, first = tree.lexicon, nodes[0]
+    alone = first.tag == "RB" and first.lower not in lexicon.function_words
+    if len(nodes) == 1:
+        return alone or first.lower in lexicon.beside.states
+    return first.lower in lexicon.beside.states and nodes[-1].tag.startswith("NN")
+
+
+def _denies(tree: Tree, nodes: Sequence[Node]) -> bool:
+    """Whether words say what is not to be."""
+    closed = tree.lexicon.closed
+    return not (closed.negators | closed.negative_pronouns | {DENYING}).isdisjoint(
+        node.lower for node in nodes
+    )
+
+
+def _text(tree: Tree, places: Sequence[int]) -> str:
+    """Give words as typed, without what stands between them."""
+    said = ""
+    for place in places:
+        node = tree.nodes[place]
+        joined = place - 1 in places and tree.nodes[place - 1].end == node.start
+        hyphened = place - 2 in places and tree.nodes[place - 2].end + 1 == node.start
+        said += tree.text[node.start - 1] if hyphened else "" if joined or not said else " "
+        said += node.text
+    return said
+
+
+def _lowered(said: str) -> str:
+    return said[:1].lower() + said[1:] if said[1:2].islower() else said
