@@ -302,6 +302,7 @@ class NoTimes:
     sending: Words
     works: Words
     naming: Words
+    christening: Words
     meaning: Words
     rhyming: Words
     listening: Words

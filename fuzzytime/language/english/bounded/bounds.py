@@ -1,4 +1,4 @@
-"""Bounds of a time: "by noon", "not before six", "at noon at the latest", "until after lunch"."""
+"""Bounds of a time: "by noon", "from six", "at noon at the latest", "until after lunch"."""
 
 from dataclasses import replace
 
@@ -45,7 +45,7 @@ def until_it_is_over(days: Calendar) -> Said:
     return replace(before_it_is_over(days), preposition="until")
 
 
-@grammar.rule("said", "<preposition_before> the? <goal>", "<preposition_before> at|@ <goal>", weight=0.2)
+@grammar.rule("said", "<preposition_before> the? <goal>", weight=0.2)
 def deadline(preposition: Preposition, goal: Goal) -> Said | None:
     """By noon, no later than six, before tomorrow."""
     if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
@@ -87,12 +87,19 @@ def _is_prepared_for(goal: Goal) -> bool:
     return isinstance(of, Weekend) and not of.working
 
 
-@grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at|@ <goal>", weight=0.2)
+@grammar.rule("said", "<preposition_after> the? <goal>", weight=0.2)
 def release(preposition: Preposition, goal: Goal) -> Said | None:
     """After 5 pm, from monday, not before noon."""
     if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
         return None
     return said_of(_as_clock(goal), preposition.name, Constraint.AFTER, preposition.edge)
+
+
+@grammar.rule("said", "<preposition_before>|<preposition_after> <preposition_at> the? <goal>", weight=0.2)
+def bound_at(preposition: Preposition, at: Preposition, goal: Goal) -> Said | None:
+    """By sometime friday, no later than at six; but "up to around six" is a hedge."""
+    side = deadline if preposition.constraint is Constraint.BEFORE else release
+    return side(preposition, goal) if at.name in {"at", "on", "sometime"} else None
 
 
 @grammar.rule("said", "<preposition_after> <late clock with h>", weight=0.6)
