@@ -56,7 +56,7 @@ class Standing:
     def is_met(self, place: int) -> bool:
         """Whether somebody is met, or something happens, right before a place: "pick up the kids | 3"."""
         marks = {",", ".", ";"} | self.closed.further_clause
-        # "Dentist - 7.30", "dentist (1730)"
+        # A mark may part them: "dentist - 7.30"
         place -= place > 0 and self.texts[place - 1] in {"-", ":", "("}
         said = [*takewhile(lambda text: text not in marks, reversed(self.texts[:place]))]
         noun, before = (said[0], set(said[1:])) if said else ("", set[str]())
