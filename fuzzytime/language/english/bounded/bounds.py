@@ -109,20 +109,15 @@ def not_before_with_h(preposition: Preposition, clock: Clock) -> Said | None:
     return said if preposition.name == "not before" else None
 
 
-@grammar.rule("said", "<preposition_after> <hedge>? <four digits with hours>", weight=0.8)
-def release_with_hours(preposition: Preposition, hedge: str | None, clock: Clock) -> Said:
-    """After 1330 hours, not before about 1800 hours."""
-    hedges = () if hedge is None else (hedge,)
-    return Said(Wall(clock=clock), Constraint.AFTER, preposition.name, hedges, preposition.edge)
-
-
-@grammar.rule("said", "<preposition_before> <hedge>? <four digits with hours>", weight=0.8)
-def deadline_with_hours(preposition: Preposition, hedge: str | None, clock: Clock) -> Said | None:
-    """Before 1530 hours; but "within 1000 hours" is so long."""
+@grammar.rule(
+    "said", "<preposition_before>|<preposition_after> <hedge>? <four digits with hours>", weight=0.8
+)
+def bound_with_hours(preposition: Preposition, hedge: str | None, clock: Clock) -> Said | None:
+    """After 1330 hours, not before about 1800 hours; but "within 1000 hours" is so long."""
     if preposition.name == "within":
         return None
     hedges = () if hedge is None else (hedge,)
-    return Said(Wall(clock=clock), Constraint.BEFORE, preposition.name, hedges, preposition.edge)
+    return Said(Wall(clock=clock), preposition.constraint, preposition.name, hedges, preposition.edge)
 
 
 def _as_clock(goal: Goal) -> Goal:
@@ -178,20 +173,6 @@ def past_goal(goal: Goal) -> Said | None:
     return said_of(goal, "after", Constraint.AFTER, Edge.END)
 
 
-@grammar.rule(
-    "said",
-    "<goal> or|and later|after|greater|onwards|onward",
-    "<goal> onwards|onward",
-    "<goal> at the earliest|soonest",
-    weight=0.3,
-)
-def or_later(goal: Goal) -> Said | None:
-    """3 pm or later, monday onwards, at noon at the earliest; but "now and later" are two."""
-    if isinstance(goal.time, TimeWord):
-        return None
-    return said_of(goal, "not before", Constraint.AFTER, Edge.START)
-
-
 @grammar.rule("said", "by <goal> or|and later|after|onwards|onward", weight=0.4)
 def by_or_later(goal: Goal) -> Said:
     """By friday or later."""
@@ -242,7 +223,7 @@ def latest_as_it_gets(said: Said) -> Said | None:
     "<said> ,? at? the? very? earliest|soonest",
     "at the? very? earliest ,? <said>",
     "earliest <said>",
-    "<said> ,? or|and later|after|onwards|onward",
+    "<said> ,? or|and later|after|greater|onwards|onward",
     "<said> onwards|onward",
     "<said> ,? or any|some time after|later",
     "<said> ,? or anytime|sometime after|later",
