@@ -47,12 +47,6 @@ def last_thing_on(first: Part | Calendar, second: Calendar | Part) -> Wall | Non
     return _on_a_day(first, second, _last_of)
 
 
-@grammar.rule("wall", "<weak date> ,? <first thing>", weight=0.6)
-def first_thing_of_date(date: Calendar, morning: Part) -> Wall | None:
-    """(on) the 12th first thing."""
-    return _on_a_day(date, morning, _first_of)
-
-
 @grammar.rule("wall", "<first thing> in? the? <part>", "in? the? <part> <first thing>", weight=0.3)
 def first_thing_in(first: Part, second: Part) -> Wall | None:
     """First thing in the morning: of the next morning that begins."""

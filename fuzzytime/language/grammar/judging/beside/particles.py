@@ -83,7 +83,7 @@ class Particles:
     def _stands_apart(self, piece: Piece) -> bool:
         """Whether a distance from something has it before it: "put the roast in | two hours before lunch"."""
         time = piece.value.time
-        if self.texts[piece.start] == "on" and isinstance(time, Offset):
+        if piece.value.preposition == "on" and isinstance(time, Offset):
             # "Turn the telly on five minutes before that"
             return True
         verbs = self.lexicon.particles.get(self.texts[piece.start], frozenset())

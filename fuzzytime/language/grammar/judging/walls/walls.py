@@ -168,8 +168,9 @@ class Walls(Standing):
             return True
         first = piece.start + (self.texts[piece.start] == "to")
         led = first > 0 and self.texts[first - 1] == "to"
-        if led and self._is_ratio(first) and not self.given.puts_off(piece):
-            # "Fill the tub to 3/4 at eight"
+        share = self.measures.is_fraction(piece) and self.measures.measured(piece)
+        if share or (led and self._is_ratio(first) and not self.given.puts_off(piece)):
+            # "Raise the seat by 3/4", "fill the tub to 3/4 at eight"
             return True
         whole = wall.clock is not None and not wall.clock.shift
         if whole and said.preposition is None and self.measures.named(piece):
@@ -263,7 +264,7 @@ class Walls(Standing):
         if wall.days is None or not last or not self.measures.is_number(piece.end - 1):
             return False
         follower, led = self.around.follower(piece), self.texts[piece.end - 2]
-        several = follower.endswith("s") and follower not in self.lexicon.function_words
+        several = self.around.are_several(follower) and follower not in self.lexicon.function_words
         return several and follower.isalpha() and led not in self.closed.prepositions_of_points
 
     def _is_thing(self, piece: Piece, wall: Wall) -> bool:
