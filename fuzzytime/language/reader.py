@@ -124,7 +124,9 @@ class Language:
             given_since.append(since)
             reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
             said = last_said(_times_in(reading), since)
-            said = replace(said, clock=last_said(_first_times(reading), since).clock)
+            clocks = [last_said([one], NOTHING).clock for one in _first_times(reading)]
+            begun = next((clock for clock in clocks if clock is not None), None)
+            said = replace(said, clock=last_said(_first_times(reading), since).clock, begun=begun)
             since = night_told(reading, said.behind(since))
             for instruction in reading.instructions:
                 mentions.told.add(len(mentions.operations), instruction, reading.now)
