@@ -86,3 +86,10 @@ def test_what_is_a_little_before_the_first_line_is_in_its_half_of_the_day(
     ]
     found = starts(told([*lines, line], now=_at(6)))
     assert [start for name, start in found.items() if name.startswith("s6")] == expected
+
+
+@pytest.mark.parametrize(("now", "title"), [(_at(5), "Saturday: jumble sale"), (_at(20), "Call sheet")])
+def test_the_first_line_is_as_early_as_the_lines_below_go_on(now: datetime, title: str) -> None:
+    lines = [title, "van at 5:50", "set up stalls at 8:05", "lunch at 1", "doors at 3 pm", "clear up at 8:30"]
+    found = [start for name, start in starts(told(lines, now=now)).items() if name != "s1"]
+    assert found == ["05:50", "08:05", "13:00", "15:00", "20:30"]

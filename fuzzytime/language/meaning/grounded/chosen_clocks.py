@@ -99,7 +99,7 @@ def _in_day(
 
     "Hall open from 1.30", "tea at 5", "tuner at noon", then "doors 6.45".
     """
-    if here.opened is None or here.opened - SHORTLY <= chosen:
+    if here.opened is None or here.opened - CLOSE <= chosen:
         return chosen
     known = moments if here.opened.hour >= NOON else plausible
     later = (moment for moment in known if here.opened < moment and moment.date() == chosen.date())
@@ -204,8 +204,12 @@ def _leads(here: Standpoint, moment: datetime, clock: Clock) -> bool:
 
 
 def same_day_after(here: Standpoint, clock: Clock) -> list[datetime]:
-    """Give the moments of a clock time on the day of what it follows with the same thing."""
-    if not here.onto or here.since is None or here.since.date() <= here.now.date():
+    """Give the moments of a clock time on the day of what it follows with the same thing, or on a line."""
+    if here.since is None or here.since.date() <= here.now.date():
+        return []
+    # At eight in the evening, who writes down a day begins with the next.
+    next_day = here.in_order and here.opened is not None and here.opened.date() > here.now.date()
+    if not here.onto and not next_day:
         return []
     if here.since.time() < EARLY:
         # "Run it at midnight and report by six": the morning that follows.

@@ -5,8 +5,9 @@ from dataclasses import dataclass, replace
 from datetime import timedelta
 
 from fuzzytime.language.instruction import Reading
-from fuzzytime.language.meaning.grounded.chosen_clocks import CLOSE, EVENING, FOLLOWING
+from fuzzytime.language.meaning.grounded.chosen_clocks import CLOSE, EARLY, EVENING, FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.sketches.alternatives import SAID_WHEN
 from fuzzytime.requirement import BOUNDS, Constraint, Reference, TimeRequirement, Unit
 
@@ -25,7 +26,8 @@ class LastSaid:
 
     ``night`` is from when to when something goes on over midnight, as was told; ``begun`` is the first clock
     time of a line, ``forward`` how many of them came later than the one before, on ``lines`` before this, and
-    ``earliest`` the earliest of all.
+    ``earliest`` and ``latest`` the ends of all. ``early`` says that the first may be as early as people
+    are up.
     """
 
     clock: float | None = None
@@ -35,11 +37,30 @@ class LastSaid:
     forward: int = 0
     lines: int = 0
     earliest: float | None = None
+    latest: float | None = None
+    early: bool = False
 
     @property
     def in_order(self) -> bool:
         """Whether lines go through a day in its order, as far as is known."""
         return self.forward >= IN_ORDER and self.forward >= MOSTLY * self.lines
+
+    @property
+    def since(self) -> float | None:
+        """The clock time that the next line goes on from: the latest of lines in order, if one went back."""
+        if self.clock is None or self.latest is None or not self.in_order:
+            return self.clock
+        return self.latest if 0 < self.latest - self.clock <= FOLLOWING.total_seconds() else self.clock
+
+    @property
+    def back(self) -> int:
+        """How many lines begin earlier than the one before."""
+        return self.lines - self.forward
+
+    def policy(self, shipped: Policy) -> Policy:
+        """Give the policy for the next line: the first of all may be ``early``."""
+        first = self.early and self.clock is None
+        return replace(shipped, plausible_from=EARLY, ahead_from=EARLY) if first else shipped
 
     @property
     def opened(self) -> float | None:
@@ -49,13 +70,17 @@ class LastSaid:
     def behind(self, before: "LastSaid") -> "LastSaid":
         """Give the same, with how far lines have gone on from what was said before."""
         last, begun = before.begun, before.begun if self.begun is None else self.begun
-        if last is None or begun is None or begun == last:
-            return replace(
-                self, begun=begun, forward=before.forward, lines=before.lines, earliest=before.earliest
-            )
-        earliest = min(begun, last if before.earliest is None else before.earliest)
-        forward = before.forward + (begun > last)
-        return replace(self, begun=begun, forward=forward, lines=before.lines + 1, earliest=earliest)
+        if last is None or begun is None:
+            return replace(self, begun=begun)
+        ends = [end for end in (before.earliest, before.latest, last, begun) if end is not None]
+        return replace(
+            self,
+            begun=begun,
+            forward=before.forward + (begun > last),
+            lines=before.lines + (begun != last),
+            earliest=min(ends),
+            latest=max(ends),
+        )
 
 
 IN_ORDER = 2
