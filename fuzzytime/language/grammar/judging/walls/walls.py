@@ -26,6 +26,9 @@ PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MO
 SHORT_YEAR = 2
 """Digits of a year without its century."""
 
+APART = frozenset({"-", "–", "—", ",", "("})
+"""What may stand between what a title names and its day."""
+
 ONE = "one"
 """What stands for a thing behind a word for which: "a new one"."""
 
@@ -120,9 +123,12 @@ class Walls(Standing):
         return behind.isalpha() and any(self.around.is_weekday(p) for p in others)
 
     def _ends_entry(self, piece: Piece) -> bool:
-        """Whether a short name of a day ends an order: "call mum sat", not "find where dad sat"."""
+        """Whether a short name of a day ends an order, or a title: "call mum sat", not "where dad sat"."""
         before, place = self.around.before(piece), piece.start
-        ends = self.around.follower(piece) in self.beside.polite_ends | {""}
+        if before in APART and place > 1:
+            # As in "jumble sale - Sat", or with the day between brackets.
+            before = self.texts[place - 2]
+        ends = self.around.follower(piece) in self.beside.polite_ends | {"", ")"}
         named = before.isalpha() and before not in self.lexicon.function_words | self.lexicon.addressing
         clause = self.closed.relatives | self.closed.free_relatives | self.closed.personal_pronouns
         told = any(text in clause or (text,) in self.lexicon.clauses for text in self.texts[:place])
