@@ -1,13 +1,14 @@
 """Where a segment is cut again, once its tree is known: at further verbs, names, and verbs left out."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
+from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_beside
 from fuzzytime.language.sentence.segments.further.further_orders import further_verbs
 from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_left_out
@@ -103,9 +104,30 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     gaps = _gaps(one, part, lexicon)
     for start in (*sorted(wishes), *(start for start in starts if start not in gaps)):
         pieces = _around(one, part, start, lexicon)
+        if pieces and start in wishes:
+            return [pieces[0], *_each(one, part, pieces[1], wishes, starts, lexicon)]
         if pieces:
-            return [pieces[0], replace(pieces[1], borrowed=wishes.get(start, ()))]
+            return pieces
     return []
+
+
+def _each(
+    one: Waiting,
+    part: Part,
+    behind: Segment,
+    wishes: Mapping[int, tuple[Borrowed, ...]],
+    starts: Sequence[int],
+    lexicon: Lexicon,
+) -> list[Segment]:
+    """Give the wishes in a stretch, up to a further order, each with the words that it borrows."""
+    start, end = behind.span
+    until = min((further for further in starts if start < further), default=end)
+    further = min((place for place in wishes if start < place < until), default=None)
+    first = replace(behind, borrowed=wishes[start])
+    if further is None:
+        return [first]
+    before, rest = _around(replace(one, segment=first), part, further, lexicon)
+    return [before, *_each(one, part, rest, wishes, starts, lexicon)]
 
 
 def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:

@@ -17,13 +17,14 @@ Stretch = tuple[int, range]
 
 @dataclass(frozen=True, slots=True)
 class Wish:
-    """A further wish in a tree: where it begins, and where its time does."""
+    """A further wish in a tree: where it begins, and where its time does; it may stand ``apart``."""
 
     tree: Tree
     start: int
     end: int
     timed: AbstractSet[int]
     lexicon: Lexicon
+    apart: bool = False
 
     def names(self, first: int, end: int) -> bool:
         """Whether words are there, and all name something."""
