@@ -46,6 +46,10 @@ class Wish:
             or node.lower in self.lexicon.persons
         )
 
+    def is_called(self, place: int) -> int:
+        """Give how many words name somebody at a place where a name stands, also one like a word: "bob"."""
+        return self.is_name(place) or int(self.tree.nodes[place].lower in self.lexicon.names_like_words)
+
 
 def front_of(wish: Wish, end: int) -> range:
     """Give the words in front of a place, behind a time in front of them all."""

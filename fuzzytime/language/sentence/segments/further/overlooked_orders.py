@@ -21,6 +21,7 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
     return (
         (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
         or _follows_turning(tree, place, lexicon)
+        or _is_done_between(tree, place, lexicon)
         or is_further_step(tree, place, timed, lexicon)
         or is_order_before_time(tree, place, timed)
         or is_order_between_times(tree, place, timed, lexicon)
@@ -63,6 +64,25 @@ def _is_chore(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         return any(one.tag.startswith("NN") and not one.may_act for one in things)
     several = any(one.tag == "NNS" or says_where(one.lower, lexicon) for one in things)
     return node.lower in lexicon.chores and several
+
+
+def _is_done_between(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a chore alone, or done somewhere, is one of several: "make the beds, hoover upstairs and …".
+
+    What is bought may be called so: "buy bread, water and call Ann".
+    """
+    node, before, joints = tree.nodes[place], tree.nodes[place - 1].lower, lexicon.closed.joints_of_orders
+    bought = tree.nodes[tree.root].lemma in lexicon.ordering | lexicon.doing.errands
+    known = node.lower in lexicon.chores | lexicon.alone | lexicon.timing_alone
+    if bought or not known or before not in joints or tree.children(place, "det", "amod"):
+        return False
+    behind = [*tree.nodes[place + 1 :]]
+    where = bool(behind) and says_where(behind[0].lower, lexicon)
+    behind = behind[where:]
+    if where and (not behind or behind[0].tag == "IN"):
+        return True
+    further = behind[1:2] if behind and behind[0].lower in joints else []
+    return any(one.is_bare and (where or tree.children(tree.nodes.index(one), "dobj")) for one in further)
 
 
 def _follows_turning(tree: Tree, place: int, lexicon: Lexicon) -> bool:
