@@ -41,10 +41,14 @@ class Particles:
         if first == "over":
             # "Turn the steaks over every two minutes"
             return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
-        if first in {"round", "around"} and rest[:1] != [] and rest[0] in self.beside.behind_round:
-            # "Bring the car round at six", "move the ward round to nine"; but "call me around in ten minutes"
+        if first in {"round", "around"} and rest[:1] != []:
             moved = not self.lexicon.circling.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
-            return first == "round" or moved or rest[0] not in {"in", "at"}
+            if moved and self.around.is_day_from_now(piece.start + 1):
+                # "Bring the car round tomorrow"
+                return True
+            if rest[0] in self.beside.behind_round:
+                # "Bring the car round at six", "move the ward round to nine"; but "call me around in two hours"
+                return first == "round" or moved or rest[0] not in {"in", "at"}
         if first == "in" and rest[:1] in (["each"], ["every"]) and piece.start:
             # "Weigh in every monday"
             return True
