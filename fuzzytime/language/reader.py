@@ -15,7 +15,7 @@ from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
-from fuzzytime.language.sentence.sketches.clock_times import NOTHING, LastSaid, last_said, night_told
+from fuzzytime.language.sentence.sketches.meaning.clock_times import NOTHING, LastSaid, last_said, night_told
 from fuzzytime.language.sentence.together.days.headings import under_headings
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
