@@ -2,9 +2,10 @@
 
 Values: ``about``, and a line ``said``. ``reading`` tells which kind of line it is: ``changes``
 (``moves``, ``exceptions``, ``lengths``, and ``meant``: which wishes), ``corrections``, ``turns`` to
-what was just said, ``reports``, ``questions`` and ``asking``, ``things`` alone. A tree tells what is
-``told_done``. ``news`` and what was ``awaited`` tell of what happens; ``answers`` tell which time is
-meant. A line in other words: ``rewording``, ``merging``, ``replacing``, ``respelling``.
+what was just said, ``reports``, ``questions`` and ``asking``, ``things`` alone, and what is ``told_of``
+a thing. A tree tells what is ``told_done``. ``news`` and what was ``awaited`` tell of what happens;
+``answers`` tell which time is meant; some things are ``called_by_time``. A line in other words:
+``rewording``, ``merging``, ``replacing``, ``respelling``.
 """
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind
@@ -16,6 +17,7 @@ from fuzzytime.language.about_wishes.awaited import (
     tells_of_somebody,
     written_out,
 )
+from fuzzytime.language.about_wishes.called_by_time import called_by_time
 from fuzzytime.language.about_wishes.corrections import added_time, restated, without_closing
 from fuzzytime.language.about_wishes.lengths import by_how_much
 from fuzzytime.language.about_wishes.merging import merged_time
@@ -47,6 +49,7 @@ __all__ = [
     "behind_an_answer",
     "behind_what_is_told",
     "by_how_much",
+    "called_by_time",
     "choice_meant",
     "chooses_none",
     "clauses_of",

@@ -104,6 +104,8 @@ class About:
         Whether the one is meant that starts next.
     corrects
         Whether it corrects what was said before ("no, half past six"), whatever was answered since.
+    told
+        Whether it tells how something is, and asks for nothing: "the gym is off", of what is named itself.
     certain
         Whether nothing else can be meant; where it can, what names nothing that was asked for is a wish.
     """
@@ -128,4 +130,5 @@ class About:
     other: bool = False
     upcoming: bool = False
     corrects: bool = False
+    told: bool = False
     certain: bool = False

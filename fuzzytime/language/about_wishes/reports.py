@@ -2,7 +2,6 @@
 
 from fuzzytime.english import EMPTY, PARTICIPLE
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.awaited import written_out
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import lengthened
 from fuzzytime.language.about_wishes.said import FOR, Said
@@ -55,11 +54,6 @@ def _late(said: Said) -> About | None:
     by = None if found is None else found.seconds
     if "late" in tables and "speaker" in tables and not left.names:
         return About(kind=AboutKind.LATE, by=by, certain=True)
-    who, mark, _ = written_out(left.text).rpartition(" is")
-    named = Said(who, said.now, said.lexicon)
-    if "late" in tables and mark and left.text.endswith(("is", "'s", "\u2019s")) and named.names:
-        # "Bob is running late"
-        return About(kind=AboutKind.DELAY, names=named.names, by=by)
     return None
 
 
