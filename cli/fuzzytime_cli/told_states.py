@@ -6,6 +6,15 @@ from fuzzytime.english import SHORT_FOR_IS
 from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import Lexicon, Reading, content_words
 
+NAMING = ("N", "D", "PRP", "J", "CD", "R")
+"""How the tags of words begin that name what something is told of."""
+
+STATES = frozenset({"JJ", "RB"})
+"""Tags of how something is."""
+
+HAPPENING = ("present", "finished", "later", "being", "anew", "absent")
+"""Tables of words behind "is" with which something happens, or is news."""
+
 
 def tells_a_state(said: str, reading: Reading, lexicon: Lexicon) -> bool:
     """Whether words tell what is so: they ask for nothing at any time."""
@@ -43,7 +52,7 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     if len(reading.instructions) != 1 or reading.instructions[0].operation is None:
         return False
     operation = reading.instructions[0].operation
-    if _is_short_for_is(reading) or _goes_on(reading, lexicon):
+    if _is_short_for_is(reading) or _goes_on(reading, lexicon) or _is_somehow(reading, lexicon):
         return True
     if operation.due is not None:
         # "Mum called"
@@ -70,6 +79,24 @@ def _goes_on(reading: Reading, lexicon: Lexicon) -> bool:
     helped = any(token.text.lower() in closed.third_person_be for token in own)
     told = any(token.relation == "nsubj" and token.text.lower() not in closed.first_person for token in own)
     return helped and told and not reading.instructions[0].requirements
+
+
+def _is_somehow(reading: Reading, lexicon: Lexicon) -> bool:
+    """Whether words tell how something is at some time: "Tom's out on thursday", "it looks like rain".
+
+    What is back, ready or due then happens.
+    """
+    tokens, conversation = reading.tokens, lexicon.conversation
+    being = lexicon.closed.present_be | SHORT_FOR_IS
+    place = next((n for n, token in enumerate(tokens) if token.text.lower() in being), 0)
+    if not 0 < place < len(tokens) - 1:
+        # "Looks like rain at four"
+        seems = tokens[:1] != () and tokens[0].tag == "VBZ" and tokens[0].lemma in lexicon.doing.being
+        return seems and tokens[0].text.lower() != tokens[0].lemma
+    state = tokens[place + 1]
+    happens = {form[0] for name in HAPPENING for form in conversation[name]} | lexicon.doing.foretold
+    things = all(token.tag.startswith(NAMING) for token in tokens[:place])
+    return things and state.tag in STATES and state.text.lower() not in happens
 
 
 def _is_short_for_is(reading: Reading) -> bool:

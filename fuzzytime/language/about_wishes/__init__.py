@@ -1,11 +1,11 @@
 """What is said about what was asked for already: "no, make it six", "cancel the call", "when do I stir?".
 
 Values: ``about``, and a line ``said``. ``reading`` tells which kind of line it is: ``changes``
-(``moves``, ``exceptions``, ``lengths``, and ``meant``: which wishes), ``corrections``, ``turns`` to
-what was just said, ``reports``, ``questions`` and ``asking``, ``things`` alone, and what is ``told_of``
-a thing. A tree tells what is ``told_done``. ``news`` and what was ``awaited`` tell of what happens;
-``answers`` tell which time is meant; some things are ``called_by_time``. A line in other words:
-``rewording``, ``merging``, ``replacing``, ``respelling``.
+(``moves``, ``exceptions``, ``lengths``, ``keeping_free``, and ``meant``: which wishes),
+``corrections``, ``turns`` to what was just said, ``reports``, ``questions`` and ``asking``,
+``things`` alone, and what is ``told_of`` one. A tree tells what is ``told_done``. ``news`` and what
+was ``awaited`` tell of what happens; ``answers`` tell which time is meant; some things are
+``called_by_time``. A line in other words: ``rewording``, ``merging``, ``replacing``, ``respelling``.
 """
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind

@@ -52,6 +52,7 @@ class AboutKind(StrEnum):
     DURING = "during"
     ON_TIME = "on time"
     HOW = "how"
+    BLOCK = "block"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.exceptions import cleared, exception
+from fuzzytime.language.about_wishes.keeping_free import kept_free
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, days_on, later_by
 from fuzzytime.language.about_wishes.meant import about_thing, is_last, named_in
 from fuzzytime.language.about_wishes.moves import delayed, moved
@@ -30,6 +31,7 @@ def change(said: Said) -> About | None:
     """Read an order about wishes; None where it may be a wish itself."""
     return (
         _undone(said)
+        or kept_free(said)
         or turned(said)
         or _swapped(said)
         or cleared(said)

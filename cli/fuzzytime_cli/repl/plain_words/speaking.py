@@ -247,6 +247,8 @@ def _taken(scene: Scene, about: About) -> Reply | None:
         raise FuzzytimeError(ASKED_BACK[about.kind])
     if about.told and about.kind in OF_ITSELF and not is_named_itself(scene, about.names):
         return None
+    if about.kind is AboutKind.BLOCK and about.text:
+        return Reply((Text(plain(f"taken as: {about.text}")),), anew=about.text)
     if about.kind is AboutKind.OTHER:
         return the_other(scene, about, _taken)
     if about.kind is AboutKind.EXCEPT:

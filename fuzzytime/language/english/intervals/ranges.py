@@ -191,9 +191,9 @@ def sometime_from(first: Clock, last: Clock) -> Said | None:
     return between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
 
 
-@grammar.rule("called at", "<clock> - <clock>", "<clock> <arrow> <clock>", weight=1.0)
+@grammar.rule("called at", "<clock> -|to|till|til|until <clock>", "<clock> <arrow> <clock>", weight=1.2)
 def called_between(first: Clock, *last: Clock | str) -> Said | None:
-    """(call ann) 10-12, (vet) 10 -> 11; beside what else is done the numbers may be of anything."""
+    """(vet) 10-12, 10 -> 11, (lunch) 12 to 1; beside what else is done the numbers may be of anything."""
     end = last[-1]
     if not isinstance(end, Clock) or (first.bare and (first.grain, end.grain) == (Unit.MINUTE, Unit.HOUR)):
         # "2026-09" is a month.
