@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from fuzzytime.english import SHORT_FOR_IS
 from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import Lexicon, Reading, content_words
+from fuzzytime.language.instruction import overlap
 
 NAMING = ("N", "D", "PRP", "J", "CD", "R")
 """How the tags of words begin that name what something is told of."""
@@ -49,9 +50,11 @@ def told_of(lexicon: Lexicon) -> frozenset[str]:
 
 def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     """Whether what looks like a wish tells what is, or was: "dinner's burnt", "you forgot the windows"."""
-    if len(reading.instructions) != 1 or reading.instructions[0].operation is None:
+    if len(reading.instructions) != 1:
         return False
     operation = reading.instructions[0].operation
+    if operation is None:
+        return _is_somehow(reading, lexicon)
     if _is_short_for_is(reading) or _goes_on(reading, lexicon) or _is_somehow(reading, lexicon):
         return True
     if operation.due is not None:
@@ -96,7 +99,13 @@ def _is_somehow(reading: Reading, lexicon: Lexicon) -> bool:
     state = tokens[place + 1]
     happens = {form[0] for name in HAPPENING for form in conversation[name]} | lexicon.doing.foretold
     things = all(token.tag.startswith(NAMING) for token in tokens[:place])
-    return things and state.tag in STATES and state.text.lower() not in happens
+    timed = [part.span for one in reading.instructions for part in one.requirements]
+    behind = tokens[place + 2 : place + 3]
+    # "Mum's old car" is hers.
+    owned = any(
+        one.tag.startswith("N") and not any(overlap(one.span, span) for span in timed) for one in behind
+    )
+    return things and state.tag in STATES and not owned and state.text.lower() not in happens
 
 
 def _is_short_for_is(reading: Reading) -> bool:

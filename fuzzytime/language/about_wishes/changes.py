@@ -202,7 +202,9 @@ def _corrected(said: Said) -> About | None:
     if not time:
         return _beside_another(rest) or change(rest)
     bare = rest.is_bare(time)
-    return About(kind=AboutKind.MOVE, time=time, number=number, bare=bare, corrects=True, certain=True)
+    # "Make it six" is of what was spoken of last, and "no, six" of what was said last.
+    anew = said.opens_with("naming anew") == place
+    return About(kind=AboutKind.MOVE, time=time, number=number, bare=bare, corrects=not anew, certain=True)
 
 
 def _beside_another(said: Said) -> About | None:

@@ -98,7 +98,9 @@ def moved(said: Said) -> About | None:
     if not (about.names or about.places or about.upcoming) and not is_last(thing):
         return None
     if time := new.as_time():
-        return replace(about, time=time, bare=new.is_bare(time))
+        # "Move the essay to tomorrow", of which nobody knows, is no errand.
+        certain = said.forms[0] in said.lexicon.moving
+        return replace(about, time=time, bare=new.is_bare(time), certain=certain or about.certain)
     beside = Said(new.text[len(joint) :], said.now, said.lexicon).beside()
     return None if beside is None else replace(about, time=beside[0], others=beside[1].names)
 

@@ -35,7 +35,7 @@ def told_of(said: Said) -> About | None:
 
 def _thing_and_state(said: Said) -> tuple[Said, Said]:
     """Give what something is told of, and how that is; nothing where none is."""
-    stating = said.lexicon.closed.third_person_be
+    stating = said.lexicon.closed.third_person_be | {f"{verb}s" for verb in said.lexicon.doing.happening}
     places = (place for place, word in enumerate(said.forms) if word in stating)
     place = next(places, 0)
     off = max((len(form) for form in said.table("cancelled") if said.forms[-len(form) :] == form), default=0)

@@ -15,8 +15,6 @@ TO = frozenset({"to", "till", "til", "until"})
 """Words between two numbers from when to when."""
 STRETCHES = JOINTS | TO | {"-", "=", ">", "→", "⇒"}
 """What may stand in two numbers from when to when."""
-TO_THE_HOUR = frozenset({"5", "10", "20", "25"})
-"""Minutes before an hour: "lunch ten to one"."""
 HALF_DAY = 12
 """Hours that a number alone may name in a list."""
 QUARTERS = frozenset({"00", "15", "30", "45"})
@@ -85,11 +83,6 @@ def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon)
 
     It, or another entry with such numbers, names what has a time; or they are all that is said: "12-2".
     """
-    number = words[start].text
-    if any(word.text in TO for word in words[start:end]) and (
-        str(lexicon.numbers.get(number, number)) in TO_THE_HOUR
-    ):
-        return False
     if (start, end) == (0, len(words)):
         numbers = [word.text for word in words if word.is_digits]
         hours = [int(text) for text in numbers if text[0] != "0" and int(text) <= DAY]

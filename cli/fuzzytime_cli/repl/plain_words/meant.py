@@ -134,6 +134,9 @@ def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
         anew = without_part(scene, meant[0], part)
         return f":edit {numbers} {anew}" if anew else f":done {part}"
     rest = without_thing(scene, meant[0], about.names) if len(meant) == 1 else ""
+    if len(meant) == 1 and not rest and not about.names <= words_of_entry(scene, meant[0]):
+        # The eggs, of which nothing became, of "milk, eggs and bread"
+        raise FuzzytimeError(f"that is only part of {meant[0].text!r}: say :drop {numbers}, or say it anew")
     return f":edit {numbers} {rest}" if rest else f":drop {numbers}"
 
 

@@ -128,7 +128,9 @@ def _behind_what_is_told(scene: Scene, words: str) -> About | None:
         return None
     told, about = found
     about = _of_what_is_told(scene, told, about)
-    if not about.certain and (about.kind not in CHANGING or not entries_meant(scene, about)):
+    if not about.certain and (
+        about.kind not in CHANGING | {AboutKind.UNABLE} or not entries_meant(scene, about)
+    ):
         return None
     if not told:
         return about

@@ -29,6 +29,8 @@ from fuzzytime.requirement import Constraint, Unit
 grammar = Grammar()
 
 NOON = 12
+TO_THE_HOUR = frozenset({5, 10, 20, 25})
+"""Minutes that are counted back from an hour: "ten to one"."""
 
 
 def range_of(first: Goal, last: Goal, preposition: str | None, *, minutes: bool = False) -> Said | None:
@@ -191,14 +193,20 @@ def sometime_from(first: Clock, last: Clock) -> Said | None:
     return between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
 
 
-@grammar.rule("called at", "<clock> -|to|till|til|until <clock>", "<clock> <arrow> <clock>", weight=1.2)
+@grammar.rule("called at", "<clock> - <clock>", "<clock> <arrow> <clock>", weight=1.0)
 def called_between(first: Clock, *last: Clock | str) -> Said | None:
-    """(vet) 10-12, 10 -> 11, (lunch) 12 to 1; beside what else is done the numbers may be of anything."""
+    """(call ann) 10-12, (vet) 10 -> 11; beside what else is done the numbers may be of anything."""
     end = last[-1]
     if not isinstance(end, Clock) or (first.bare and (first.grain, end.grain) == (Unit.MINUTE, Unit.HOUR)):
         # "2026-09" is a month.
         return None
     return sometime_from(first, end)
+
+
+@grammar.rule("called at", "<clock> to|till|til|until <clock>", weight=1.2)
+def called_from(first: Clock, last: Clock) -> Said | None:
+    """(lunch) 12 to 1, (gym) six til seven; but ten to one is ten minutes before it."""
+    return None if first.bare and first.hour in TO_THE_HOUR else sometime_from(first, last)
 
 
 @grammar.rule("said", "@ <clock> -|to|till|until <clock>", weight=1.2)
