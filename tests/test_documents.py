@@ -90,6 +90,21 @@ def test_the_files_of_a_language_are_where_the_book_says() -> None:
     assert all((ROOT / path).exists() for path in rows)
 
 
+MODULE = re.compile(r"`([\w./-]+\.py)`")
+
+
+@pytest.mark.parametrize("path", [*DOCUMENTS, ROOT / "CONTRIBUTING.md"], ids=lambda path: path.name)
+def test_a_module_that_is_named_is_there(path: Path) -> None:
+    prose = re.sub(r"```.*?```", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+    places = {
+        f"/{module.relative_to(ROOT)}"
+        for folder in ("fuzzytime", "cli", "tests", "benchmarks", "docs", "rules")
+        for module in (ROOT / folder).rglob("*.py")
+    }
+    for name in MODULE.findall(prose):
+        assert any(place.endswith(f"/{name}") for place in places), name
+
+
 def test_the_groups_of_words_that_the_book_tells_of_are_in_the_tables() -> None:
     text = (ROOT / "docs" / "language-extending.md").read_text("utf-8")
     words = (ROOT / "rules" / "lexicon.yaml").read_text("utf-8")

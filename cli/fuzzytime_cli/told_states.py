@@ -5,6 +5,16 @@ from collections.abc import Iterable
 from fuzzytime.english import SHORT_FOR_IS
 from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import Lexicon, Reading, content_words
+from fuzzytime.language.instruction import overlap
+
+NAMING = ("N", "D", "PRP", "J", "CD", "R")
+"""How the tags of words begin that name what something is told of."""
+
+STATES = frozenset({"JJ", "RB"})
+"""Tags of how something is."""
+
+HAPPENING = ("present", "finished", "later", "being", "anew", "absent")
+"""Tables of words behind "is" with which something happens, or is news."""
 
 
 def tells_a_state(said: str, reading: Reading, lexicon: Lexicon) -> bool:
@@ -40,10 +50,12 @@ def told_of(lexicon: Lexicon) -> frozenset[str]:
 
 def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     """Whether what looks like a wish tells what is, or was: "dinner's burnt", "you forgot the windows"."""
-    if len(reading.instructions) != 1 or reading.instructions[0].operation is None:
+    if len(reading.instructions) != 1:
         return False
     operation = reading.instructions[0].operation
-    if _is_short_for_is(reading) or _goes_on(reading, lexicon):
+    if operation is None:
+        return _is_somehow(reading, lexicon)
+    if _is_short_for_is(reading) or _goes_on(reading, lexicon) or _is_somehow(reading, lexicon):
         return True
     if operation.due is not None:
         # "Mum called"
@@ -70,6 +82,30 @@ def _goes_on(reading: Reading, lexicon: Lexicon) -> bool:
     helped = any(token.text.lower() in closed.third_person_be for token in own)
     told = any(token.relation == "nsubj" and token.text.lower() not in closed.first_person for token in own)
     return helped and told and not reading.instructions[0].requirements
+
+
+def _is_somehow(reading: Reading, lexicon: Lexicon) -> bool:
+    """Whether words tell how something is at some time: "Tom's out on thursday", "it looks like rain".
+
+    What is back, ready or due then happens.
+    """
+    tokens, conversation = reading.tokens, lexicon.conversation
+    being = lexicon.closed.present_be | SHORT_FOR_IS
+    place = next((n for n, token in enumerate(tokens) if token.text.lower() in being), 0)
+    if not 0 < place < len(tokens) - 1:
+        # "Looks like rain at four"
+        seems = tokens[:1] != () and tokens[0].tag == "VBZ" and tokens[0].lemma in lexicon.doing.being
+        return seems and tokens[0].text.lower() != tokens[0].lemma
+    state = tokens[place + 1]
+    happens = {form[0] for name in HAPPENING for form in conversation[name]} | lexicon.doing.foretold
+    things = all(token.tag.startswith(NAMING) for token in tokens[:place])
+    timed = [part.span for one in reading.instructions for part in one.requirements]
+    behind = tokens[place + 2 : place + 3]
+    # "Mum's old car" is hers.
+    owned = any(
+        one.tag.startswith("N") and not any(overlap(one.span, span) for span in timed) for one in behind
+    )
+    return things and state.tag in STATES and not owned and state.text.lower() not in happens
 
 
 def _is_short_for_is(reading: Reading) -> bool:

@@ -15,7 +15,7 @@ from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
-from fuzzytime.language.sentence.sketches.meaning.clock_times import NOTHING, last_said, night_told
+from fuzzytime.language.sentence.sketches.meaning.clock_times import NOTHING, LastSaid, last_said, night_told
 from fuzzytime.language.sentence.together.days.headings import under_headings
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
@@ -111,25 +111,14 @@ class Language:
         InstructionError
             If a text is too long.
         """
-        texts, mentions = list(texts), Mentions(self.lexicon)
-        for operation in given:
-            mentions.add(operation)
-        readings: list[Reading] = []
+        texts = list(texts)
         drafts = under_headings(self._drafts(texts, together=True), self.lexicon)
-        since = NOTHING
-        given_since = []
-        for draft in drafts:
-            # What lines said at another moment is no clue to what these mean.
-            since = since if readings and readings[-1].now == draft.now else NOTHING
-            given_since.append(since)
-            reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
-            said = last_said(_times_in(reading), since)
-            said = replace(said, clock=last_said(_first_times(reading), since).clock)
-            since = night_told(reading, said.behind(since))
-            for instruction in reading.instructions:
-                mentions.told.add(len(mentions.operations), instruction, reading.now)
-                mentions.add(instruction.operation)
-            readings.append(reading)
+        readings, given_since, mentions = self._in_turn(drafts, given)
+        if given_since and given_since[-1].back:
+            # Where the first of them may be earlier in the day, and less goes back then, it is.
+            early = self._in_turn(drafts, given, early=True)
+            if early[1][-1].back < given_since[-1].back:
+                readings, given_since, mentions = early
         told = frozenset[str]().union(*(content_words(one.object) for one in mentions.telling()))
         first = len(given)
         for place, draft in enumerate(drafts):
@@ -139,6 +128,33 @@ class Language:
                 readings[place] = composed(draft, self.lexicon, mentions, first, awaits=True, since=since)
             first = behind
         return self._as_typed(readings, texts)
+
+    def _in_turn(
+        self, drafts: Sequence[Draft], given: Sequence[Operation | None], *, early: bool = False
+    ) -> tuple[list[Reading], list[LastSaid], Mentions]:
+        """Compose drafts, each with what those before it said last; the last of all stands behind those."""
+        mentions = Mentions(self.lexicon)
+        for operation in given:
+            mentions.add(operation)
+        readings: list[Reading] = []
+        nothing = LastSaid(early=early)
+        said_before = [nothing]
+        for draft in drafts:
+            if readings and readings[-1].now != draft.now:
+                # What lines said at another moment is no clue to what these mean.
+                said_before[-1] = nothing
+            since = said_before[-1]
+            reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
+            said = last_said(_times_in(reading), since)
+            clocks = [last_said([one], NOTHING).clock for one in _first_times(reading)]
+            begun = next((clock for clock in clocks if clock is not None), None)
+            said = replace(said, clock=last_said(_first_times(reading), since).clock, begun=begun)
+            said_before.append(night_told(reading, said.behind(since)))
+            for instruction in reading.instructions:
+                mentions.told.add(len(mentions.operations), instruction, reading.now)
+                mentions.add(instruction.operation)
+            readings.append(reading)
+        return readings, said_before, mentions
 
     def read_independent(self, texts: Iterable[tuple[str, datetime | None]]) -> list[Reading]:
         """Read texts that do not know of each other.

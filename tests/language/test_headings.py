@@ -183,3 +183,9 @@ def test_a_first_line_above_hours_that_may_be_an_entry_is_no_title(line: str) ->
 def test_a_title_gives_its_day_beside_what_it_names(line: str) -> None:
     *_, mow = _times(line, "van at 10", "tea at 11", "out at 12", "mow the lawn")
     assert [part.earliest for part in mow] == [2 * DAY - 9 * 3600]
+
+
+@pytest.mark.parametrize("line", ["Jumble sale - Sat", "Jumble sale, sat", "Band camp (Sat)"])
+def test_the_short_name_of_a_day_in_a_title_is_that_day(line: str) -> None:
+    *_, mow = _times(line, "van at 10", "tea at 11", "out at 12", "mow the lawn")
+    assert [part.earliest for part in mow] == [3 * DAY - 9 * 3600]

@@ -67,6 +67,7 @@ def test_hours_that_name_nothing_that_goes_on_are_a_title_only() -> None:
         (NIGHT, "lunch at 1 pm", "call Ann at 4 pm", "gym at 6 pm"),
         ("Mow the lawn 9-12", "tea at 10", "call Ann at 11", "rest at 11:30"),
         (NIGHT, "handover at 6:45"),
+        ("boiler man between 8 and 12", "gym at 9", "lunch at 1 pm", "call Ann at 9:30", "rest at 2"),
     ],
 )
 def test_hours_that_the_lines_below_do_not_fit_are_no_title(lines: tuple[str, ...]) -> None:

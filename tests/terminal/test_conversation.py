@@ -13,7 +13,7 @@ from fuzzytime.interpreter import Problem, ProblemKind
 from fuzzytime_cli.formats.notes import note_lines
 from fuzzytime_cli.render import Screen
 from fuzzytime_cli.repl.scene import Reply
-from fuzzytime_cli.repl.start import Dialogue, piped
+from fuzzytime_cli.repl.start import Dialogue, answer_each, piped
 from fuzzytime_cli.repl.turn import Turns
 from terminal.running import ran
 from terminal.talking import NINE, Talk
@@ -407,3 +407,12 @@ def test_a_time_is_not_asked_about_where_the_other_is_in_the_dead_of_night() -> 
     assert "Which time" not in told
     assert talk.start("s1").hour == 16
     assert "taken as 2 (Thursday 04:30)" in talk.say("am")
+
+
+@pytest.mark.model
+def test_each_answer_to_pasted_lines_stands_below_its_line() -> None:
+    written = io.StringIO()
+    talk = Dialogue(Talk().turns, lambda: NINE, Screen.of(written, {}), bell=False)
+    answer_each(talk, "gym at 18:00\nwhen is the gym?\ncall mum at noon")
+    shown = [line for line in written.getvalue().splitlines() if line.startswith(("› ", "s"))]
+    assert [line[:5] for line in shown] == ["› gym", "s1   ", "› whe", "s1 gy", "› cal", "s2   ", "s1   "]

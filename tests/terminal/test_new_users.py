@@ -342,6 +342,36 @@ def test_a_delivery_is_unpacked() -> None:
     assert "unpack delivery" in talk.say("unpack it straight after")
 
 
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("show", "what"),
+        ("my plan", "what"),
+        ("clear", "forget instruction N"),
+        ("save", "a file must follow"),
+        ("export", "a file must follow"),
+        ("plot s1", "satisfaction with a start"),
+        ("explain s1", "call Ann at noon"),
+        ("priority s1 2", "call Ann"),
+    ],
+)
+def test_the_name_of_a_command_is_no_wish(line: str, said: str) -> None:
+    talk = Talk()
+    talk.say("call Ann at noon")
+    assert said in talk.say(line)
+    assert talk.entries == ["call Ann at noon"]
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    "line", ["plot the data at four", "export the data", "edit the essay", "rate the pies at two"]
+)
+def test_what_commands_are_called_may_be_done_to_a_thing(line: str) -> None:
+    talk = Talk()
+    talk.say(line)
+    assert talk.entries == [line]
+
+
 @pytest.mark.parametrize("line", ["list", "status", "help me"])
 def test_commands_need_no_colon_where_they_are_no_wishes(line: str) -> None:
     talk = Talk()

@@ -185,7 +185,7 @@ def test_a_time_alone_is_pointed_at_where_nothing_was_asked_for() -> None:
         ("clean the garage from two to four", "do it tomorrow", "clean the garage tomorrow from two to four"),
         ("call mum at two for ten minutes", "make it four", "call mum at four for ten minutes"),
         ("call mum at five", "make it two to three", "call mum from two to three"),
-        ("meeting 2-3", "4 to 5", "meeting from 4 to 5"),
+        ("meeting 2-3", "4 to 5", "meeting 4 to 5"),
         ("stir in about five minutes", "make it six to eight", "stir in about six to eight minutes"),
     ],
 )

@@ -34,6 +34,23 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     return next(iter(entries_named(scene, names)), None)
 
 
+def is_named_itself(scene: Scene, names: frozenset[str]) -> bool:
+    """Whether words name what is to be done, or its label, and no thing that something is done with.
+
+    "Lunch" is itself what is planned in "lunch with Ann at one", and no more than a thing in "buy lunch".
+    """
+    entry = entry_of(scene, names)
+    if entry is None or label_meant(scene, names):
+        return entry is not None
+    operations = [one.operation for one in scene.plan.everything if one.wish.identifier == entry.identifier]
+    return any(
+        operation is not None
+        and names <= words_of_entry(scene, entry)
+        and not names.isdisjoint(content_words(operation.verb) | _words_of_verb(scene, operation.lemma))
+        for operation in operations
+    )
+
+
 def entries_named(scene: Scene, names: frozenset[str]) -> list[Entry]:
     """Give the entries that all of some words name: the latest first, and what is over last."""
     entries = _to_do_first(scene)
@@ -102,21 +119,16 @@ def starts_of_entry(scene: Scene, entry: Entry) -> list[datetime]:
 
 def words_of_entry(scene: Scene, entry: Entry) -> frozenset[str]:
     """Give the words that name what an entry asks for: its things, and its verbs as nouns too."""
-    lexicon = scene.conversation.interpreter.language.lexicon
     skills = [one for one in scene.plan.everything if one.wish.identifier == entry.identifier]
     verbs = (one.operation.lemma for one in skills if one.operation is not None)
-    nouns = frozenset(
-        noun
-        for verb in verbs
-        for noun in (
-            *verb_forms(verb, lexicon),
-            *nouns_of(verb),
-            f"{verb}er",
-            f"{verb}y",
-            f"{verb.removesuffix('e')}y",
-        )
-    )
+    nouns = frozenset(noun for verb in verbs for noun in _words_of_verb(scene, verb))
     return nouns.union(*(content_words(one.skill.name) for one in skills), {entry.identifier})
+
+
+def _words_of_verb(scene: Scene, verb: str) -> frozenset[str]:
+    """Give the forms of a verb, and the nouns for what it does."""
+    forms = verb_forms(verb, scene.conversation.interpreter.language.lexicon)
+    return frozenset({*forms, *nouns_of(verb), f"{verb}er", f"{verb}y", f"{verb.removesuffix('e')}y"})
 
 
 def identifier_meant(scene: Scene, text: str) -> str:

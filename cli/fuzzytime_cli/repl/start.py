@@ -218,7 +218,7 @@ def _prompted(talk: Dialogue, folder: Path | None) -> None:
         with _beating(talk):
             while going:
                 try:
-                    going, words = _typed(talk, prompt.prompt(PROMPT, default=words))
+                    going, words = answer_each(talk, prompt.prompt(PROMPT, default=words))
                 except KeyboardInterrupt:
                     words = ""
                 except EOFError:
@@ -249,10 +249,12 @@ def _prompt(talk: Dialogue, folder: Path | None) -> "PromptSession[str]":
     )
 
 
-def _typed(talk: Dialogue, typed: str) -> tuple[bool, str]:
-    """Answer what was typed at once; say whether to go on, and what the prompt holds."""
+def answer_each(talk: Dialogue, typed: str) -> tuple[bool, str]:
+    """Answer each line of what was typed or pasted; say whether to go on, and what the prompt holds."""
     going, words = True, ""
-    for lines in talk.parted(typed):
+    for lines in (parts := talk.parted(typed)):
+        if len(parts) > 1:
+            talk.screen.write(*(Text(plain(f"{PROMPT}{line}"), style="dim") for line in lines))
         going, words = talk.take(*lines)
         if not going:
             break

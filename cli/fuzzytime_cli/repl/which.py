@@ -1,7 +1,7 @@
 """Which of what was asked for is meant, by names or places; asked where several are called alike."""
 
 from dataclasses import dataclass, replace
-from datetime import datetime
+from datetime import datetime, time, timedelta
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import About, AboutKind, about_wishes, content_words
@@ -17,6 +17,9 @@ from fuzzytime_cli.repl.naming import (
 )
 from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting, whole_number
 from fuzzytime_cli.session import Entry
+
+BESIDE = timedelta(minutes=15)
+"""How far from the time that it is called by something may be planned."""
 
 BOTH = 2
 """How many "both" are."""
@@ -172,6 +175,41 @@ def _told(scene: Scene, one: Called) -> str:
     """Tell what tells something apart: "call mum (s1, 18:00)"."""
     time = "" if one.start is None else f", {Clock(scene.now, with_seconds=False).at(one.start)}"
     return f"{one.name} ({one.label}{time})"
+
+
+def with_label(scene: Scene, words: str, span: tuple[int, int], times: frozenset[time]) -> str | None:
+    """Give a line with the label of what it calls by its time; None where it may call something else so.
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing starts then, or several do, and that is to be changed.
+    """
+    first, end = span
+    schedule, day = scene.plan.schedule, timedelta(days=1)
+    starts = {
+        one.identifier: (one.skill.name, scene.plan.instant(schedule.start_times[place]))
+        for place, one in waiting(scene)
+        if scene.plan.has_time(place)
+    }
+    starts |= {one.identifier: (one.name, one.start) for one in scene.conversation.running(scene.now)}
+    apart = {
+        label: min(abs(start - datetime.combine(start, time, start.tzinfo)) % day for time in times)
+        for label, (_, start) in starts.items()
+    }
+    # What others want as well may be planned beside its time.
+    then = [label for label, by in apart.items() if by == min(apart.values()) and by <= BESIDE]
+    if len(then) == 1:
+        label, name = then[0], starts[then[0]][0]
+        several = sum(number_of(other) == number_of(label) for other in starts) > 1
+        return f"{words[:first]}{name if several else label}{words[end:]}"
+    lexicon = scene.conversation.interpreter.language.lexicon
+    if about_wishes(f"{words[:first]}s1{words[end:]}", scene.now, lexicon) is None:
+        return None
+    if then:
+        raise FuzzytimeError(f"several start then: say which, such as: {', '.join(then)}")
+    clock = words[first:end].split(maxsplit=1)[1]
+    raise FuzzytimeError(f"nothing that is planned starts at {clock} (:list shows what is)")
 
 
 def which_one(scene: Scene, words: str, asked: About) -> About | None:

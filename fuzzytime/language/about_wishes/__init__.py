@@ -4,12 +4,13 @@ A line is ``said``, and what it is ``about`` is a value; ``reading`` tells which
 
 What is to be otherwise
     ``changes`` of which wishes (``meant``) and by how much (``lengths``); ``turns`` to what was just said;
-    ``corrections``; ``things`` alone; a line in ``other_words``.
+    ``corrections``; ``things`` alone, or ``called_by_time``; a line in ``other_words``.
 What is told or asked
     What somebody has ``told``; what is ``asked``.
 """
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind
+from fuzzytime.language.about_wishes.called_by_time import called_by_time
 from fuzzytime.language.about_wishes.corrections import added_time, restated, without_closing
 from fuzzytime.language.about_wishes.lengths import by_how_much
 from fuzzytime.language.about_wishes.other_words.answers import choice_meant, chooses_none, lets_be
@@ -54,6 +55,7 @@ __all__ = [
     "behind_an_answer",
     "behind_what_is_told",
     "by_how_much",
+    "called_by_time",
     "choice_meant",
     "chooses_none",
     "clauses_of",

@@ -52,6 +52,7 @@ class AboutKind(StrEnum):
     DURING = "during"
     ON_TIME = "on time"
     HOW = "how"
+    BLOCK = "block"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -104,6 +105,8 @@ class About:
         Whether the one is meant that starts next.
     corrects
         Whether it corrects what was said before ("no, half past six"), whatever was answered since.
+    told
+        Whether it tells how something is, and asks for nothing: "the gym is off", of what is named itself.
     certain
         Whether nothing else can be meant; where it can, what names nothing that was asked for is a wish.
     """
@@ -128,4 +131,5 @@ class About:
     other: bool = False
     upcoming: bool = False
     corrects: bool = False
+    told: bool = False
     certain: bool = False

@@ -38,6 +38,10 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         return About(kind=AboutKind.DID, certain=True)
     if text.rstrip().endswith("?"):
         said = _without_tag(said)
+        further = said.after("continuing")
+        if further is not None and further.has_time and further.as_time() == further.text:
+            # "And at six?"
+            return About(kind=AboutKind.DURING, time=further.text, certain=True)
     found = _read(said) or (_of_thing(said) if text.rstrip().endswith("?") else None)
     plain = said.without_exclamations()
     # "Ok then do it the day after"

@@ -11,8 +11,10 @@ SEPARATORS = frozenset({",", ";", "\n"})
 """Marks between entries."""
 JOINTS = frozenset({":", "."})
 """Marks between hour and minute."""
-STRETCHES = JOINTS | {"-", "=", ">", "→", "⇒"}
-"""Marks in two numbers from when to when."""
+TO = frozenset({"to", "till", "til", "until"})
+"""Words between two numbers from when to when."""
+STRETCHES = JOINTS | TO | {"-", "=", ">", "→", "⇒"}
+"""What may stand in two numbers from when to when."""
 HALF_DAY = 12
 """Hours that a number alone may name in a list."""
 QUARTERS = frozenset({"00", "15", "30", "45"})
@@ -77,7 +79,7 @@ def leads_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -
 
 
 def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
-    """Whether two numbers are from when to when an entry is: "lecture 10-12", "9-10 gym, 10-11 mails".
+    """Whether two numbers are from when to when an entry is: "lecture 10-12", "gym six to seven", "9-10 gym".
 
     It, or another entry with such numbers, names what has a time; or they are all that is said: "12-2".
     """
@@ -90,7 +92,7 @@ def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon)
     entries = [(_behind_day(words, first, last, lexicon), last) for first, last in _entries(words)]
     if not any((first == start and end < last) or (first < start and end == last) for first, last in entries):
         return False
-    found = (_beside_stretch(words[first:last]) for first, last in entries)
+    found = (_beside_stretch(words[first:last], lexicon) for first, last in entries)
     named = [word.text for word in found if word is not None and word.is_letters]
     beside = words[start - 1] if any(last == end for _, last in entries) else words[end]
     numbers = [word.text for word in words[start:end] if word.is_digits]
@@ -104,10 +106,12 @@ def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon)
     return sure and (has_time(beside.text, lexicon) or len(named) > 1) and beside.is_letters
 
 
-def _beside_stretch(entry: Sequence[Word]) -> Word | None:
+def _beside_stretch(entry: Sequence[Word], lexicon: Lexicon) -> Word | None:
     """Give the word beside two numbers in front of an entry, or at its end."""
     for words in (entry, entry[::-1]):
-        numbers = list(takewhile(lambda word: word.is_digits or word.text in STRETCHES, words))
+        numbers = list(
+            takewhile(lambda word: word.is_digits or word.text in STRETCHES | lexicon.numbers.keys(), words)
+        )
         # "Thu 12th: plumber 8-10" begins with no stretch.
         if LONE < len(numbers) < len(words):
             return words[len(numbers)]

@@ -96,8 +96,8 @@ class _Composer:
         self.lexicon = lexicon
         self.moment = Moment(
             draft.now,
-            lexicon.policy,
-            since=since.clock,
+            since.policy(lexicon.policy),
+            since=since.since,
             carried=since.clock is not None,
             in_order=since.in_order,
             opened=since.opened,

@@ -1,5 +1,6 @@
 """The commands of the conversation by name: what each takes, what it does, and the function that does it."""
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -153,24 +154,49 @@ TRIED = tuple(
 )
 """What may be asked about beforehand: commands that change what is asked for, or what is so."""
 
+NUMBERED = re.compile(r"s\d+(\.\d+)?", re.IGNORECASE)
+"""How a skill of the plan is called where no word stands for it: "s1", "s2.1"."""
+
 SAID_AS = {"move": "edit", "takes": "duration", "late": "busy", "stop": "done", "except": "edit"}
 """The commands for what is said of wishes, where they are called otherwise."""
 
 FILED = ("save", "load")
 """Commands that need no colon in front of the name of a file."""
 
-BARE = {"asking for help": ":help", "asking for the list": ":list", "quitting": ":quit"}
+NEVER_WISHED = ("agents", "busy", "ctx", "duration", "edit", "in-order", "plot", "priority", "save", "solver")
+"""Commands whose names alone are no wish: what must follow them is said."""
+
+ALSO_CALLED = {"explain": "why", "export": "save"}
+"""Commands by other names that people type."""
+
+BARE = {
+    "asking for help": ":help",
+    "asking for the list": ":list",
+    "asking to clear": ":help drop",
+    "quitting": ":quit",
+}
 """What people mean by words that they type to a prompt, by the tables of these words."""
 
 
 def without_colon(words: str, lexicon: Lexicon) -> str:
-    """Give the command that is meant by words that need no colon: "help"; else the words themselves."""
+    """Give the command that is meant by words that need no colon ("help", "plot s1"), else the words."""
     form = tuple(words.lower().rstrip("?").split())
-    if len(form) == len(FILED) and form[0] in FILED and Path(words.split()[1]).suffix:
-        # "Save dinner.ics"
-        return f":{words}"
+    if not form:
+        return ":help"
+    name, rest = ALSO_CALLED.get(form[0], form[0]), words.split()[1:]
+    if _is_command(name, rest):
+        return " ".join([f":{name}", *rest])
     found = (line for table, line in BARE.items() if form in lexicon.conversation[table])
-    return next(found, words) if form else ":help"
+    return next(found, words)
+
+
+def _is_command(name: str, rest: list[str]) -> bool:
+    """Whether a command's name and what follows can be nothing else: "plot", "rate s1 4", "save it.ics"."""
+    if not rest:
+        return name in NEVER_WISHED
+    if name in FILED:
+        return len(rest) == 1 and bool(Path(rest[0]).suffix)
+    return name in (*NEVER_WISHED, "rate", "why") and bool(NUMBERED.fullmatch(rest[0]))
 
 
 def command_of(line: str) -> tuple[Command, str]:

@@ -9,6 +9,7 @@ from fuzzytime.language import (
     perhaps_reported,
     told_result,
 )
+from fuzzytime_cli.repl.naming import entry_of
 from fuzzytime_cli.repl.plain_words.leaving_out import Taken
 from fuzzytime_cli.repl.scene import Reply, Scene
 
@@ -20,7 +21,14 @@ def perhaps_done(scene: Scene, reading: Reading, taken: Taken) -> Reply | None:
     if perhaps is not None and (reply := done(scene, perhaps, taken)) is not None:
         return reply
     names = told_result(reading, lexicon)
-    return taken(scene, About(kind=AboutKind.DONE, names=names)) if names else None
+    reply = taken(scene, About(kind=AboutKind.DONE, names=names)) if names else None
+    if names and reply is None and (entry := entry_of(scene, content_words(reading.text))) is not None:
+        # "The wine's in", of putting it there
+        particles = lexicon.particles.keys() & set(reading.text.lower().split())
+        said = particles <= set(entry.text.lower().split())
+        about = About(kind=AboutKind.DONE, names=frozenset({entry.identifier}))
+        reply = taken(scene, about) if particles and said else None
+    return reply
 
 
 def done(scene: Scene, operation: Operation, taken: Taken) -> Reply | None:

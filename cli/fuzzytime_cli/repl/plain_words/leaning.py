@@ -23,7 +23,7 @@ from fuzzytime.language import (
 )
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands import changing
-from fuzzytime_cli.repl.naming import entry_of, unknown
+from fuzzytime_cli.repl.naming import entry_of, is_named_itself, unknown
 from fuzzytime_cli.repl.plain_words.leaving_out import Taken
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.repl.which import entries_meant
@@ -46,7 +46,7 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
     """
     language = scene.conversation.interpreter.language
     last = entry_of(scene, frozenset())
-    if last is not None and (reply := _going_on(scene, words, last)) is not None:
+    if last is not None and (reply := _going_on(scene, words, last, taken)) is not None:
         return reply
     ordered = (one.operation for one in reading.instructions)
     orders = any(one is not None and one.is_asked and not is_thing(reading) for one in ordered)
@@ -76,7 +76,7 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
     return None if words.endswith("?") else _continued(f"and {words}", last, scene)
 
 
-def _going_on(scene: Scene, words: str, last: Entry) -> Reply | None:
+def _going_on(scene: Scene, words: str, last: Entry, taken: Taken) -> Reply | None:
     """Take what says that it goes on, such as by "and"; None where nothing does.
 
     Raises
@@ -88,6 +88,11 @@ def _going_on(scene: Scene, words: str, last: Entry) -> Reply | None:
     more = continuing(words, scene.now, lexicon)
     if more is None:
         return None
+    names = content_words(more.thing)
+    known = more.thing.partition(" ")[0].lower() in lexicon.closed.noun_openers and bool(more.time)
+    if known and is_named_itself(scene, names):
+        # "Then the post office tomorrow"
+        return taken(scene, About(kind=AboutKind.MOVE, names=names, time=more.time))
     if (reply := _continued(words, last, scene)) is not None:
         return reply
     # "And Sam too" is nothing to do at any time.

@@ -1,5 +1,6 @@
 """The command that plain words about what was asked for mean."""
 
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from fuzzytime.errors import FuzzytimeError
@@ -15,7 +16,7 @@ from fuzzytime_cli.repl.naming import (
     words_of_entry,
 )
 from fuzzytime_cli.repl.plain_words.parts import first_part, swapped_parts, without_part
-from fuzzytime_cli.repl.plain_words.progress import late, length_said, progress, unstarted
+from fuzzytime_cli.repl.plain_words.progress import blocked, late, length_said, progress, unstarted
 from fuzzytime_cli.repl.plain_words.retiming import days_on, with_time, without_thing
 from fuzzytime_cli.repl.questions.stretches import is_within
 from fuzzytime_cli.repl.scene import Scene, waiting
@@ -46,21 +47,7 @@ def command_meant(scene: Scene, about: About) -> str | None:
         case AboutKind.DROP if about.corrects and scene.taken is not None:
             # "Scratch that", of what was changed
             return ":undo"
-        case AboutKind.STOP:
-            return _stopping(scene, about)
-        case AboutKind.REVERSE:
-            return _reversing(scene, about)
-        case AboutKind.DONE | AboutKind.MORE:
-            return progress(scene, about)
-        case AboutKind.LATE:
-            return late(scene, about)
-        case AboutKind.SWAP:
-            return _swap(scene, about)
-        case AboutKind.STARTED:
-            return _started(scene, about)
-        case AboutKind.UNSTARTED:
-            return unstarted(scene, about)
-    return _changing(scene, about)
+    return COMMANDS.get(about.kind, _changing)(scene, about)
 
 
 def _stepping(about: About) -> str:
@@ -147,6 +134,9 @@ def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
         anew = without_part(scene, meant[0], part)
         return f":edit {numbers} {anew}" if anew else f":done {part}"
     rest = without_thing(scene, meant[0], about.names) if len(meant) == 1 else ""
+    if len(meant) == 1 and not rest and not about.names <= words_of_entry(scene, meant[0]):
+        # The eggs, of which nothing became, of "milk, eggs and bread"
+        raise FuzzytimeError(f"that is only part of {meant[0].text!r}: say :drop {numbers}, or say it anew")
     return f":edit {numbers} {rest}" if rest else f":drop {numbers}"
 
 
@@ -247,3 +237,17 @@ def _swap(scene: Scene, about: About) -> str | None:
         parts = [part_meant(scene, found[0].number, names) for names in (about.names, about.others)]
         return f":edit {found[0].number} {swapped_parts(scene, found[0], parts)}"
     return f":swap {' '.join(str(entry.number) for entry in found if entry is not None)}"
+
+
+COMMANDS: Mapping[AboutKind, Callable[[Scene, About], str | None]] = {
+    AboutKind.STOP: _stopping,
+    AboutKind.REVERSE: _reversing,
+    AboutKind.DONE: progress,
+    AboutKind.MORE: progress,
+    AboutKind.LATE: late,
+    AboutKind.BLOCK: blocked,
+    AboutKind.SWAP: _swap,
+    AboutKind.STARTED: _started,
+    AboutKind.UNSTARTED: unstarted,
+}
+"""What gives the command for each kind; else it drops, moves or delays."""

@@ -1,6 +1,7 @@
 """The command that is meant by how it goes: "done", "five more minutes", "not yet", "I'm late"."""
 
 from dataclasses import replace
+from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import About, AboutKind
@@ -8,6 +9,7 @@ from fuzzytime.times import instant_after
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown
 from fuzzytime_cli.repl.plain_words.retiming import some_time, without_thing
+from fuzzytime_cli.repl.questions.stretches import on_its_day
 from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting
 from fuzzytime_cli.repl.which import alike
 
@@ -108,9 +110,24 @@ def late(scene: Scene, about: About) -> str:
     busy = [one for one in scene.conversation.running(scene.now) if one.end > scene.now]
     if len(busy) == 1:
         return f":more {busy[0].identifier} {as_typed(about.by)}"
-    until = instant_after(scene.now, about.by)
-    day = "" if until.date() == scene.now.date() else f"{until:%Y-%m-%d}T"
-    return f":busy {scene.now:%H:%M:%S} {day}{until:%H:%M:%S} late"
+    return _busy(scene, scene.now, instant_after(scene.now, about.by), "late")
+
+
+def blocked(scene: Scene, about: About) -> str:
+    """Give the command that keeps everything from a stretch of time: "keep the afternoon free"."""
+    first, end = on_its_day(scene, about.time)
+    first = max(scene.now, first or scene.now)
+    if end is None or end <= first:
+        raise FuzzytimeError(f"{about.time!r} is over, or has no end: say from when to when")
+    return _busy(scene, first, end, about.thing or "kept free")
+
+
+def _busy(scene: Scene, first: datetime, end: datetime, why: str) -> str:
+    begin, until = (
+        f"{'' if one.date() == scene.now.date() else f'{one:%Y-%m-%d}T'}{one:%H:%M:%S}"
+        for one in (first, end)
+    )
+    return f":busy {begin} {until} {why}"
 
 
 def length_said(scene: Scene, about: About) -> str:

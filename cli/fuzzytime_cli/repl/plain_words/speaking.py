@@ -17,6 +17,7 @@ from fuzzytime.language import (
     added_time,
     behind_what_is_told,
     by_how_much,
+    called_by_time,
     content_words,
     lets_be,
     reported,
@@ -26,7 +27,7 @@ from fuzzytime.language.sentence.trees.model import is_verb
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands import looking
 from fuzzytime_cli.repl.commands.by_name import how_to, what_if
-from fuzzytime_cli.repl.naming import LABEL, entry_of, label_meant, unknown
+from fuzzytime_cli.repl.naming import LABEL, entry_of, is_named_itself, label_meant, unknown
 from fuzzytime_cli.repl.plain_words.happened import happened
 from fuzzytime_cli.repl.plain_words.has_done import done, perhaps_done
 from fuzzytime_cli.repl.plain_words.leaning import leaning, the_other
@@ -34,16 +35,19 @@ from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, 
 from fuzzytime_cli.repl.plain_words.meant import command_meant
 from fuzzytime_cli.repl.plain_words.retiming import said_anew, same_anew, timed_now, wished_instead
 from fuzzytime_cli.repl.plain_words.taking import run, run_each
-from fuzzytime_cli.repl.plain_words.telling import behind_how_a_day_is, is_news, told_state
+from fuzzytime_cli.repl.plain_words.telling import behind_how_a_day_is, is_news, told_anew, told_state
 from fuzzytime_cli.repl.questions import answering, gaps
 from fuzzytime_cli.repl.scene import Reply, Scene
-from fuzzytime_cli.repl.which import entries_meant, which_one
+from fuzzytime_cli.repl.which import entries_meant, which_one, with_label
 from fuzzytime_cli.told_states import tells_what_is
 
 CHANGING = frozenset(
     {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE, AboutKind.EXCEPT}
 )
 """What changes what is asked for, and so may be supposed."""
+
+OF_ITSELF = frozenset({AboutKind.DROP, AboutKind.MOVE, AboutKind.EXCEPT})
+"""What is told of a thing, and is of no wish that only has to do with it: "lunch is off", of buying lunch."""
 
 ASKED_BACK = {
     AboutKind.WRONG: "what is meant instead? Say: no, at six (or: undo that)",
@@ -75,10 +79,13 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
     FuzzytimeError
         If nothing that is known can be meant, or which of several is not said.
     """
-    reply = _reply_about(scene, words)
+    lexicon = scene.conversation.interpreter.language.lexicon
+    called = called_by_time(words, scene.now, lexicon)
+    labelled = None if called is None else with_label(scene, words, *called)
+    reply = _reply_about(scene, words if labelled is None else labelled)
     if reply is not None:
         return reply
-    anew = respelled(words, scene.now, scene.conversation.interpreter.language.lexicon, is_verb)
+    anew = respelled(words, scene.now, lexicon, is_verb)
     reply = None if anew is None else _reply_about(scene, anew)
     if reply is None or reply.anew:
         return None
@@ -104,6 +111,8 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
         return reply
     about = about_wishes(words, scene.now, lexicon) or _behind_what_is_told(scene, words)
     asks = about is not None and about.kind is AboutKind.DELAY and about.by is None and not about.text
+    if about is not None and about.told and (reply := told_anew(scene, about, words, _taken)) is not None:
+        return reply
     if about is None or (not about.certain and not asks and is_news(scene, words)):
         return behind_how_a_day_is(scene, words, _taken) or _told(scene, words)
     if about.kind in ANSWERS:
@@ -119,7 +128,9 @@ def _behind_what_is_told(scene: Scene, words: str) -> About | None:
         return None
     told, about = found
     about = _of_what_is_told(scene, told, about)
-    if not about.certain and (about.kind not in CHANGING or not entries_meant(scene, about)):
+    if not about.certain and (
+        about.kind not in CHANGING | {AboutKind.UNABLE} or not entries_meant(scene, about)
+    ):
         return None
     if not told:
         return about
@@ -236,6 +247,10 @@ def _taken(scene: Scene, about: About) -> Reply | None:
         return _when_then(scene, about)
     if about.kind in ASKED_BACK:
         raise FuzzytimeError(ASKED_BACK[about.kind])
+    if about.told and about.kind in OF_ITSELF and not is_named_itself(scene, about.names):
+        return None
+    if about.kind is AboutKind.BLOCK and about.text:
+        return Reply((Text(plain(f"taken as: {about.text}")),), anew=about.text)
     if about.kind is AboutKind.OTHER:
         return the_other(scene, about, _taken)
     if about.kind is AboutKind.EXCEPT:

@@ -5,6 +5,7 @@ from dataclasses import replace
 from rich.text import Text
 
 from fuzzytime.language import (
+    About,
     AboutKind,
     Reading,
     behind_what_is_told,
@@ -12,6 +13,7 @@ from fuzzytime.language import (
     news_in,
 )
 from fuzzytime.requirement import Condition, Constraint
+from fuzzytime.times import format_duration
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands.changing import ctx
 from fuzzytime_cli.repl.conversation import context_of
@@ -84,6 +86,17 @@ def behind_how_a_day_is(scene: Scene, words: str, taken: Taken) -> Reply | None:
     reply = taken(scene, about)
     changes_nothing = Text(plain(f"{told!r} changes nothing"))
     return None if reply is None else replace(reply, lines=(*reply.lines, changes_nothing))
+
+
+def told_anew(scene: Scene, about: About, words: str, taken: Taken) -> Reply | None:
+    """Take what is told anew of a thing: when it is, or, in one, by how much it is late; else None."""
+    if about.kind is AboutKind.MOVE:
+        return taken(scene, about)
+    if about.kind is not AboutKind.DELAY or about.by is None or "," not in words or not is_news(scene, words):
+        return None
+    # "The truck's late, about 20 minutes"
+    anew = f"{about.thing} {format_duration(abs(about.by))} {'early' if about.by < 0.0 else 'late'}"
+    return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
 
 
 def is_news(scene: Scene, said: str) -> bool:

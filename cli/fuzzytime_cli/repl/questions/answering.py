@@ -66,7 +66,9 @@ def when(scene: Scene, about: About) -> Reply:
     """Say when that is planned which all of some words name, or when all is over."""
     if about.everything:
         return _over(scene)
-    positions = _positions(scene, about.names)
+    small = frozenset(scene.conversation.interpreter.language.lexicon.particles)
+    # "When's the roast out?"
+    positions = _positions(scene, about.names) or _positions(scene, about.names - small or about.names)
     schedule = scene.plan.schedule
     timed = [position for position in positions if scene.plan.has_time(position)]
     timed.sort(key=lambda position: schedule.start_times[position])

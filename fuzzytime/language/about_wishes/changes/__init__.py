@@ -1,1 +1,4 @@
-"""Orders that are about wishes (``changes``): ``moves`` to another time, ``exceptions`` from a repetition."""
+"""Orders that are about wishes (``changes``).
+
+``moves`` to another time, ``exceptions`` from a repetition, and ``keeping_free`` of time.
+"""

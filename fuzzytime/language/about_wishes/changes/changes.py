@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.changes.exceptions import cleared, exception
+from fuzzytime.language.about_wishes.changes.keeping_free import kept_free
 from fuzzytime.language.about_wishes.changes.moves import delayed, moved
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, days_on, later_by
@@ -30,6 +31,7 @@ def change(said: Said) -> About | None:
     """Read an order about wishes; None where it may be a wish itself."""
     return (
         _undone(said)
+        or kept_free(said)
         or turned(said)
         or _swapped(said)
         or cleared(said)
@@ -200,7 +202,9 @@ def _corrected(said: Said) -> About | None:
     if not time:
         return _beside_another(rest) or change(rest)
     bare = rest.is_bare(time)
-    return About(kind=AboutKind.MOVE, time=time, number=number, bare=bare, corrects=True, certain=True)
+    # "Make it six" is of what was spoken of last, and "no, six" of what was said last.
+    anew = said.opens_with("naming anew") == place
+    return About(kind=AboutKind.MOVE, time=time, number=number, bare=bare, corrects=not anew, certain=True)
 
 
 def _beside_another(said: Said) -> About | None:

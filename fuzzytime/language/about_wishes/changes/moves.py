@@ -5,14 +5,13 @@ from dataclasses import replace
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, by_length, minutes_alone
 from fuzzytime.language.about_wishes.meant import about_thing, is_last
-from fuzzytime.language.about_wishes.said import Said, one_time
-from fuzzytime.language.about_wishes.told.awaited import written_out
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.told.told_of import told_of
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.sentence.trees.content_words import content_words
 
 FOR = "for"
 PUT = "put"
-NOW = "now"
 LEAVE = "leave"
 LEFT = frozenset({FOR, "till", "until"})
 """What stands between what is left and until when."""
@@ -77,7 +76,7 @@ def moved(said: Said) -> About | None:
     if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
         # "I need it by three"
         return About(kind=AboutKind.MOVE, time=time, certain=True)
-    if (able := _able(said) or _now_at(said) or _is_then(said) or _left_for(said)) is not None:
+    if (able := _able(said) or told_of(said) or _left_for(said)) is not None:
         return able
     delaying = said.after("delaying")
     if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
@@ -88,6 +87,8 @@ def moved(said: Said) -> About | None:
         return _moved_at(said, behind) if delaying is not None else _moved_beside(said) or _put_at(said)
     place = f" {behind.lower()}".rfind(f" {joint}")
     thing = Said(behind[:place].rstrip(), said.now, said.lexicon)
+    # "Move s2 up to nine"
+    thing = thing.without_end(said.table("later") | said.table("earlier"))
     new = Said(behind[place:].strip(), said.now, said.lexicon)
     if not thing.words:
         return None
@@ -97,7 +98,9 @@ def moved(said: Said) -> About | None:
     if not (about.names or about.places or about.upcoming) and not is_last(thing):
         return None
     if time := new.as_time():
-        return replace(about, time=time, bare=new.is_bare(time))
+        # "Move the essay to tomorrow", of which nobody knows, is no errand.
+        certain = said.forms[0] in said.lexicon.moving
+        return replace(about, time=time, bare=new.is_bare(time), certain=certain or about.certain)
     beside = Said(new.text[len(joint) :], said.now, said.lexicon).beside()
     return None if beside is None else replace(about, time=beside[0], others=beside[1].names)
 
@@ -127,19 +130,6 @@ def _able(said: Said) -> About | None:
     return None
 
 
-def _is_then(said: Said) -> About | None:
-    """Read when what was said last is: "that's for tomorrow"; but "it's friday" tells the day."""
-    who, mark, behind = written_out(said.text).partition(" is ")
-    new = Said(behind, said.now, said.lexicon)
-    last = bool(mark) and Said(who, said.now, said.lexicon).is_in("last")
-    time = new.as_time() if last else ""
-    told = one_time(time, said.now, said.lexicon) if time else None
-    joint = told is not None and (told.preposition is not None or new.forms[0] == FOR)
-    if not joint or not behind.lower().endswith(time.lower()):
-        return None
-    return About(kind=AboutKind.MOVE, time=time, corrects=True, certain=True)
-
-
 def _left_for(said: Said) -> About | None:
     """Read until when something is left: "leave it till monday"; but "leave the dough for an hour"."""
     for place in range(2, len(said.words) if said.forms[0] == LEAVE else 0):
@@ -147,18 +137,6 @@ def _left_for(said: Said) -> About | None:
         time = new.as_time() if new.forms[0] in LEFT else ""
         if time and not time.startswith(f"{FOR} ") and (thing.names or is_last(thing)):
             return replace(about_thing(AboutKind.MOVE, thing), time=time)
-    return None
-
-
-def _now_at(said: Said) -> About | None:
-    """Read when something is now that was to be at another time: "the train's at ten past eight now"."""
-    for place in range(1, len(said.words) if said.forms[-1:] == (NOW,) and said.is_one else 0):
-        thing, rest = said.until(place), said.behind(place).until(len(said.words) - place - 1)
-        short = thing.text.endswith(("'s", "\u2019s"))
-        being = rest.forms[:1] and rest.forms[0] in said.lexicon.closed.third_person_be
-        time = (rest.behind(1) if being and not short else rest).as_time() if short or being else ""
-        if time and thing.names:
-            return About(kind=AboutKind.MOVE, names=thing.names, time=time)
     return None
 
 

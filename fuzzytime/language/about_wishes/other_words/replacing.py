@@ -49,7 +49,9 @@ def said_apart(text: str, now: datetime, lexicon: Lexicon) -> list[str]:
     ['cancel the call', 'move the soup to six']
     """
     whole = about_wishes(text, now, lexicon)
-    if (whole is not None and whole.kind in WHOLE) or in_its_place(text, now, lexicon) is not None:
+    if (whole is not None and (whole.kind in WHOLE or whole.told)) or in_its_place(
+        text, now, lexicon
+    ) is not None:
         return [text]
     for marks, every in ((CLAUSES, True), (SENTENCES, False)):
         parts = [part.rstrip(",.;! ") for part in marks.split(text) if part.strip(",.;! ")]

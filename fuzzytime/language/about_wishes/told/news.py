@@ -158,6 +158,9 @@ class _Clause:
         if found is not None and tables & (SOONER | LATER):
             by = -found.seconds if tables & SOONER else found.seconds
             return None if ABSENT in tables else self._news_of(NewsKind.LATER, found.rest, tables, by=by)
+        if said.has_time and "cancelled" in tables:
+            # Of which day that is, who asked for it must see.
+            return None
         if said.has_time or ("rescheduled" in tables and self._joint(words)):
             return self._timed(words, tables)
         if ABSENT in tables:

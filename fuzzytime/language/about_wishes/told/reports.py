@@ -1,11 +1,12 @@
 """Reports of how it goes: "done", "the soup is ready", "I'm ten minutes late", "five more minutes"."""
 
+from dataclasses import replace
+
 from fuzzytime.english import EMPTY, PARTICIPLE
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import lengthened
 from fuzzytime.language.about_wishes.said import FOR, Said
-from fuzzytime.language.about_wishes.told.awaited import written_out
 
 WITH = "with"
 ON = "on"
@@ -55,11 +56,6 @@ def _late(said: Said) -> About | None:
     by = None if found is None else found.seconds
     if "late" in tables and "speaker" in tables and not left.names:
         return About(kind=AboutKind.LATE, by=by, certain=True)
-    who, mark, _ = written_out(left.text).rpartition(" is")
-    named = Said(who, said.now, said.lexicon)
-    if "late" in tables and mark and left.text.endswith(("is", "'s", "\u2019s")) and named.names:
-        # "Bob is running late"
-        return About(kind=AboutKind.DELAY, names=named.names, by=by)
     return None
 
 
@@ -175,7 +171,18 @@ def _protest(said: Said) -> About | None:
         if rest is not None and who.names and rest.words and rest.as_time():
             # "Jo can't do two"
             return About(kind=AboutKind.UNABLE, names=who.names)
-    return None
+    return _able_then(said)
+
+
+def _able_then(said: Said) -> About | None:
+    """Read when somebody can who could not before: "Jo can't do two, she'll come at three"."""
+    joint = said.forms.index(",") if said.forms.count(",") == 1 else 0
+    front, behind = said.until(joint), said.behind(joint + 1)
+    unable = _protest(front) if joint and behind.opens_with("they") else None
+    if unable is None or unable.kind is not AboutKind.UNABLE or not unable.names:
+        return None
+    _, time = behind.parted()
+    return replace(unable, kind=AboutKind.MOVE, time=time, certain=True) if time else None
 
 
 def _finished(said: Said) -> About | None:

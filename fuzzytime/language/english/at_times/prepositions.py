@@ -50,25 +50,15 @@ def beside(preposition: Preposition, goal: Goal) -> Said | None:
 
 @grammar.rule(
     "said",
-    "when|once|whenever it's|its <wall>",
-    "when|once|whenever it is|gets|strikes|hits|turns <wall>",
-    "when|once|whenever the clock strikes|hits|shows|says|reads|turns <wall>",
-    weight=0.5,
-)
-def when_it_is(wall: Wall) -> Said | None:
-    """When it is three p.m., once it's noon."""
-    return Said(wall, None, "at") if wall.clock is not None else None
-
-
-@grammar.rule(
-    "said",
-    "when|once|whenever it's|its <hedge> <wall>",
-    "when|once|whenever it is|gets <hedge> <wall>",
+    "when|once|whenever it's|its <hedge>? <wall>",
+    "when|once|whenever it is|gets|strikes|hits|turns <hedge>? <wall>",
+    "when|once|whenever the clock strikes|hits|shows|says|reads|turns <hedge>? <wall>",
     weight=0.55,
 )
-def when_it_is_about(hedge: str, wall: Wall) -> Said | None:
-    """When it's nearly ten."""
-    return Said(wall, None, "at", (hedge,)) if wall.clock is not None else None
+def when_it_is(hedge: str | None, wall: Wall) -> Said | None:
+    """When it is three p.m., once it's noon, when it's nearly ten."""
+    hedges = () if hedge is None else (hedge,)
+    return Said(wall, None, "at", hedges) if wall.clock is not None else None
 
 
 @grammar.rule(

@@ -116,10 +116,3 @@ def after_days_at(duration: Duration, wall: Wall) -> Wall | None:
 def after_days_at_number(duration: Duration, clock: Clock) -> Wall | None:
     """In two days at five, in a week at 1330; "in three days at ten to six" is no range."""
     return after_days_at(duration, Wall(clock=_behind_at(clock)))
-
-
-@grammar.rule("wall", "<clock> ,? in <duration> time?", "<clock> ,? in <duration> '|'s time", weight=0.3)
-def clock_after_days(clock: Clock, duration: Duration) -> Wall | None:
-    """Half past five, six thirty in two days; but "have six in two days" is no time of day."""
-    spoken = clock.shift or clock.minute % ROUND_MINUTES == 0
-    return None if clock.bare or (clock.pair and not spoken) else after_days_at(duration, Wall(clock=clock))

@@ -1,4 +1,4 @@
-"""Bounds of a time: "by noon", "not before six", "at noon at the latest", "until after lunch"."""
+"""Bounds of a time: "by noon", "from six", "at noon at the latest", "until after lunch"."""
 
 from dataclasses import replace
 
@@ -43,7 +43,7 @@ def until_it_is_over(days: Calendar) -> Said:
     return replace(before_it_is_over(days), preposition="until")
 
 
-@grammar.rule("said", "<preposition_before> the? <goal>", "<preposition_before> at|@ <goal>", weight=0.2)
+@grammar.rule("said", "<preposition_before> the? <goal>", weight=0.2)
 def deadline(preposition: Preposition, goal: Goal) -> Said | None:
     """By noon, no later than six, before tomorrow."""
     if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
@@ -85,12 +85,19 @@ def _is_prepared_for(goal: Goal) -> bool:
     return isinstance(of, Weekend) and not of.working
 
 
-@grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at|@ <goal>", weight=0.2)
+@grammar.rule("said", "<preposition_after> the? <goal>", weight=0.2)
 def release(preposition: Preposition, goal: Goal) -> Said | None:
     """After 5 pm, from monday, not before noon."""
     if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
         return None
     return said_of(goal, preposition.name, Constraint.AFTER, preposition.edge)
+
+
+@grammar.rule("said", "<preposition_before>|<preposition_after> <preposition_at> the? <goal>", weight=0.2)
+def bound_at(preposition: Preposition, at: Preposition, goal: Goal) -> Said | None:
+    """By sometime friday, no later than at six; but "up to around six" is a hedge."""
+    side = deadline if preposition.constraint is Constraint.BEFORE else release
+    return side(preposition, goal) if at.name in {"at", "on", "sometime"} else None
 
 
 @grammar.rule("said", "<preposition_after> <late clock with h>", weight=0.6)
@@ -100,20 +107,15 @@ def not_before_with_h(preposition: Preposition, clock: Clock) -> Said | None:
     return said if preposition.name == "not before" else None
 
 
-@grammar.rule("said", "<preposition_after> <hedge>? <four digits with hours>", weight=0.8)
-def release_with_hours(preposition: Preposition, hedge: str | None, clock: Clock) -> Said:
-    """After 1330 hours, not before about 1800 hours."""
-    hedges = () if hedge is None else (hedge,)
-    return Said(Wall(clock=clock), Constraint.AFTER, preposition.name, hedges, preposition.edge)
-
-
-@grammar.rule("said", "<preposition_before> <hedge>? <four digits with hours>", weight=0.8)
-def deadline_with_hours(preposition: Preposition, hedge: str | None, clock: Clock) -> Said | None:
-    """Before 1530 hours; but "within 1000 hours" is so long."""
+@grammar.rule(
+    "said", "<preposition_before>|<preposition_after> <hedge>? <four digits with hours>", weight=0.8
+)
+def bound_with_hours(preposition: Preposition, hedge: str | None, clock: Clock) -> Said | None:
+    """After 1330 hours, not before about 1800 hours; but "within 1000 hours" is so long."""
     if preposition.name == "within":
         return None
     hedges = () if hedge is None else (hedge,)
-    return Said(Wall(clock=clock), Constraint.BEFORE, preposition.name, hedges, preposition.edge)
+    return Said(Wall(clock=clock), preposition.constraint, preposition.name, hedges, preposition.edge)
 
 
 @grammar.rule("said", "until|till|til after|past|gone the? <goal>", weight=0.4)
@@ -157,20 +159,6 @@ def past_goal(goal: Goal) -> Said | None:
     if not (isinstance(time, Ending) or timed or isinstance(days, (Deictic, Relative))):
         return None
     return said_of(goal, "after", Constraint.AFTER, Edge.END)
-
-
-@grammar.rule(
-    "said",
-    "<goal> or|and later|after|greater|onwards|onward",
-    "<goal> onwards|onward",
-    "<goal> at the earliest|soonest",
-    weight=0.3,
-)
-def or_later(goal: Goal) -> Said | None:
-    """3 pm or later, monday onwards, at noon at the earliest; but "now and later" are two."""
-    if isinstance(goal.time, TimeWord):
-        return None
-    return said_of(goal, "not before", Constraint.AFTER, Edge.START)
 
 
 @grammar.rule("said", "by <goal> or|and later|after|onwards|onward", weight=0.4)
@@ -218,7 +206,7 @@ def latest(said: Said) -> Said | None:
     "<said> ,? at? the? very? earliest|soonest",
     "at the? very? earliest ,? <said>",
     "earliest <said>",
-    "<said> ,? or|and later|after|onwards|onward",
+    "<said> ,? or|and later|after|greater|onwards|onward",
     "<said> onwards|onward",
     "<said> ,? or any|some time after|later",
     "<said> ,? or anytime|sometime after|later",

@@ -50,6 +50,12 @@ def this_or_the_next(unit: UnitWord, again: UnitWord | None = None) -> Said | No
     return Said(Range(first, last), Constraint.BETWEEN, "sometime")
 
 
+@grammar.rule("said", "a day <days>", "a day in|of|during <days>", weight=0.5)
+def a_day_of(days: Calendar) -> Said | None:
+    """A day next week; but "twice a day next week" is so often."""
+    return None if days.grain is Unit.DAY else Said(Wall(days))
+
+
 def _is_behind(day: Calendar, other: Calendar | None) -> bool:
     """Whether a day is the one behind another."""
     if isinstance(other, Relative):

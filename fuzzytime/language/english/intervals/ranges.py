@@ -29,6 +29,8 @@ from fuzzytime.requirement import Constraint, Unit
 grammar = Grammar()
 
 NOON = 12
+TO_THE_HOUR = frozenset({5, 10, 20, 25})
+"""Minutes that are counted back from an hour: "ten to one"."""
 
 
 def range_of(first: Goal, last: Goal, *, minutes: bool = False) -> Said | None:
@@ -200,6 +202,12 @@ def called_between(first: Clock, *last: Clock | str) -> Said | None:
         # "2026-09" is a month.
         return None
     return sometime_from(first, end)
+
+
+@grammar.rule("called at", "<clock> to|till|til|until <clock>", weight=1.2)
+def called_from(first: Clock, last: Clock) -> Said | None:
+    """(lunch) 12 to 1, (gym) six til seven; but ten to one is ten minutes before it."""
+    return None if first.bare and first.hour in TO_THE_HOUR else sometime_from(first, last)
 
 
 @grammar.rule("said", "on|for? <wall> ,? <integer> - <integer>", weight=0.9)

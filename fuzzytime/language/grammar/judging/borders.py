@@ -14,14 +14,13 @@ from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_from_the_past
 from fuzzytime.language.grammar.judging.no_times import NoTime
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.measuring import NEAR, Measures
+from fuzzytime.language.grammar.surroundings.measuring import Measures
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.understood.due import tells_when_due
 from fuzzytime.language.grammar.understood.lent import counts_one
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Wall
-from fuzzytime.requirement import Constraint
 
 SIGNS = frozenset({">", "<"})
 """Marks that bind a time behind them, and compare numbers."""
@@ -73,7 +72,6 @@ class Borders:
             or (self.texts[piece.end - 1] == "about" and self.around.follower(piece)[:1].isalnum())
             or (self.texts[piece.start] in SIGNS and self.measures.is_number(piece.start - 1))
             or self._is_state(piece)
-            or self._is_excepted(piece)
             or self.particles.hold(piece)
             or self.events.named(piece)
             or self._is_object(piece)
@@ -255,20 +253,6 @@ class Borders:
         # "Open it by a third at seven"
         led = before in self.closed.sure_noun_openers - self.closed.indefinite_determiners
         return ordinal and alone and not led
-
-    def _is_excepted(self, piece: Piece) -> bool:
-        """Whether "but" may leave it out, or add it: neither "call ann today but at six"."""
-        if self.around.before(piece) != "but":
-            return False
-        earlier = self.texts[: piece.start - 1]
-        if "not" in earlier[-NEAR:] or not self.beside.repeating.isdisjoint(earlier):
-            # "Not today but tomorrow", "every day at nine but sunday"
-            return False
-        if any(said.category == "word" and said.end == piece.start - 1 for said in self.around.pieces(0)):
-            # "No rush but sometime this week"
-            return False
-        bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
-        return not bound and earlier[-1:] != [","]
 
     def _begins_another(self, piece: Piece) -> bool:
         """Whether its last word is what something is said of next: "at 8:30, lunch is at twelve"."""

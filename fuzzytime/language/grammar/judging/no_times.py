@@ -135,14 +135,20 @@ class NoTime(Standing):
         return False
 
     def _is_reckoned(self, piece: Piece) -> bool:
-        """Whether it is what a number is taken from: "subtract 3 from 10"."""
-        verbs = self.texts[max(0, piece.start - 2) : piece.start - 1]
-        number = self.measures.is_number(piece.start - 1)
-        return (
-            self.texts[piece.start] == "from"
-            and number
-            and not self.lexicon.no_times.reckoning.isdisjoint(verbs)
+        """Whether numbers are reckoned with: "subtract 3 from 10", "round 4.45 to 4.5", "add up to 6"."""
+        kinds, first = self.lexicon.no_times, piece.start
+        rounded = self.texts[first] in kinds.reckoning and self.around.follower(piece) == "to"
+        if not (rounded or piece.value.preposition in {"by", "from", "to", "until"}):
+            return False
+        inside = {"up", "down", "off"} | (
+            self.closed.it_or_them if self.texts[first] == "to" else frozenset()
         )
+        while first and self.texts[first] not in kinds.reckoning:
+            first -= 1
+            between = self.measures.is_number(first) or self.texts[first] in inside | kinds.reckoning | {"."}
+            if not between:
+                return False
+        return self.texts[first] in kinds.reckoning and self.around.opens(first)
 
     def _is_of_period(self, piece: Piece) -> bool:
         """Whether it is the period that something is of: "the rent for may", "the third quarter numbers"."""

@@ -1,13 +1,17 @@
 """A text as those see it who decide whether something is a time where it stands."""
 
 from collections.abc import Sequence
+from itertools import takewhile
 
+from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.run_on_hours import RunOnHours
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
+
+WITH = "with"
 
 
 class Standing:
@@ -48,3 +52,23 @@ class Standing:
         noun = self.texts[place - 1]
         named = {noun, noun.removesuffix("s")}.isdisjoint(nouns) and not self.measures.is_number(place - 1)
         return named and not self.around.timely(place - 1)
+
+    def is_met(self, place: int) -> bool:
+        """Whether somebody is met, or something happens, right before a place: "pick up the kids | 3"."""
+        marks = {",", ".", ";"} | self.closed.further_clause
+        # A mark may part them: "dentist - 7.30"
+        place -= place > 0 and self.texts[place - 1] in {"-", ":", "("}
+        said = [*takewhile(lambda text: text not in marks, reversed(self.texts[:place]))]
+        noun, before = (said[0], set(said[1:])) if said else ("", set[str]())
+        unmet = self.lexicon.called_by_number | self.lexicon.addressing | self.lexicon.orders
+        unmet |= self.lexicon.playing
+        if not noun or noun in unmet or any(text.isdecimal() for text in said):
+            # "Vet 10 dentist 3"
+            return False
+        if self.is_called(place) or noun in self.lexicon.happening | self.lexicon.taken:
+            return True
+        # "Pay Bob 10"
+        person = noun in self.lexicon.persons - self.lexicon.workers
+        person = person or (bool(before) and self.words[place - 1].capital)
+        met = before & (self.lexicon.doing.meeting | self.lexicon.addressing | {WITH})
+        return person and bool(met or (not before and not looks_plural(noun)))

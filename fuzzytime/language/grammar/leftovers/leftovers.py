@@ -229,6 +229,9 @@ def _untold(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -
         untold = untold or (word.text.endswith(DAY) and not any(around.pieces(place)))
         if not untold or _meets(explained, word, word):
             continue
+        if first and word.text.endswith("s") and "quantity" in scanned.cells[first - 1]:
+            # "Call mum within 8 weekends"
+            yield from range(first - 1, place + 1)
         near = range(first - 1, max(-1, first - LONGEST_MOMENT), -1)
         led = next((p for p in near if texts[p] in binding), -1)
         behind = "".join(texts[place + 1 : place + 2])

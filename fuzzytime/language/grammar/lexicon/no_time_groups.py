@@ -31,6 +31,7 @@ class NoTimes:
     sending: Words
     works: Words
     naming: Words
+    christening: Words
     meaning: Words
     rhyming: Words
     listening: Words

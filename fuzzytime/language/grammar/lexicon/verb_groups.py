@@ -20,6 +20,7 @@ class Doing:
     going_on: Words
     for_days: Words
     by_then: Words
+    naming_nothing: Words
     by_the_day: Words
     of_events: Words
     shutting: Words

@@ -61,11 +61,15 @@ class BehindTimes(LookedUp):
         led = not self.closed.prepositions_of_points.isdisjoint(
             (self.texts[piece.start], self.texts[piece.end - 2])
         )
-        one = not follower.endswith("s") and follower not in self.beside.plurals
+        one = not self.are_several(follower)
         behind = "".join(self.texts[piece.end + 1 : piece.end + 2])
         opened = behind in self.closed.behind_verbs | self.closed.object_pronouns
         opened = opened or (several and led and self._is_done_with(piece.end))
         return (lasts or (several and led)) and follower.isalpha() and one and opened
+
+    def are_several(self, text: str) -> bool:
+        """Whether a word is of more than one thing: "eggs", "people"."""
+        return looks_plural(text) or text in self.beside.plurals
 
     def _is_done_with(self, place: int) -> bool:
         """Whether a word and what is behind it are an order: "text ann", "order pizza", "lock up"."""
@@ -84,7 +88,7 @@ class BehindTimes(LookedUp):
         """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
         behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
         follower = self.follower(piece)
-        if looks_plural(follower) or follower in self.beside.plurals or not self.opens(piece.start):
+        if self.are_several(follower) or not self.opens(piece.start):
             return False
         # "On the 12th meet Ann", where a number alone may count: "at 5 text messages"
         dated = self.words[piece.end - 1].glued and self.words[piece.end - 2].is_digits

@@ -28,6 +28,9 @@ NEAR = 8
 
 COLON = ":"
 
+LARGEST_SHARE = 8
+"""The largest number that things are parted by, as a rule: "5/8 cup"."""
+
 HOURS = "hours"
 
 STATED = frozenset({"when", "if"})
@@ -143,7 +146,7 @@ class Measures:
             # "Bake the bread around six"; but "pick about five", "dim it to about six"
             amount = place + 1 == piece.start or self.texts[piece.start - 1] == "to"
             return (amount and text in lexicon.measure_verbs) or self._has_amount(place)
-        if not _is_bound_to_hour(said):
+        if not (_is_bound_to_hour(said) or self.is_fraction(piece)):
             return text in lexicon.measure_verbs | lexicon.measure_nouns | lexicon.amount_nouns
         if said.preposition not in AMOUNTED:
             return False
@@ -166,6 +169,12 @@ class Measures:
             # "The late shift from 2 to 10"
             return False
         return any(verb == text and set(rest) <= set(following) for verb, *rest in lexicon.changing)
+
+    def is_fraction(self, piece: Piece) -> bool:
+        """Whether it is by a part of a whole: "raise the seat by 3/4"."""
+        *_, bound, first, slash, last = ("", "", "", *self.texts[piece.start : piece.end])
+        typed = slash == "/" and first.isdecimal() and last.isdecimal()
+        return bound == "by" and typed and int(first) < int(last) <= LARGEST_SHARE
 
     def _has_amount(self, place: int) -> bool:
         """Whether a word is what has an amount, and no verb: "turn the heat up", but "heat the soup"."""

@@ -164,7 +164,7 @@ class Lent:
             time = next(iter(time.walls), time)
         first = time.first if isinstance(time, Range) else time
         clock = first.clock if isinstance(first, Wall) else None
-        hour = clock is not None and clock.is_open and clock.half is None and clock.grain is Unit.HOUR
+        hour = clock is not None and clock.half is None and clock.grain is Unit.HOUR
         worded = not self.beside.of_clocks & set(self.texts[piece.start : piece.end])
         begin = piece.start + (self.texts[piece.start] == "for")
         laid = self.texts[max(0, begin - 4) : begin - 2] == ["on", "the"]

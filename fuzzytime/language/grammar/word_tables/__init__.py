@@ -249,10 +249,10 @@ _ROWS = {
         "all of it", "by itself", "preferring", "lengths", "a day on", "a day back",
         "a week on", "a week back", "agreeing", "of course", "the earlier", "the later", "choosing none",
         "the next", "forgetting", "started", "asking for a while",
-        "how to", "done with", "done next", "wanted by", "told of", "half of the day", "towards",
-        "behind swapping",
+        "how to", "done with", "done next", "wanted by", "told of", "blocking", "keeping free",
+        "kept free", "being away", "half of the day", "towards", "behind swapping",
         "in its place of", "going", "one", "clock", "parting", "asking for help", "asking for the list",
-        "quitting",
+        "asking to clear", "quitting",
     ),
     "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "rating", "amounts"),
 }  # fmt: skip

@@ -59,7 +59,8 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
     if here.night is not None and not named and not here.usual:
         # The shift is from 19:30 to 07:30: "handover at quarter past seven" is where it ends.
         first, last = here.night
-        chosen = next((moment for moment in moments if first <= moment <= last), chosen)
+        inside = (moment for moment in moments if first <= moment <= last)
+        chosen = min(inside, key=lambda moment: abs(moment - (here.since or first)), default=chosen)
     choices = tuple(moments) if len(moments) > 1 and chosen in moments else ()
     return Instants(chosen, chosen, clock.grain, choices, wall.zone)
 
@@ -94,11 +95,11 @@ def _following(
 def _in_day(
     here: Standpoint, moments: Sequence[datetime], plausible: Sequence[datetime], chosen: datetime
 ) -> datetime:
-    """Give the moment that is not before the day of the lines begins, if one is.
+    """Give the moment that is not long before the day of the lines begins, if one is.
 
     "Hall open from 1.30", "tea at 5", "tuner at noon", then "doors 6.45".
     """
-    if here.opened is None or here.opened <= chosen:
+    if here.opened is None or here.opened - CLOSE <= chosen:
         return chosen
     known = moments if here.opened.hour >= NOON else plausible
     later = (moment for moment in known if here.opened < moment and moment.date() == chosen.date())
@@ -170,8 +171,8 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     if ahead and moment.date() > here.now.date() and (here.early or not here.ends):
         # Nothing is over by six in the morning but what people do that early.
         first = min(first, here.policy.ahead_from)
-    # "Stay up until three": the end of usual hours is one of them.
-    closes = here.usual and moment.time() == last
+    # "Stay up until three": the end of usual hours is one of them, but "theatre at eleven" is none.
+    closes = here.usual and here.ends and moment.time() == last
     if first > last:
         return moment.time() >= first or moment.time() < last or closes
     end = moment + timedelta(seconds=here.lasting)
@@ -203,8 +204,12 @@ def _leads(here: Standpoint, moment: datetime, clock: Clock) -> bool:
 
 
 def same_day_after(here: Standpoint, clock: Clock) -> list[datetime]:
-    """Give the moments of a clock time on the day of what it follows with the same thing."""
-    if not here.onto or here.since is None or here.since.date() <= here.now.date():
+    """Give the moments of a clock time on the day of what it follows with the same thing, or on a line."""
+    if here.since is None or here.since.date() <= here.now.date():
+        return []
+    # At eight in the evening, who writes down a day begins with the next.
+    next_day = here.in_order and here.opened is not None and here.opened.date() > here.now.date()
+    if not here.onto and not next_day:
         return []
     if here.since.time() < EARLY:
         # "Run it at midnight and report by six": the morning that follows.

@@ -23,15 +23,15 @@ def with_borrowed(text: str, span: Span, borrowed: Sequence[Borrowed]) -> str:
     return " ".join(text[a:b] for a, b in _stretches(text, span, borrowed))
 
 
-def in_place(tree: Tree, text: str, one: Span, borrowed: Sequence[Borrowed]) -> Tree:
-    """Give the tree of words with those they borrow, with the places of all from the stretch's start on.
+def in_place(tree: Tree, text: str, one: Span, heard: Span, borrowed: Sequence[Borrowed]) -> Tree:
+    """Give the tree of what was ``heard`` of a stretch with borrowed words, with the places of all.
 
-    ``text`` is the whole text; those of borrowed words are before the stretch.
+    They count from the stretch's start on. ``text`` is the whole text; those of borrowed words are before it.
     """
     if not borrowed:
         return tree
     nodes, first = list(tree.nodes), 0
-    for a, b in _stretches(text, one, borrowed):
+    for a, b in _stretches(text, heard, borrowed):
         end, moved = first + b - a, a - one[0] - first
         for place, node in enumerate(tree.nodes):
             if first <= node.start < end:
@@ -43,7 +43,7 @@ def in_place(tree: Tree, text: str, one: Span, borrowed: Sequence[Borrowed]) -> 
 def _stretches(text: str, span: Span, borrowed: Sequence[Borrowed]) -> Iterator[Span]:
     """Give the stretches of a text one behind the other, without spaces at their ends."""
     here, last = span
-    inside = (words for words in borrowed if here <= words.at < last)
+    inside = (words for words in borrowed if here <= words.at <= last)
     for words in sorted(inside, key=lambda words: words.at):
         kept = here + len(text[here : words.at].rstrip())
         if kept > here:

@@ -1,13 +1,14 @@
 """Where a segment is cut again, once its tree is known: at further verbs, names, and verbs left out."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
+from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_beside
 from fuzzytime.language.sentence.segments.further.further_orders import further_verbs
 from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_left_out
@@ -22,6 +23,8 @@ from fuzzytime.language.sentence.verbs.statements.statements import second_state
 
 CHAIN = re.compile(r",?w(?:,w)*,?&")
 """Words (w), commas and "and" (&) before the last of some verbs that share an object."""
+
+BE = "be"
 
 SHORTEST_CALL = 3
 """Words of an instruction at least that names who is asked: a name, a comma, what is to be done."""
@@ -93,7 +96,7 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
         return [replace(one.segment, span=(one.segment.span[0], onward[0])), onward[1]]
     starts = _further(one, part, lexicon)
     for start in starts:
-        chain = _chain(one, part, start)
+        chain = _chain(one, part, start, lexicon)
         if chain:
             return chain
     denied = _denied_list(one, starts, lexicon)
@@ -103,9 +106,30 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     gaps = _gaps(one, part, lexicon)
     for start in (*sorted(wishes), *(start for start in starts if start not in gaps)):
         pieces = _around(one, part, start, lexicon)
+        if pieces and start in wishes:
+            return [pieces[0], *_each(one, part, pieces[1], wishes, starts, lexicon)]
         if pieces:
-            return [pieces[0], replace(pieces[1], borrowed=wishes.get(start, ()))]
+            return pieces
     return []
+
+
+def _each(
+    one: Waiting,
+    part: Part,
+    behind: Segment,
+    wishes: Mapping[int, tuple[Borrowed, ...]],
+    starts: Sequence[int],
+    lexicon: Lexicon,
+) -> list[Segment]:
+    """Give the wishes in a stretch, up to a further order, each with the words that it borrows."""
+    start, end = behind.span
+    until = min((further for further in starts if start < further), default=end)
+    further = min((place for place in wishes if start < place < until), default=None)
+    first = replace(behind, borrowed=wishes[start])
+    if further is None:
+        return [first]
+    before, rest = _around(replace(one, segment=first), part, further, lexicon)
+    return [before, *_each(one, part, rest, wishes, starts, lexicon)]
 
 
 def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
@@ -247,7 +271,7 @@ def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
     return None
 
 
-def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
+def _chain(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> list[Segment]:
     """Give the segments of verbs alone before one with an object: "wash, peel and slice the apples".
 
     The tree often has the further ones for nouns; what counts is that the first is its root.
@@ -256,10 +280,17 @@ def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
     places = [place for place in one.source.places(part.offset, start) if place not in covered]
     shape = "".join({",": ",", "and": "&"}.get(words[place].text, "w") for place in places)
     verbs = [place for place, mark in zip(places, shape, strict=True) if mark == "w"]
-    if not CHAIN.fullmatch(shape) or not all(words[place].is_letters for place in verbs):
+    # "Swim and call Ann"
+    shares = all(words[p].is_letters and words[p].text not in lexicon.intransitive for p in verbs)
+    if not CHAIN.fullmatch(shape) or not shares:
         return []
     if places[-1] - verbs[0] >= len(places):
         # "Wait two minutes, and paint it": the first has a time of its own.
+        return []
+    before, last = words[verbs[0] - 1 : verbs[0]], words[verbs[-1]]
+    apart = last.text in part.tree.lexicon.doing.naming_nothing and words[places[-1] + 1].text != BE
+    if apart and before and before[0].text in {",", "and"}:
+        # "Clean the bath, hoover and get the bins in by six"; but "…, shower, and be downstairs by six"
         return []
     ends = [words[place].end for place in verbs]
     begins = [*(words[place].start for place in verbs[1:]), start]

@@ -7,6 +7,7 @@ and where there is none, either, where a verb is left out.
 from collections.abc import Mapping, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_behind
 from fuzzytime.language.sentence.segments.cuts import addressed, other_things, pieces_of, reminded
 from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
 from fuzzytime.language.sentence.segments.further.calls import called_first, called_next
@@ -112,7 +113,9 @@ def _cut(one: Waiting, part: Part, runs_on: int | None, lexicon: Lexicon) -> lis
 
 
 def _waiting(one: Waiting, pieces: Sequence[Segment], lexicon: Lexicon) -> list[Waiting]:
-    """Give the pieces of a segment, which wait anew."""
+    """Give the pieces of a segment, which wait anew; none where what it borrows is cut."""
+    if any(piece.span[0] < one.segment.span[0] for piece in pieces if one.segment.borrowed):
+        return []
     return [Waiting.of(one.position, one.source, piece, lexicon) for piece in pieces]
 
 
@@ -123,9 +126,9 @@ def _order_apart(one: Waiting) -> int | None:
 
 
 def _done_next(sources: Sequence[Source], done: Sequence[dict[int, Part]], lexicon: Lexicon) -> list[Waiting]:
-    """Give what waits anew for its tree, behind who does it: "…, then lands"."""
+    """Give what waits anew for its tree, behind who does it, or what is done: "…, then lands"."""
     return [
         Waiting.of(position, source, part.segment, lexicon)
         for position, (source, own) in enumerate(zip(sources, done, strict=True))
-        for part in done_next(source, own, lexicon)
+        for part in (*done_next(source, own, lexicon), *wishes_behind(source, own, lexicon))
     ]

@@ -67,6 +67,7 @@ def segments_of(
     cuts: list[tuple[int, int, str]] = []
     place = 0
     vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
+    timed = {phrase.first for phrase in phrases} - vague
     following = {phrase.first for phrase in phrases if _follows(phrase, words)}
     following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
     following |= set(listed(phrases, words, lexicon))
@@ -90,8 +91,11 @@ def segments_of(
             continue
         opens = _opens(words, place, vague, lexicon) and not counts_event(words, place, phrases, lexicon)
         found = longest_match(words, place, lexicon.connectives) if opens else None
-        if found is not None and len(longest_match(words, place, lexicon.clauses) or ()) > len(found):
-            # "Next time I'm at the shop"
+        other = longest_match(words, place, lexicon.clauses)
+        if found is not None and (
+            len(other or ()) > len(found) or timed & {*range(place, place + len(found))}
+        ):
+            # "Next time I'm at the shop", "and next friday"
             found = None
         end = 0 if found is None else _end_of(words, place, len(found))
         if found is not None and lexicon.connectives[found] == MEANWHILE and end < len(words):

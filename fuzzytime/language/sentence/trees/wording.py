@@ -83,10 +83,12 @@ class Wording:
         return list(range(place, end))
 
     def _is_called_by(self, place: int) -> bool:
-        """Whether a number behind a name counts nothing: "flight 815"; but "the dog 3 times"."""
+        """Whether a number counts nothing: "flight 815"; but "the dog 3 times", "run 2-3 miles"."""
+        if not self._counts(place):
+            return False
         machine = place > 0 and self.tree.nodes[place - 1].lower in self.lexicon.machines
-        alone = self._counts(place + 1) or not self._is_noun(place + 1)
-        return self._counts(place) and (machine or alone)
+        counted = max(self.tree.nodes[place].head, place + 1)
+        return machine or self._counts(place + 1) or not self._is_noun(counted)
 
     def _is_noun(self, place: int) -> bool:
         return place < len(self.tree.nodes) and self.tree.nodes[place].tag.startswith("NN")

@@ -41,10 +41,8 @@ class Particles:
         if first == "over":
             # "Turn the steaks over every two minutes"
             return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
-        if first in {"round", "around"} and rest[:1] != [] and rest[0] in self.beside.behind_round:
-            # "Bring the car round at six", "move the ward round to nine"; but "call me around in ten minutes"
-            moved = not self.lexicon.circling.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
-            return first == "round" or moved or rest[0] not in {"in", "at"}
+        if first in {"round", "around"} and rest and self._goes_round(piece):
+            return True
         if first == "in" and rest[:1] in (["each"], ["every"]) and piece.start:
             # "Weigh in every monday"
             return True
@@ -66,6 +64,16 @@ class Particles:
         follows = first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
         return follows or self._counts_from_that(piece)
 
+    def _goes_round(self, piece: Piece) -> bool:
+        """Whether something is moved round, or comes: "bring the car round tomorrow", "… round at six"."""
+        first, behind = self.texts[piece.start : piece.start + 2]
+        moved = not self.lexicon.circling.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
+        if moved and self.around.is_day_from_now(piece.start + 1):
+            return True
+        # "Call me around in two hours"
+        around = first == "around" and not moved and behind in {"in", "at"}
+        return behind in self.beside.behind_round and not around
+
     def _tells_what_is_on(self, piece: Piece) -> bool:
         """Whether "on" says that something is, and what is behind it when: "what's on this weekend"."""
         if self.texts[piece.start] != "on":
@@ -83,7 +91,7 @@ class Particles:
     def _stands_apart(self, piece: Piece) -> bool:
         """Whether a distance from something has it before it: "put the roast in | two hours before lunch"."""
         time = piece.value.time
-        if self.texts[piece.start] == "on" and isinstance(time, Offset):
+        if piece.value.preposition == "on" and isinstance(time, Offset):
             # "Turn the telly on five minutes before that"
             return True
         verbs = self.lexicon.particles.get(self.texts[piece.start], frozenset())

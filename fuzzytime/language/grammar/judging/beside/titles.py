@@ -73,8 +73,11 @@ def _tells(title: Sequence[Word], lexicon: Lexicon) -> bool:
         for word in title
     )
     first, second = title[:LEAST_TITLE]
-    counted = first.is_digits and second.capital and lexicon.means(second.text, "unit")
-    return said or (counted and len(title) == LEAST_TITLE)
+    # "Read 28 Days", "read Eight Months on Ghazzah Street"
+    counted = (first.is_digits and len(title) == LEAST_TITLE) or (
+        first.capital and first.text in lexicon.numbers
+    )
+    return said or (counted and second.capital and lexicon.means(second.text, "unit"))
 
 
 def _ends_in_time(title: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -39,7 +39,6 @@ class Figures(Standing):
             or self._is_of_decade(piece)
             or self._is_code(piece)
             or self._is_year_of_thing(piece)
-            or self._is_rounded(piece)
             or self._is_metre(piece)
             or self._is_rate(piece)
             or (self.texts[piece.start : piece.end] == ALWAYS and not self.around.may_end(piece))
@@ -142,11 +141,6 @@ class Figures(Standing):
         named = thing.isalpha() and thing not in self.lexicon.function_words
         past = days.year < self.lexicon.policy.planned_from
         return past and self.texts[joint] in self.beside.belonging and named
-
-    def _is_rounded(self, piece: Piece) -> bool:
-        """Whether a number is to be rounded: "round 4.45 to 4.5"."""
-        verb = self.texts[piece.start] == "round" and self.around.opens(piece.start)
-        return verb and self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1)
 
     def _is_metre(self, piece: Piece) -> bool:
         """Whether it is a metre: "play it in 3/4", "count it in 6/8"; a date has "on"."""

@@ -76,11 +76,17 @@ def _is_topic(piece: Piece, around: Surroundings) -> bool:
 
 
 def _is_called(piece: Piece, around: Surroundings) -> bool:
-    """Whether something is called so: "a boat named Friday", "a dog called Tuesday"; but "the vet called"."""
+    """Whether something is called so: "a boat named Friday", "a dog called Tuesday"; but "the vet called".
+
+    Or it gets that name: "name the hamster Midnight".
+    """
     *_, article, thing, named = ("", "", "", *around.texts[: piece.start])
     if named == "called":
         return article in around.closed.articles and thing not in around.lexicon.persons
     bound = around.texts[piece.start] in around.closed.prepositions_of_time
+    if article in around.lexicon.no_times.christening and thing in around.closed.noun_openers:
+        known = around.words[piece.start].capital or named in around.lexicon.animals
+        return known and not bound and around.opens(piece.start - len((article, thing, named)))
     return named in around.lexicon.no_times.naming and not bound and thing.isalpha()
 
 

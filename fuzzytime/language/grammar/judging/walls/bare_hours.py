@@ -1,9 +1,7 @@
 """Whether a number alone, or two that may be hour and minute, are a clock time where they stand."""
 
 from functools import cached_property
-from itertools import takewhile
 
-from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.judging.walls.dated_entries import LINE_STARTS
@@ -24,8 +22,6 @@ DEGREES_DIGITS = 3
 
 YEARS = frozenset(map(str, range(1900, 2100)))
 """Numbers of four digits in front of a thing that are hardly an hour: "2026 budget"."""
-
-WITH = "with"
 
 QUARTERS = frozenset({15, 30, 45})
 """Minutes that hardly a price has."""
@@ -81,7 +77,8 @@ class BareHours(Standing):
         if not offered or not self.measures.is_number(second):
             return False
         counted = "".join(self.texts[second + 1 : second + 2])
-        return counted.isalpha() and counted.endswith("s") and counted not in self.lexicon.function_words
+        several = counted.isalpha() and self.around.are_several(counted)
+        return several and counted not in self.lexicon.function_words
 
     def _is_counted(self, piece: Piece, said: Said) -> bool:
         """Whether a number before it makes it the second of two: "two by four", "pages 3 through 7"."""
@@ -132,37 +129,19 @@ class BareHours(Standing):
         if self.words[piece.start].is_digits and piece.value.time.clock.minute in QUARTERS:
             # "Dentist 9.30", but "lunch 12.50"
             taken = self.lexicon.taken - self.lexicon.measure_nouns
-            known = (place == 1 and (happens or before in taken)) or self._is_met(place)
+            known = (place == 1 and (happens or before in taken)) or self.is_met(place)
             return known and self._ends_order(piece)
         told = someone or named or happens
         return spelt and told and self._ends_order(piece)
 
     def _ends_meeting(self, piece: Piece) -> bool:
-        """Whether a number ends what is said of a meeting: "call mum 5", "lunch 12", "call ann 1430"."""
+        """Whether a number ends what is said of a meeting: "call mum 5", "lunch 12", "dentist 1430"."""
         if piece.end - piece.start > 1 or not self._ends_order(piece):
             return False
-        if self.measures.is_sure(piece.start):
-            return self.is_called(piece.start)
         number = self.texts[piece.start]
-        return number.isdecimal() and 0 < int(number) <= HALF_DAY and self._is_met(piece.start)
-
-    def _is_met(self, place: int) -> bool:
-        """Whether somebody is met, or something happens, right before a place: "pick up the kids | 3"."""
-        marks = {",", ".", ";"} | self.closed.further_clause
-        said = [*takewhile(lambda text: text not in marks, reversed(self.texts[:place]))]
-        noun, before = (said[0], set(said[1:])) if said else ("", set[str]())
-        unmet = self.lexicon.called_by_number | self.lexicon.addressing | self.lexicon.orders
-        unmet |= self.lexicon.playing
-        if not noun or noun in unmet or any(text.isdecimal() for text in said):
-            # "Vet 10 dentist 3"
-            return False
-        if self.is_called(place) or noun in self.lexicon.happening | self.lexicon.taken:
-            return True
-        # "Pay Bob 10"
-        person = noun in self.lexicon.persons - self.lexicon.workers
-        person = person or (bool(before) and self.words[place - 1].capital)
-        met = before & (self.lexicon.doing.meeting | self.lexicon.addressing | {WITH})
-        return person and bool(met or (not before and not looks_plural(noun)))
+        if self.measures.is_sure(piece.start):
+            return self.is_called(piece.start) or (number not in YEARS and self.is_met(piece.start))
+        return number.isdecimal() and 0 < int(number) <= HALF_DAY and self.is_met(piece.start)
 
     def _is_in_front(self, piece: Piece) -> bool:
         """Whether two typed numbers stand in front of what is then: "14.30 tea"; but "2.50 coffee"."""
@@ -181,7 +160,7 @@ class BareHours(Standing):
 
     def _ends_order(self, piece: Piece) -> bool:
         """Whether nothing more is said of what is to be done behind it."""
-        return self.around.follower(piece) in {"", ".", "!", ",", ";"} | self.closed.further_clause
+        return self.around.follower(piece) in {"", ".", "!", ",", ";", ")"} | self.closed.further_clause
 
     def _is_listed(self, piece: Piece) -> bool:
         """Whether it is the hour of an entry of a list: "vet 10, dentist 3"."""

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings.measuring import LARGEST_SHARE
 from fuzzytime.language.grammar.timetables import MINUTED, MINUTES, counts_nothing, has_time
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Wall
@@ -24,9 +25,6 @@ SLASH = "/"
 
 FEW = 5
 """Up to here an ordinal with a mark behind it counts steps: "2nd: rinse"."""
-
-LARGEST_SHARE = 8
-"""The largest number that things are parted by, as a rule: "5/8 cup"."""
 
 
 def heads_list(words: Sequence[Word], start: int, end: int) -> bool:

@@ -26,6 +26,9 @@ PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MO
 SHORT_YEAR = 2
 """Digits of a year without its century."""
 
+APART = frozenset({"-", "–", "—", ",", "("})
+"""What may stand between what a title names and its day."""
+
 ONE = "one"
 """What stands for a thing behind a word for which: "a new one"."""
 
@@ -117,9 +120,12 @@ class Walls(Standing):
         return behind.isalpha() and any(self.around.is_weekday(p) for p in others)
 
     def _ends_entry(self, piece: Piece) -> bool:
-        """Whether a short name of a day ends an order: "call mum sat", not "find where dad sat"."""
+        """Whether a short name of a day ends an order, or a title: "call mum sat", not "where dad sat"."""
         before, place = self.around.before(piece), piece.start
-        ends = self.around.follower(piece) in self.beside.polite_ends | {""}
+        if before in APART and place > 1:
+            # As in "jumble sale - Sat", or with the day between brackets.
+            before = self.texts[place - 2]
+        ends = self.around.follower(piece) in self.beside.polite_ends | {"", ")"}
         named = before.isalpha() and before not in self.lexicon.function_words | self.lexicon.addressing
         clause = self.closed.relatives | self.closed.free_relatives | self.closed.personal_pronouns
         told = any(text in clause or (text,) in self.lexicon.clauses for text in self.texts[:place])
@@ -165,8 +171,9 @@ class Walls(Standing):
             return True
         first = piece.start + (self.texts[piece.start] == "to")
         led = first > 0 and self.texts[first - 1] == "to"
-        if led and self._is_ratio(first) and not self.given.puts_off(piece):
-            # "Fill the tub to 3/4 at eight"
+        share = self.measures.is_fraction(piece) and self.measures.measured(piece)
+        if share or (led and self._is_ratio(first) and not self.given.puts_off(piece)):
+            # "Raise the seat by 3/4", "fill the tub to 3/4 at eight"
             return True
         whole = wall.clock is not None and not wall.clock.shift
         if whole and said.preposition is None and self.measures.named(piece):
@@ -260,7 +267,7 @@ class Walls(Standing):
         if wall.days is None or not last or not self.measures.is_number(piece.end - 1):
             return False
         follower, led = self.around.follower(piece), self.texts[piece.end - 2]
-        several = follower.endswith("s") and follower not in self.lexicon.function_words
+        several = self.around.are_several(follower) and follower not in self.lexicon.function_words
         return several and follower.isalpha() and led not in self.closed.prepositions_of_points
 
     def _is_thing(self, piece: Piece, wall: Wall) -> bool:

@@ -44,7 +44,20 @@ class WeakWalls(Standing):
         dated = dates_entry(self.words, piece.start, piece.end, self.lexicon)
         # "In the summer of 2031 fly to Rome": nothing is counted by a year.
         ends = self.around.may_end(piece) or (piece.start == 0 and self.texts[piece.end - 1] in YEARS)
-        return dated or (bound and not clocked and ends) or (numbered and self._ends_order(piece))
+        dated = dated or self._dates_meeting(piece) or (numbered and self._ends_order(piece))
+        return dated or (bound and not clocked and ends)
+
+    def _dates_meeting(self, piece: Piece) -> bool:
+        """Whether a typed date ends what is said of a meeting: "dentist 9/15", "call mum 15.9."."""
+        first, *rest = self.words[piece.start : piece.end]
+        mark, last = ("".join(word.text for word in rest[:1]), "".join(word.text for word in rest[1:2]))
+        # "Call mum 7.30."
+        typed = mark == "/" or (mark == "." and len(last) == 1)
+        ends = self.around.follower(piece) in self.beside.polite_ends | {"", ".", ",", ";", ")"}
+        # "Rate lunch 9/10"
+        rated = not self.lexicon.rating.isdisjoint(self.texts[: piece.start])
+        met = typed and ends and not rated and self.is_met(piece.start)
+        return first.is_digits and last.isdecimal() and met
 
     def _ends_order(self, piece: Piece) -> bool:
         """Whether a typed day of a month ends what is asked for: "call mum the 9th", not "take the 2nd"."""

@@ -1,7 +1,8 @@
 """Where further wishes begin that borrow words of the first."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
+from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
@@ -16,28 +17,35 @@ from fuzzytime.language.sentence.segments.borrowed_words.frames import (
 )
 from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import Stretch, Wish
 from fuzzytime.language.sentence.segments.borrowed_words.other_things import (
-    goes_elsewhere,
+    is_done_elsewhere,
     is_done_then,
     is_given_too,
     is_put_too,
 )
-from fuzzytime.language.sentence.segments.waiting import Part, Waiting
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
 from fuzzytime.language.sentence.trees.tree import Tree
 
 JOINTS = frozenset({"and", "&", ",", ";", "but"})
 
-KINDS: tuple[Callable[[Wish], list[Stretch] | None], ...] = (
+THEN = "then"
+
+Kind = Callable[[Wish], list[Stretch] | None]
+
+KINDS: tuple[Kind, ...] = (
     is_sure_too,
     is_asked_too,
     lets_too,
     is_gone_for_too,
     acts_too,
     is_done_too,
-    goes_elsewhere,
     is_given_too,
     is_put_too,
+    is_done_elsewhere,
     is_done_then,
 )
+IN_FRONT: tuple[Kind, ...] = (is_reminded_then, is_done_elsewhere)
+"""What a wish may be that has its time in front, or stands apart."""
 
 
 def wishes_beside(one: Waiting, part: Part, lexicon: Lexicon) -> dict[int, tuple[Borrowed, ...]]:
@@ -49,20 +57,65 @@ def wishes_beside(one: Waiting, part: Part, lexicon: Lexicon) -> dict[int, tuple
         ends = (p for p in behind if p in timed or (tree.nodes[p].lower,) in lexicon.clauses)
         end = next(ends, len(tree.nodes))
         wish = Wish(tree, start, end, timed, lexicon)
-        kinds = (is_reminded_then,) if start in timed else KINDS
-        stretches = next((said for kind in kinds if (said := kind(wish)) is not None), None)
-        if stretches is None or any(not timed.isdisjoint(words) for _, words in stretches):
-            continue
-        offset = part.offset
-        found[tree.nodes[start].start + offset] = tuple(
-            Borrowed(
-                tree.nodes[at].start + offset,
-                (tree.nodes[words[0]].start + offset, tree.nodes[words[-1]].end + offset),
-            )
-            for at, words in stretches
-            if words
-        )
+        borrowed = _borrowed(wish, IN_FRONT if start in timed else KINDS, part.offset)
+        if borrowed is not None:
+            found[tree.nodes[start].start + part.offset] = borrowed
     return found
+
+
+def _borrowed(wish: Wish, kinds: Sequence[Kind], offset: int) -> tuple[Borrowed, ...] | None:
+    """Give the words that a wish borrows, as the first of some kinds that it is of says; None for none."""
+    nodes = wish.tree.nodes
+    stretches = next((said for kind in kinds if (said := kind(wish)) is not None), None)
+    if stretches is None or any(not wish.timed.isdisjoint(words) for _, words in stretches):
+        return None
+    starts = [*(node.start for node in nodes), nodes[-1].end]
+    return tuple(
+        Borrowed(starts[at] + offset, (nodes[words[0]].start + offset, nodes[words[-1]].end + offset))
+        for at, words in stretches
+        if words
+    )
+
+
+def wishes_behind(source: Source, parts: Mapping[int, Part], lexicon: Lexicon) -> Iterator[Part]:
+    """Give the parts, by where they begin, that are done as the part before is: "…, then Ann to school"."""
+    ordered: Part | None = None
+    for start in sorted(parts):
+        part = parts[start]
+        if not part.tree.nodes or part.segment.borrowed:
+            continue
+        end = ordered.segment.span[1] if ordered is not None else 0
+        said = source.scanned.text[end : part.segment.span[0]].lower()
+        timed = any(start <= phrase.span[0] < part.segment.span[1] for phrase in source.phrases)
+        borrowed = (
+            None
+            if ordered is None or not timed or not _joins(said)
+            else _behind(source, ordered, part, lexicon)
+        )
+        if borrowed is None:
+            ordered = part
+        else:
+            yield replace(part, segment=replace(part.segment, borrowed=borrowed, verbless=False))
+
+
+def _joins(said: str) -> bool:
+    """Whether what stands between two parts lets the second be as the first is: ", and then"."""
+    return bool(said.strip()) and ENDS.isdisjoint(said) and JOINTS.union({THEN}).issuperset(said.split())
+
+
+def _behind(source: Source, ordered: Part, part: Part, lexicon: Lexicon) -> tuple[Borrowed, ...] | None:
+    """Give the words of the part before that hold in a part; None where it is no further wish."""
+    first, shift = ordered.tree.nodes, len(ordered.tree.nodes)
+    nodes = (
+        *(replace(n, start=n.start + ordered.offset, end=n.end + ordered.offset) for n in first),
+        *(
+            replace(n, start=n.start + part.offset, end=n.end + part.offset, head=n.head + shift)
+            for n in part.tree.nodes
+        ),
+    )
+    both = Tree(source.scanned.text, nodes, lexicon)
+    timed = frozenset(place for phrase in source.phrases for place in both.at(*phrase.span))
+    return _borrowed(Wish(both, shift, len(nodes), timed, lexicon, apart=True), IN_FRONT, 0)
 
 
 def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[int]:
@@ -82,7 +135,4 @@ def _other_times(tree: Tree, timed: AbstractSet[int]) -> Iterator[int]:
     for place in range(2, len(tree.nodes) - 1):
         if place not in timed or place - 1 in timed or tree.nodes[place - 1].lower not in JOINTS:
             continue
-        behind = next(p for p in range(place, len(tree.nodes) + 1) if p not in timed)
-        done = tree.nodes[behind + 1 : behind + 2]
-        if done and tree.nodes[behind].lower == "to" and done[0].may_act:
-            yield place
+        yield place

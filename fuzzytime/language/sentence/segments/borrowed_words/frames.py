@@ -95,14 +95,12 @@ def is_asked_too(wish: Wish) -> list[Stretch] | None:
     behind = tree.nodes[wish.start + 1 : wish.start + 2]
     if node.lower == "to":
         return [(wish.start, front_of(wish, to))] if behind and behind[0].may_act else None
-    also = next((p for p in range(wish.start + 1, wish.end) if tree.nodes[p].lower == "to"), None)
-    if also is not None and wish.names(wish.start, also) and wish.is_name(root + 1):
-        return [(wish.start, front_of(wish, root + 1))] if wish.is_name(wish.start) else None
+    also = next((p for p in range(wish.start + 1, wish.end) if tree.nodes[p].tag == "TO"), None)
+    if also is not None and wish.names(wish.start, also) and wish.is_called(root + 1):
+        return [(wish.start, front_of(wish, root + 1))] if wish.is_called(wish.start) else None
     reminds = tree.nodes[root].lemma in wish.lexicon.doing.recalling
     # "Remind me to water the plants at six and call mum at seven"
-    somebody = bool(behind) and (
-        wish.is_name(wish.start + 1) > 0 or behind[0].lower in wish.lexicon.names_like_words
-    )
+    somebody = bool(behind) and wish.is_called(wish.start + 1) > 0
     called = somebody and node.lower in wish.lexicon.addressing
     if reminds and not called and wish.names(wish.start, wish.end) and to + 2 < wish.start:
         return _reminded_with(wish, to)
@@ -116,7 +114,8 @@ def is_reminded_then(wish: Wish) -> list[Stretch] | None:
     """Give "remind me", which holds at another time, too: "… at six to call mum and at ten to lock up"."""
     tree, root = wish.tree, wish.tree.root
     reminds = tree.nodes[root].lemma in wish.lexicon.doing.recalling and root + 2 in wish.timed
-    return [(wish.start, front_of(wish, root + 2))] if reminds and root + 2 < wish.start else None
+    again = any(p not in wish.timed for p in range(wish.start, len(tree.nodes)))
+    return [(wish.start, front_of(wish, root + 2))] if reminds and again and root + 2 < wish.start else None
 
 
 def _reminded_with(wish: Wish, to: int) -> list[Stretch]:
@@ -167,11 +166,12 @@ def acts_too(wish: Wish) -> list[Stretch] | None:
     tree, root = wish.tree, wish.tree.root
     if root >= wish.start:
         return None
+    pronouns = wish.lexicon.closed.first_and_second_person
     subjects = tree.children(root, *SUBJECTS)
     first = min(tree.below(subjects[0])) if subjects else root
     named = wish.is_name(first)
     behind = first + named
-    if not subjects or not named or not behind <= root or tree.nodes[first].lower in {"i", "we"}:
+    if not subjects or not named or not behind <= root or tree.nodes[first].lower in pronouns:
         return None
     whom = wish.is_name(wish.start)
     if not whom or tree.nodes[root].tag not in {"VBZ", "VBP", "VB"}:

@@ -17,13 +17,14 @@ Stretch = tuple[int, range]
 
 @dataclass(frozen=True, slots=True)
 class Wish:
-    """A further wish in a tree: where it begins, and where its time does."""
+    """A further wish in a tree: where it begins, and where its time does; it may stand ``apart``."""
 
     tree: Tree
     start: int
     end: int
     timed: AbstractSet[int]
     lexicon: Lexicon
+    apart: bool = False
 
     def names(self, first: int, end: int) -> bool:
         """Whether words are there, and all name something."""
@@ -44,6 +45,10 @@ class Wish:
             (node.text[0].isupper() and node.text.isalpha() and not node.text.isupper())
             or node.lower in self.lexicon.persons
         )
+
+    def is_called(self, place: int) -> int:
+        """Give how many words name somebody at a place where a name stands, also one like a word: "bob"."""
+        return self.is_name(place) or int(self.tree.nodes[place].lower in self.lexicon.names_like_words)
 
 
 def front_of(wish: Wish, end: int) -> range:

@@ -1,30 +1,133 @@
 """Which words of an order hold for another thing too: "take the chairs to room 2 and the tables to 3"."""
 
+from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import (
     Stretch,
     Wish,
+    front_of,
     is_opened,
     ordered,
 )
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree
 
+NOUNS = "NN"
+
+LEADING = frozenset({"TO", "PRP", "MD", "CC", "UH", "RB"})
+"""Tags of words that an order may stand behind: "can you", "to", "please"."""
+
 WHERE = frozenset({"IN", "TO"})
 """Tags of words that begin what says where."""
 
 
-def goes_elsewhere(wish: Wish) -> list[Stretch] | None:
-    """Give what is done with another thing elsewhere: "take" the chairs to room 2, the tables to room 3."""
-    verb, nodes = ordered(wish), wish.tree.nodes
-    if verb is None or not is_opened(wish):
+def is_done_elsewhere(wish: Wish) -> list[Stretch] | None:
+    """Give what is done with another, of whom it is said: "take" Tom swimming at ten and Ella to ballet."""
+    tree, verb, closed = wish.tree, _acting(wish), wish.lexicon.closed
+    here = next((p for p in range(wish.start, len(tree.nodes)) if p not in wish.timed), len(tree.nodes))
+    if verb is None or here == len(tree.nodes):
         return None
-    where = next((p for p in range(wish.start + 1, wish.end) if nodes[p].tag in WHERE), None)
-    if where is None or where + 1 >= wish.end or not wish.names(wish.start, where):
+    end = _end_behind(wish, here)
+    time = next((p for p in range(verb.stop, here) if p in wish.timed), here)
+    in_front = here > wish.start
+    if not wish.apart and ((time < wish.start) is in_front or (end not in wish.timed and not in_front)):
         return None
-    before = (p for p in range(verb[-1] + 1, wish.start) if p not in wish.timed and nodes[p].tag in WHERE)
-    first = next((p for p in before if wish.names(verb[-1] + 1, p)), None)
-    alike = first is not None and nodes[first].lower == nodes[where].lower
-    return [(wish.start, verb)] if alike else None
+    named = _others(wish, here, end, verb.stop)
+    said = range(here + named, end)
+    if not named or any(_tells(wish, place, said.start) for place in range(here + 1, end)):
+        return None
+    if has_time(tree.nodes[said.start - 1].lower, wish.lexicon) and not _is_somebody(wish, said.start - 1):
+        # "Feed the cat at six and the match at eight"
+        return None
+    front = front_of(wish, verb.start)
+    joined = any(tree.nodes[p].lower in closed.joints_of_orders for p in front)
+    found = [(here, verb if joined else range(front.start, verb.stop))]
+    carried = next((p for p in range(verb.stop + 1, time) if _is_carried(wish, verb.start, p)), None)
+    if carried is not None and (not said or _leads_alike(wish, carried, said.start)):
+        found.append((said.start, range(carried, carried + 1)))
+    return found
+
+
+def _end_behind(wish: Wish, here: int) -> int:
+    """Give where what is said of another ends: at a time, or at a joint before one."""
+    nodes, joints = wish.tree.nodes, wish.lexicon.closed.joints_of_orders
+    behind = range(here + 1, len(nodes))
+    ends = (p for p in behind if p in wish.timed or (nodes[p].lower in joints and p + 1 in wish.timed))
+    return next(ends, len(nodes))
+
+
+def _is_carried(wish: Wish, verb: int, place: int) -> bool:
+    """Whether a word is a verb's particle behind what it is done with: "get gran up", "put the roast in"."""
+    node = wish.tree.nodes[place]
+    return node.tag == "RP" or wish.tree.nodes[verb].lemma in wish.lexicon.particles.get(node.lower, ())
+
+
+def _leads_alike(wish: Wish, carried: int, said: int) -> bool:
+    """Whether the same stands behind a particle, and of another: picked "up from" chess, and "from" drums."""
+    return wish.tree.nodes[carried + 1].lower == wish.tree.nodes[said].lower
+
+
+def _acting(wish: Wish) -> range | None:
+    """Give the last bare verb before a wish that has a thing or somebody behind it, with its particle."""
+    nodes, lexicon, openers = wish.tree.nodes, wish.lexicon, wish.lexicon.closed.noun_openers
+    for place in range(wish.start - 2, -1, -1):
+        node, before = nodes[place], nodes[place - 1] if place else None
+        led = before is None or place - 1 in wish.timed or before.tag in LEADING or before.text == ","
+        bare = (node.may_act or node.tag == "VB") and node.lower == node.lemma and place not in wish.timed
+        if not led or not bare or node.lower in lexicon.function_words:
+            continue
+        carried = node.lower in lexicon.particles.get(nodes[place + 1].lower, ())
+        verb = range(place, place + 1 + carried)
+        thing = nodes[verb.stop]
+        somebody = openers | lexicon.persons | lexicon.names_like_words
+        if verb.stop in wish.timed or not (thing.lower in somebody or thing.tag.startswith(NOUNS)):
+            continue
+        asked = lexicon.addressing - lexicon.doing.recalling
+        asks = any(
+            other.lemma in asked and wish.tree.children(p, "xcomp", "ccomp")
+            for p, other in enumerate(nodes[:place])
+        )
+        asks = asks or (node.lemma in asked and any(n.tag == "TO" for n in nodes[place : wish.start]))
+        return None if asks or any(other.relation == "neg" for other in nodes[:place]) else verb
+    return None
+
+
+def _others(wish: Wish, here: int, end: int, first: int) -> int:
+    """Give how many words name another thing, or somebody, as those from ``first`` on do; 0 for none."""
+    nodes, lexicon = wish.tree.nodes, wish.lexicon
+    node, openers = nodes[here], lexicon.closed.noun_openers
+    given = {nodes[p + 1].lower in openers for p in (here, first) if p + 1 < len(nodes)}
+    somebody = wish.is_name(here) or node.lower in openers
+    # "And show Bob the flat"; but "and mark the book at nine"
+    called = node.lower in lexicon.names_like_words and len(given) == 1
+    # "Bring wine to dad at six and cheese to mum at seven"
+    acts = node.may_act or node.lower in lexicon.addressing | lexicon.closed.negative_pronouns
+    bare = not acts and node.tag.startswith(NOUNS) and nodes[first].lower not in openers
+    if not (somebody or called or bare):
+        return 0
+    ends = (p for p in range(here + 1, end) if not wish.names(p, p + 1) or nodes[p].lower in openers)
+    return next(ends, end) - here
+
+
+def _is_somebody(wish: Wish, place: int) -> bool:
+    """Whether somebody is named, or an animal is."""
+    lexicon = wish.lexicon
+    return wish.tree.nodes[place].lower in lexicon.persons | lexicon.names_like_words | lexicon.animals
+
+
+def _tells(wish: Wish, place: int, named: int) -> bool:
+    """Whether a word says what somebody or something does: "and the kids come home at seven".
+
+    So may a plural behind who is ``named``: "and Bob cooks tonight".
+    """
+    node, before = wish.tree.nodes[place], wish.tree.nodes[place - 1]
+    if before.tag == "POS" or node.tag == "POS":
+        # "And gran's coming tomorrow", "and the meeting's at two"
+        return (node.lemma != node.lower and node.may_act) or place + 1 == named
+    finite = node.tag in {"VBZ", "VBP", "VBD", "MD"} or (node.tag == "VB" and before.lower != "to")
+    acts = place < named and node.may_act and node.lower != node.lemma and _is_somebody(wish, place - 1)
+    # "And the doors open at eight"
+    opens = node.lower in wish.lexicon.doing.timed | wish.lexicon.doing.several_timed
+    return finite or acts or opens
 
 
 def is_given_too(wish: Wish) -> list[Stretch] | None:

@@ -10,9 +10,12 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
     stands_alone,
 )
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.places import says_where
+
+DESCRIBING = ("det", "amod", "poss", "nummod", "compound")
+"""How a tree calls what says which thing it is."""
 
 
 def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
@@ -21,6 +24,7 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
     return (
         (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
         or _follows_turning(tree, place, lexicon)
+        or _is_done_between(tree, place, timed, lexicon)
         or is_further_step(tree, place, timed, lexicon)
         or is_order_before_time(tree, place, timed)
         or is_order_between_times(tree, place, timed, lexicon)
@@ -63,6 +67,41 @@ def _is_chore(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         return any(one.tag.startswith("NN") and not one.may_act for one in things)
     several = any(one.tag == "NNS" or says_where(one.lower, lexicon) for one in things)
     return node.lower in lexicon.chores and several
+
+
+def _is_done_between(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+    """Whether a chore alone, or done somewhere, is one of several: "make the beds, hoover upstairs and …".
+
+    What is bought may be called so: "buy bread, water and call Ann".
+    """
+    node, before, joints = tree.nodes[place], tree.nodes[place - 1].lower, lexicon.closed.joints_of_orders
+    bought = tree.nodes[tree.root].lemma in lexicon.ordering | lexicon.doing.errands
+    known = lexicon.chores | lexicon.alone | lexicon.timing_alone | lexicon.doing.naming_nothing
+    if bought or node.lower not in known or before not in joints or tree.children(place, *DESCRIBING):
+        return False
+    behind = [*tree.nodes[place + 1 :]]
+    where = bool(behind) and says_where(behind[0].lower, lexicon)
+    behind = behind[where:]
+    if where and (not behind or behind[0].tag == "IN"):
+        return True
+    further = behind[1:2] if behind and behind[0].lower in joints else []
+    goes_on = any(one.is_bare and (where or tree.children(tree.nodes.index(one), "dobj")) for one in further)
+    return goes_on or _names_nothing(tree, place, timed, lexicon)
+
+
+def _names_nothing(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+    """Whether an order that names nothing ends all, or one like it follows: "clean the bath and hoover".
+
+    It may be a thing beside another like it: "move the mop and vacuum".
+    """
+    orders = lexicon.doing.naming_nothing
+    behind, further = tree.nodes[place + 1 : place + 2], tree.nodes[place + 2 : place + 3]
+    goes_on = all(word.tag in IMPERATIVE or word.lower in orders for word in further)
+    joined = all(word.lower in lexicon.closed.joints_of_orders | ENDS for word in behind) and goes_on
+    ends = joined or place + 1 in timed or any((word.lower,) in lexicon.clauses for word in behind)
+    named = [p for p in tree.children(tree.root, "dobj") if tree.children(p, *DESCRIBING)]
+    beside = orders.intersection(tree.nodes[p].lower for p in named)
+    return ends and not beside and tree.nodes[place].lower in orders
 
 
 def _follows_turning(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -227,7 +227,9 @@ def _is_thing(word: Word, lexicon: Lexicon) -> bool:
     numbered = lexicon.measure_nouns | lexicon.amount_nouns | kinds.numbered_in_two | kinds.set_to
     known = has_time(word.text, lexicon)
     named = known or word.text not in numbered
-    return named and word.text not in lexicon.function_words and not lexicon.means(word.text, *BESIDE_HOURS)
+    # "Mum arriving 6.40"
+    joint = word.text in lexicon.function_words - lexicon.beside.dated
+    return named and not joint and not lexicon.means(word.text, *BESIDE_HOURS)
 
 
 def _is_timed(word: Word, lexicon: Lexicon, timed: Timed) -> bool:

@@ -27,7 +27,9 @@ def with_whole_things(tree: Tree) -> Tree:
     """Give a tree whose things have all their words."""
     return _with_level(
         _with_next_one(
-            _with_numbered_subject(_with_last_noun(_with_second(_with_somebody(_with_people(tree)))))
+            _with_numbered_subject(
+                _with_last_noun(_with_second(_with_somebody(_with_people(_with_apposed(tree)))))
+            )
         )
     )
 
@@ -41,12 +43,31 @@ def _with_people(tree: Tree) -> Tree:
             nodes[place] = replace(node, tag="NNP", relation="conj", head=place - 2)
             nodes[place - 1] = replace(nodes[place - 1], head=place - 2)
             nodes[node.head] = replace(nodes[node.head], relation="prep", head=nodes[place - 2].head)
-        if node.lower in tree.lexicon.persons and node.tag in DESCRIBING:
-            behind_verb = node.head == place - 1 and nodes[place - 1].is_verb
+        known = tree.lexicon.persons | tree.lexicon.names_like_words
+        if node.lower in known and node.tag in DESCRIBING:
+            # "Pick up bob at the station"
+            verb = place - 1 - (nodes[place - 1].tag == "RP")
+            behind_verb = node.head == verb and nodes[verb].is_verb
             # "Wake oliver at seven am", where a tree has the last word for what is woken
-            relation = "dative" if tree.children(place - 1, "dobj") else "dobj"
+            relation = "dative" if tree.children(verb, "dobj") else "dobj"
             nodes[place] = replace(node, tag="NNP", relation=relation if behind_verb else node.relation)
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
+def _with_apposed(tree: Tree) -> Tree:
+    """Give "ring uncle joe" his whole name, and "text leo the address" both, which a tree has for one."""
+    for second in tree.children(tree.root, "appos"):
+        first = tree.reach(second)[0] - 1
+        if first not in tree.children(tree.root, "dobj"):
+            continue
+        nodes = list(tree.nodes)
+        nodes[second] = replace(nodes[second], relation="dobj")
+        if tree.children(second, "det", "poss"):
+            nodes[first] = replace(nodes[first], relation="dative")
+        else:
+            nodes[first] = replace(nodes[first], relation="compound", head=second)
+        return tree.with_nodes(nodes)
+    return tree
 
 
 def _is_called_like_modal(tree: Tree, place: int) -> bool:

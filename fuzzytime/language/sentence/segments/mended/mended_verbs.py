@@ -32,7 +32,7 @@ def does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     if tree.root != 1 or not tree.nodes[1].is_verb:
         return None
     first, person = tree.nodes[:LET]
-    acts = first.may_act and first.lower == first.lemma and first.tag in NOUNS
+    acts = first.may_act and first.lower == first.lemma and first.tag in NOUNS | {"VB"}
     known = person.lower in lexicon.persons | lexicon.animals and not person.may_act
     # "Ping frank at nine"
     called = first.lower in lexicon.addressing and person.lower in lexicon.names_like_words

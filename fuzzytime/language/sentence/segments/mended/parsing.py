@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import blanked
+from fuzzytime.language.instruction import Span, blanked
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
 from fuzzytime.language.sentence.segments.mended.aims import with_aim
 from fuzzytime.language.sentence.segments.mended.mended_things import (
@@ -21,6 +21,7 @@ from fuzzytime.language.sentence.segments.mended.reminded_of import with_reminde
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
+from fuzzytime.language.sentence.verbs.meant.actions import is_doubtful
 from fuzzytime.language.sentence.verbs.statements.called import (
     with_called,
     with_clause,
@@ -37,10 +38,13 @@ CARRIERS = ("", "please ", "you should ")
 def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
     """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
     texts = [_heard(one) for one in waiting]
-    found = [
-        as_done(in_place(tree, one.source.sound, one.segment.span, one.segment.borrowed), lexicon)
-        for one, tree in zip(waiting, uncapitalised(texts, trees), strict=True)
-    ]
+    found = uncapitalised(texts, trees)
+    astray = [p for p, one in enumerate(waiting) if one.segment.borrowed and is_doubtful(found[p])]
+    carried = trees([CARRIERS[1] + texts[place] for place in astray])
+    for place, tree in zip(astray, carried, strict=True):
+        # "Text Leo at five and | text Jen at six"
+        found[place] = tree.without_carrier(CARRIERS[1], texts[place], 0)
+    found = [as_done(_in_place(one, tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
     own = {place for place, one in enumerate(waiting) if not one.segment.borrowed}
     led_astray = [p for p, tree in enumerate(found) if p in own and tree.root in waiting[p].timed(tree)]
     blanked = trees([_without_root(found[place]) for place in led_astray])
@@ -97,8 +101,20 @@ def _may_be_done(tree: Tree, lexicon: Lexicon) -> bool:
 
 def _heard(one: Waiting) -> str:
     """Give the main words of a segment, or all of it with those that it borrows."""
-    segment = one.segment
-    return with_borrowed(one.source.sound, segment.span, segment.borrowed) if segment.borrowed else one.text
+    borrowed = one.segment.borrowed
+    return with_borrowed(one.source.sound, _stretch(one), borrowed) if borrowed else one.text
+
+
+def _in_place(one: Waiting, tree: Tree) -> Tree:
+    """Give the tree of what was heard of a segment with the places of its words, also of those it borrows."""
+    return in_place(tree, one.source.sound, one.segment.span, _stretch(one), one.segment.borrowed)
+
+
+def _stretch(one: Waiting) -> Span:
+    """Give the stretch of a segment from where it borrows words on, behind a time in front."""
+    first, end = one.segment.span
+    begin = min((borrowed.at for borrowed in one.segment.borrowed), default=first)
+    return (begin if one.source.covered.issuperset(one.source.places(first, begin)) else first, end)
 
 
 def _without_root(tree: Tree) -> str:

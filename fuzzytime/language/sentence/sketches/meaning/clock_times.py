@@ -5,10 +5,11 @@ from dataclasses import dataclass, replace
 from datetime import timedelta
 
 from fuzzytime.language.instruction import Reading
-from fuzzytime.language.meaning.grounded.chosen_clocks import CLOSE, FOLLOWING
+from fuzzytime.language.meaning.grounded.chosen_clocks import CLOSE, EARLY, EVENING, FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.sketches.meaning.alternatives import SAID_WHEN
-from fuzzytime.requirement import BOUNDS, Constraint, TimeRequirement, Unit
+from fuzzytime.requirement import BOUNDS, Constraint, Reference, TimeRequirement, Unit
 
 A_DAY = 86400.0
 A_WEEK = 7 * A_DAY
@@ -23,22 +24,43 @@ NIGHT_SECONDS = A_DAY / 2 + 1
 class LastSaid:
     """The clock time, and the day, that were said last, in seconds from now; None where none was.
 
-    ``night`` is from when to when something goes on over midnight, as was told; ``forward`` is how many clock
-    times in a row came later than the one before, on ``lines`` before this, and ``earliest`` the earliest of
-    all.
+    ``night`` is from when to when something goes on over midnight, as was told; ``begun`` is the first clock
+    time of a line, ``forward`` how many of them came later than the one before, on ``lines`` before this, and
+    ``earliest`` and ``latest`` the ends of all. ``early`` says that the first may be as early as people
+    are up.
     """
 
     clock: float | None = None
     day: float | None = None
     night: tuple[float, float] | None = None
+    begun: float | None = None
     forward: int = 0
     lines: int = 0
     earliest: float | None = None
+    latest: float | None = None
+    early: bool = False
 
     @property
     def in_order(self) -> bool:
         """Whether lines go through a day in its order, as far as is known."""
-        return self.forward >= IN_ORDER
+        return self.forward >= IN_ORDER and self.forward >= MOSTLY * self.lines
+
+    @property
+    def since(self) -> float | None:
+        """The clock time that the next line goes on from: the latest of lines in order, if one went back."""
+        if self.clock is None or self.latest is None or not self.in_order:
+            return self.clock
+        return self.latest if 0 < self.latest - self.clock <= FOLLOWING.total_seconds() else self.clock
+
+    @property
+    def back(self) -> int:
+        """How many lines begin earlier than the one before."""
+        return self.lines - self.forward
+
+    def policy(self, shipped: Policy) -> Policy:
+        """Give the policy for the next line: the first of all may be ``early``."""
+        first = self.early and self.clock is None
+        return replace(shipped, plausible_from=EARLY, ahead_from=EARLY) if first else shipped
 
     @property
     def opened(self) -> float | None:
@@ -47,15 +69,25 @@ class LastSaid:
 
     def behind(self, before: "LastSaid") -> "LastSaid":
         """Give the same, with how far lines have gone on from what was said before."""
-        if before.clock is None or self.clock is None or self.clock == before.clock:
-            return replace(self, forward=before.forward, lines=before.lines, earliest=before.earliest)
-        forward = before.forward + 1 if self.clock > before.clock else 0
-        earliest = min(self.clock, before.clock if before.earliest is None else before.earliest)
-        return replace(self, forward=forward, lines=before.lines + 1, earliest=earliest)
+        last, begun = before.begun, before.begun if self.begun is None else self.begun
+        if last is None or begun is None:
+            return replace(self, begun=begun)
+        ends = [end for end in (before.earliest, before.latest, last, begun) if end is not None]
+        return replace(
+            self,
+            begun=begun,
+            forward=before.forward + (begun > last),
+            lines=before.lines + (begun != last),
+            earliest=min(ends),
+            latest=max(ends),
+        )
 
 
 IN_ORDER = 2
-"""Times in a row that come later than the one before, from which on lines go through a day in its order."""
+"""Times that come later than the one before, from which on lines go through a day in its order."""
+
+MOSTLY = 2 / 3
+"""The part of lines, at least, that come later than the one before where they go through a day."""
 
 SEVERAL = 3
 """Lines with another clock time than the one before, from which on the earliest is where a day begins."""
@@ -74,16 +106,23 @@ def last_said(requirements: Iterable[TimeRequirement], before: LastSaid) -> Last
             before = replace(before, day=begin + max(0.0, length - A_DAY)) if named else before
         offered = requirement.constraint is Constraint.AFTER and requirement.alternative
         if requirement.constraint in SAID_WHEN | BOUNDS and requirement.grain in SUB_DAY and not offered:
-            if latest is not None and (begin is None or latest - begin > FOLLOWING.total_seconds()):
-                # "Charge overnight and be ready at seven"
+            due = requirement.reference is Reference.THROUGHOUT
+            if latest is not None and (begin is None or due or latest - begin > FOLLOWING.total_seconds()):
+                # "Charge overnight and be ready at seven", "be off by seven"
                 begin = latest
             before = replace(before, clock=before.clock if begin is None else begin)
     return before
 
 
 def night_told(reading: Reading, before: LastSaid) -> LastSaid:
-    """Add from when to when something goes on over midnight and begins soon: a shift from 19:30 to 07:30."""
+    """Add from when to when something goes on over midnight and begins soon: a shift from 19:30 to 07:30.
+
+    So do lines in order of which the earliest is in the evening.
+    """
     now = reading.now
+    if now is not None and before.opened is not None and before.in_order and before.night is None:
+        evening = (now + timedelta(seconds=before.opened)).time() >= EVENING
+        before = replace(before, night=(before.opened, before.opened + A_DAY / 2) if evening else None)
     stated = (one for one in reading.instructions if one.operation is not None and one.operation.stated)
     for part in (part for one in stated for part in one.requirements):
         first, last = part.earliest, part.latest

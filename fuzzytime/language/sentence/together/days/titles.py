@@ -28,7 +28,7 @@ FEWEST_NAMING = 2
 """Words of a title without a time, at least: "Dentist" may be an entry."""
 
 FEW_DATED = 4
-"""Of so many lines below a title, one may have a day of its own."""
+"""Of so many lines below a title, one may have a day of its own, or be outside of its hours."""
 
 LONGEST = 6
 """Words of a title, at most."""
@@ -54,7 +54,8 @@ def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
     (time,) = first.phrases
     if is_window(time):
         within = sum(_is_within(found, time, first, lexicon.policy) for found in clocks)
-        named = _is_named(first, time, lexicon) and 2 * within >= len(below)
+        most = 2 * within >= len(below) and FEW_DATED * (len(clocks) - within) <= len(clocks)
+        named = most and _is_named(first, time, lexicon)
     else:
         time = _whole_day(time)
         named = time.said.is_day and is_of_calendar(time) and _names_day_of(first, time, below, lexicon)

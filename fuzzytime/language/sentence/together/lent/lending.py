@@ -177,6 +177,8 @@ def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
         if second.operation.lemma == BE:
             # "Shower, and be downstairs in twenty minutes": by then one is there.
             continue
+        if _is_apart(first.operation, second.operation, lexicon):
+            continue
         operation = first.operation
         if operation.object is None and operation.lemma not in lexicon.intransitive:
             operation = replace(operation, object=second.operation.object)
@@ -192,3 +194,9 @@ def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
             second = replace(second, phrases=(), references=())
         found[place - 1 : place + 1] = [first, second]
     return found
+
+
+def _is_apart(first: Operation, second: Operation, lexicon: Lexicon) -> bool:
+    """Whether orders are not done in one go: "shower and call a cab"; but "dust and wipe the desk"."""
+    alone = lexicon.doing.naming_nothing
+    return first.lemma in alone and second.lemma not in alone | lexicon.chores

@@ -13,6 +13,9 @@ BESIDE = frozenset({"", ",", "-", "–", ";", ":", "so", ", so", "; so", ", and 
 """What stands between an order and what is told of where it is done."""
 
 
+PRONOUNS = frozenset({None, "it", "they"})
+"""What is told of in other words than its own, if in any."""
+
 STRETCHES = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
 
 
@@ -30,7 +33,7 @@ def within_opening_hours(sketches: Sequence[Sketch], text: str, lexicon: Lexicon
         closing = bound.said.constraint is not Constraint.AFTER
         before = place - 1
         if before >= 0 and _is_unbound(found[before]) and _is_beside(found[before], sketch, text):
-            if closing or is_errand(found[before], lexicon):
+            if closing or is_errand(found[before], lexicon) or _is_of_that(sketch):
                 found[before] = found[before].under([bound])
             continue
         behind = place + 1
@@ -67,6 +70,11 @@ def _is_unbound(sketch: Sketch, *, opened: bool = False) -> bool:
     kinds = {phrase.said.constraint for phrase in sketch.phrases} - {Constraint.FOR}
     kinds -= {Constraint.AFTER} if opened else set()
     return sketch.asks and not sketch.clauses and not kinds
+
+
+def _is_of_that(sketch: Sketch) -> bool:
+    """Whether it is told of what the order before it names: "ring the dentist, they open at nine"."""
+    return sketch.operation is not None and sketch.operation.object in PRONOUNS
 
 
 def is_errand(sketch: Sketch, lexicon: Lexicon) -> bool:

@@ -250,7 +250,7 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon
 
     ``helping`` are the verbs that help it.
     """
-    closed = lexicon.closed
+    closed, beside = lexicon.closed, lexicon.beside
     node = tree.nodes[verb]
     subjects = [tree.nodes[p] for p in tree.children(verb, "nsubj") if p < verb]
     if not subjects or node.lemma in lexicon.wanting or (node.lemma == "have" and not _has_thing(tree, verb)):
@@ -261,8 +261,9 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon
         # No order ends in -s: "the caretaker cuts the grass"; but a machine may be asked by its name.
         named = named or subjects[0].lower not in lexicon.machines
     if node.tag == "VBG" and helping <= closed.present_be and subjects[0].tag in NOUNS:
-        # "Tom is washing the car at five"
-        return bool(helping) and (named or subjects[0].lower not in lexicon.machines)
+        # "Tom is washing the car at five", "Tom washing the car", "rep coming"; but "bins emptying" is to do.
+        acts = bool(helping or tree.children(verb, "dobj")) or node.lemma in lexicon.intransitive
+        return acts and (named or subjects[0].lower not in lexicon.machines - beside.awaited_in_a_stretch)
     finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= closed.future | {"can"}
     if helping == {"can"} and subjects[0].tag in NOUNS:
         # "The surveyor can only come before noon": nobody else can help that.

@@ -1,0 +1,90 @@
+"""What is told of a thing that was asked for: "the gym is off", "lunch is at one", "it takes longer"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.lengths import DIRECTIONS
+from fuzzytime.language.about_wishes.said import FOR, Said, one_time
+from fuzzytime.language.about_wishes.told.awaited import written_out
+from fuzzytime.requirement import Constraint
+
+SMALL = ("being", "anew")
+"""Tables of what may stand beside how a thing is, and says nothing."""
+
+SOONER = frozenset({"early", "earlier"})
+DONE = "ed"
+"""How what was done ends: "gym cancelled"."""
+
+
+def told_of(said: Said) -> About | None:
+    """Read how a thing is, or when it is; None where nothing is told of one.
+
+    Of what names no wish itself it may be what happens besides: "lunch is at one".
+    """
+    # "The truck's late, about 20 minutes"
+    who, how = _thing_and_state(Said(written_out(said.text).replace(",", ""), said.now, said.lexicon))
+    last = who.is_in("last")
+    if not who.words or not how.words or who.has_time or not (last or who.meant):
+        return None
+    about = _off(how) or _longer(how) or _later(how) or _then(how, last=last)
+    if about is None:
+        return None
+    certain = last or about.kind is AboutKind.MORE
+    return replace(about, names=who.meant, thing=who.text, told=about.told and not last, certain=certain)
+
+
+def _thing_and_state(said: Said) -> tuple[Said, Said]:
+    """Give what something is told of, and how that is; nothing where none is."""
+    stating = said.lexicon.closed.third_person_be | {f"{verb}s" for verb in said.lexicon.doing.happening}
+    places = (place for place, word in enumerate(said.forms) if word in stating)
+    place = next(places, 0)
+    off = max((len(form) for form in said.table("cancelled") if said.forms[-len(form) :] == form), default=0)
+    if not place and off and said.forms[-1].endswith(DONE):
+        return said.until(len(said.words) - off), said.behind(len(said.words) - off)
+    return (said.until(place), said.behind(place + 1)) if place else (said.until(0), said.until(0))
+
+
+def _off(how: Said) -> About | None:
+    """Read that it is not to be: "is off", "has been cancelled today"."""
+    left, tables = how.without("cancelled", *SMALL)
+    if "cancelled" not in tables:
+        return None
+    if not left.words:
+        return About(kind=AboutKind.DROP, told=True)
+    time = left.text if left.one_time() is not None else ""
+    return About(kind=AboutKind.EXCEPT, time=time, told=True) if time else None
+
+
+def _longer(how: Said) -> About | None:
+    """Read that it goes on for longer: "is taking an hour longer", "is going to need more time"."""
+    left, tables = how.without("more", "needing", "lengths", *SMALL)
+    if "lengths" not in tables and not {"more", "needing"} <= tables:
+        return None
+    found = left.length()
+    known = found is None or not found.rest.words
+    return About(kind=AboutKind.MORE, by=found.seconds if found else None, told=True) if known else None
+
+
+def _later(how: Said) -> About | None:
+    """Read that it is late, or early: "is running 20 minutes behind", "is delayed by an hour"."""
+    left, tables = how.without("late", "early", *DIRECTIONS, *SMALL)
+    found = left.length()
+    if not tables - {*SMALL} or (found.rest.words if found else left.words):
+        return None
+    earlier = not tables.isdisjoint(SOONER)
+    by = None if found is None else -found.seconds if earlier else found.seconds
+    return About(kind=AboutKind.DELAY, by=by, earlier=earlier, told=True)
+
+
+def _then(how: Said, *, last: bool) -> About | None:
+    """Read when it is: "is at seven", "is on friday now"; but "it's friday" tells the day."""
+    left, _ = how.without("anew")
+    time = left.as_time() if left.words else ""
+    told = one_time(time, how.now, how.lexicon) if time else None
+    joint = told is not None and (told.preposition is not None or left.forms[0] == FOR.strip())
+    if told is None or told.constraint is Constraint.FOR or not (joint or left != how):
+        return None
+    if not left.text.lower().endswith(time.lower()) and left == how:
+        return None
+    # "Bob's at three now" may be of anything that is done with Bob.
+    return About(kind=AboutKind.MOVE, time=time, bare=left.is_bare(time), corrects=last, told=left == how)
