@@ -15,7 +15,8 @@ from fuzzytime.language.meaning.calendars.hebrew import OnHebrewDate
 from fuzzytime.language.meaning.calendars.islamic import OnIslamicDate
 from fuzzytime.language.meaning.calendars.observance import OnWeekday
 from fuzzytime.language.meaning.days.nested import Nth, Share, WeekOf, Within
-from fuzzytime.language.meaning.days.relations import Away, narrowed
+from fuzzytime.language.meaning.days.relations import Away
+from fuzzytime.language.meaning.days.side_by_side import narrowed
 from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Unit

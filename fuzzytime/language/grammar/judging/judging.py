@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.judging.borders import Borders
 from fuzzytime.language.grammar.judging.further import Further
 from fuzzytime.language.grammar.judging.lengths import Lengths
 from fuzzytime.language.grammar.judging.ranges import Ranges
+from fuzzytime.language.grammar.judging.repeats import Repeats
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS_ALONE, heads_list
 from fuzzytime.language.grammar.judging.walls.walls import Walls
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
@@ -56,6 +57,7 @@ class Judge:
         self.lent = Lent(words, lexicon, self.around)
         self.ranges = Ranges(words, lexicon, self.measures, self.around)
         self.lengths = Lengths(words, lexicon, self.measures, self.around)
+        self.repeats = Repeats(words, lexicon, self.measures, self.around)
         self.further = Further(words, lexicon, self.measures, self.around)
 
     def accepts(self, piece: Piece) -> bool:
@@ -74,7 +76,7 @@ class Judge:
         if lacks_unit(said):
             return self.lent.accept(piece, said)
         number = isinstance(time, Wall) and (time.bare or _is_pair(time.clock))
-        number = number or (isinstance(time, Repeat) and self._is_number_for(piece))
+        number = number or (isinstance(time, Repeat) and self.repeats.is_number_for(piece))
         if (
             number
             and said.preposition is None
@@ -152,7 +154,7 @@ class Judge:
             return sure and not counts and self.around.may_end(piece)
         if self._is_past(piece, said):
             return False
-        if isinstance(time, Repeat) and not self._accepts_repeat(piece):
+        if isinstance(time, Repeat) and (self.ranges.are_amounts(piece) or not self.repeats.accept(piece)):
             return False
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self.around.describes(piece)
@@ -197,48 +199,6 @@ class Judge:
         named = bool(behind) and behind[0].isalpha() and behind[0] not in self.lexicon.function_words
         return self.texts[place] in self.lexicon.ordinals and named and not self.around.timely(place + 1)
 
-    def _accepts_repeat(self, piece: Piece) -> bool:
-        if (
-            self.around.follower(piece) in {"before", "after"}
-            and self.texts[piece.end - 2] in self.closed.singular_determiners
-        ):
-            # "Gate 22 an hour before take-off"
-            return False
-        if "to" in {piece.value.preposition, self.around.before(piece)} or self._counts_things(piece):
-            # "Hand over to nights"
-            return False
-        named = self.around.before(piece) in self.closed.sure_noun_openers and piece.value.preposition is None
-        if named and self.around.may_end(piece):
-            # "Buy the daily"; but "a twice daily walk"
-            return False
-        if self.texts[piece.end - 1] == "annual" and not self.around.may_end(piece):
-            # "Book annual leave"
-            return False
-        if self.ranges.are_amounts(piece):
-            return False
-        if piece.rule == "repeated_days.parts_alone":
-            # "The morning and evening", "dawn, noon and dusk", "morning and evening classes"
-            led = self.around.before(piece) in self.closed.noun_openers | self.beside.binding_ranges | {
-                "this",
-                "in",
-                ",",
-            }
-            if led or (piece.start and self.around.timely(piece.start - 1)) or not self.around.may_end(piece):
-                return False
-        # "Most evenings": which, is not said.
-        some = self.around.before(piece) in self.beside.which_is_not_said
-        parted = any(wall.part is not None for wall in piece.value.time.walls)
-        # "To twenty | at seven each weekday"
-        bound = self.texts[piece.start] in self.closed.prepositions_of_points
-        return not some and (parted or bound or not self.measures.is_rate(piece))
-
-    def _counts_things(self, piece: Piece) -> bool:
-        """Whether ordinals behind "every" count things: "every 10th customer", "tighten every third"."""
-        each, last = self.texts[piece.start], self.texts[piece.end - 1]
-        spelt = last in self.lexicon.ordinals and piece.end - piece.start == len((each, last))
-        typed = last in self.beside.ordinal_endings and not self.around.may_end(piece)
-        return each in {"every", "each"} and bool(piece.value.time.walls) and (spelt or typed)
-
     def _is_now_and_again(self, piece: Piece) -> bool:
         """Whether "now and again" is two times: "now and again in six hours"."""
         behind = self.texts[piece.end + 1 : piece.end + 2]
@@ -252,13 +212,6 @@ class Judge:
         if marker is None or len(marker) < piece.end - piece.start:
             return False
         return len(marker) > piece.end - piece.start or self.around.follower(piece)[:1].isalnum()
-
-    def _is_number_for(self, piece: Piece) -> bool:
-        """Whether a number alone stands before a repetition: "cook for six on sundays" names people."""
-        place = piece.start + 1
-        behind = self.beside.of_clocks & {*self.texts[place + 1 : place + 2]}
-        joined = self.measures.is_number(place + 1) or bool(behind) or self.around.is_unit(place + 1)
-        return self.measures.is_number(place) and not joined and not self.measures.is_sure(place)
 
     def _is_distance(self, piece: Piece) -> bool:
         """Whether it is so long before or after another time."""

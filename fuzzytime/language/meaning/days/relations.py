@@ -1,4 +1,4 @@
-"""Days in relation to today or another day: this and next, so long after, and two said side by side."""
+"""Days in relation to today or another day: this and next, and so long after."""
 
 from abc import abstractmethod
 from collections.abc import Iterator
@@ -274,30 +274,3 @@ def weekday_at(away: Away, weekday: Fields) -> Calendar:
     if away.unit is Unit.WEEK:
         return Within(weekday, WeekOf(away))
     return Following(1, weekday, Away(-1, Unit.DAY, away))
-
-
-def narrowed(first: Calendar, second: Calendar) -> Calendar | None:
-    """Give what two expressions said side by side mean together, or None where they do not go together.
-
-    "tuesday" and "the 19th" are one date; "wednesday" and "next week" are a finer one in a coarser one.
-    """
-    if isinstance(first, Fields) and isinstance(second, Fields):
-        return first.joined(second)
-    sizes = list(Unit)
-    finer, coarser = sorted((first, second), key=lambda calendar: sizes.index(calendar.grain))
-    if sizes.index(finer.grain) >= sizes.index(coarser.grain):
-        return None
-    if isinstance(finer, Relative) or (finer.fixed and coarser.fixed):
-        return None
-    if isinstance(finer, Deictic) and isinstance(finer.of, Cycle):
-        return None
-    return Within(finer, coarser)
-
-
-def same_day(first: Calendar, second: Calendar) -> bool:
-    """Whether one may say again which day another means: "tomorrow, the 13th", "in three days on friday"."""
-    if isinstance(first, Deictic):
-        # "Next friday, 5/12": the date is believed.
-        weekly = isinstance(first.of, Fields) and first.of.weekly
-        return weekly and isinstance(second, Fields) and second.month is not None and second.day is not None
-    return isinstance(first, (Relative, Away)) and isinstance(second, Fields) and second.grain is Unit.DAY

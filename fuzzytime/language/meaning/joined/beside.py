@@ -3,7 +3,8 @@
 from dataclasses import replace
 
 from fuzzytime.language.meaning.calendar import Calendar, Fields
-from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative, narrowed, same_day, weekday_at
+from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative, weekday_at
+from fuzzytime.language.meaning.days.side_by_side import narrowed, same_day
 from fuzzytime.language.meaning.expressions import (
     Duration,
     HourMark,

@@ -1,7 +1,6 @@
 """A text cut into instructions: at the ends of sentences, at "then" and its kind, before a further verb."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
@@ -17,6 +16,7 @@ from fuzzytime.language.sentence.segments.events.behind_happenings import (
     listed,
 )
 from fuzzytime.language.sentence.segments.events.named_events import beside, counts_event, heads
+from fuzzytime.language.sentence.segments.openings import before_courtesies, behind_opening
 from fuzzytime.language.sentence.segments.taken_back.corrected_things import AFTER_ALL, corrected_things
 from fuzzytime.language.sentence.segments.taken_back.retractions import retractions
 
@@ -143,7 +143,7 @@ def _leads(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether a time stands in front of its sentence: "hey robot, at 6 p.m. add the salt"."""
     ends = (place + 1 for place in range(phrase.first) if words[place].text in ENDS)
     begin = max(ends, default=0)
-    return _behind_opening(words, begin, phrase.end, {phrase.first}, lexicon) == phrase.first
+    return behind_opening(words, begin, phrase.end, {phrase.first}, lexicon) == phrase.first
 
 
 def _end_of(words: Sequence[Word], place: int, length: int) -> int:
@@ -206,8 +206,8 @@ def _between(
 ) -> Iterator[Segment]:
     start, connective, said = 0, "", (0, 0)
     for first, end, name in (*cuts, (len(words), len(words), "")):
-        begin = _behind_opening(words, start, first, times.keys(), lexicon)
-        last = _before_courtesies(words, begin, first, times, lexicon)
+        begin = behind_opening(words, start, first, times.keys(), lexicon)
+        last = before_courtesies(words, begin, first, times, lexicon)
         segment = _segment(text, words, begin, last, connective, said)
         if segment is not None:
             yield segment
@@ -215,83 +215,6 @@ def _between(
         start = end
         if name:
             connective, said = name, (words[first].start, words[end - 1].end)
-
-
-def _behind_opening(
-    words: Sequence[Word], start: int, end: int, times: AbstractSet[int], lexicon: Lexicon
-) -> int:
-    """Give where an order begins: "hey robot, please" and "why don't you" are no part of it.
-
-    Nor is "could you please", where a time stands behind it, at one of ``times``.
-    """
-    begin = start
-    while begin < end - 1:
-        suggestion = longest_match(words, begin, lexicon.questions["suggesting"])
-        if begin in times:
-            # "Let's say noon"
-            break
-        if suggestion is not None and begin + len(suggestion) < end:
-            begin += len(suggestion)
-        elif (asked := _asked_before(words, begin, times, lexicon)) is not None:
-            begin = asked
-        elif words[begin].text in lexicon.machines and _counts(words[begin + 1], lexicon):
-            break
-        elif begin in times:
-            # "Well before noon" is no "well"
-            break
-        elif _is_somewhere(words, begin, times, lexicon):
-            break
-        elif words[begin + 1].text in lexicon.closed.stative_verbs:
-            # "Everyone is picked up at six"
-            break
-        elif words[begin].text in lexicon.addresses or (begin > start and words[begin].text == ","):
-            begin += 1
-        else:
-            break
-    return begin
-
-
-def _is_somewhere(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> bool:
-    """Whether everybody is said to be somewhere, and nobody is asked: "everyone out by ten"."""
-    everybody = words[place].text in lexicon.addresses & lexicon.closed.universal_pronouns
-    return everybody and place + 1 not in times and words[place + 1].text in lexicon.beside.states
-
-
-def _asked_before(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> int | None:
-    """Give the time behind which somebody is asked to do something: "can you by seven feed the cat"."""
-    first, *behind = (word.text for word in words[place : place + 3])
-    time = place + 2 + (behind[1:] == ["please"])
-    return (
-        time
-        if first in lexicon.closed.requesting_modals and behind[:1] == ["you"] and time in times
-        else None
-    )
-
-
-def _counts(word: Word, lexicon: Lexicon) -> bool:
-    return word.is_digits or word.text in lexicon.numbers
-
-
-def _before_courtesies(
-    words: Sequence[Word], start: int, end: int, times: Mapping[int, int], lexicon: Lexicon
-) -> int:
-    """Give where an order ends: "thanks" behind it is no part of it, nor "love" right behind its time."""
-    behind = {stop for first, stop in times.items() if first > start}
-    while end > start + 1:
-        said = [f for f in lexicon.courtesies if _ends_with(words, start, end, f)]
-        said += [
-            f for f in lexicon.called_behind if end - len(f) in behind and _ends_with(words, start, end, f)
-        ]
-        if not said and words[end - 1].text != ",":
-            break
-        end -= max(map(len, said), default=1)
-    return end
-
-
-def _ends_with(words: Sequence[Word], start: int, end: int, form: tuple[str, ...]) -> bool:
-    """Whether a stretch of words ends with a form, and holds more."""
-    first = end - len(form)
-    return first > start and tuple(word.text for word in words[first:end]) == form
 
 
 def _segment(

@@ -243,11 +243,9 @@ class Waiting:
             )
         if leaves(tree, tree.root, lexicon.travelling):
             return False
-        if is_doubtful(tree):
+        if is_doubtful(tree) or is_numbered(tree, lexicon):
             return True
         words, covered = self.source.scanned.words, self.source.covered
-        if is_numbered(tree, lexicon):
-            return True
         places = self.source.places(self.main, self.segment.span[1])
         timed = {words[place].start - self.main for place in places if place in covered}
         first = tree.nodes[tree.root].start

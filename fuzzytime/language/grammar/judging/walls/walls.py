@@ -1,11 +1,11 @@
 """Whether a wall-clock expression is a time where it stands, and not a number or a part of a noun."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.judging.walls.bare_hours import BareHours
+from fuzzytime.language.grammar.judging.walls.counts import Counts
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS, LINE_STARTS
 from fuzzytime.language.grammar.judging.walls.naming import Naming
 from fuzzytime.language.grammar.judging.walls.weak_walls import WeakWalls
@@ -23,9 +23,6 @@ from fuzzytime.requirement import Unit
 PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR))
 """Periods that "the week" and "the year" are, behind a preposition."""
 
-SHORT_YEAR = 2
-"""Digits of a year without its century."""
-
 APART = frozenset({"-", "–", "—", ",", "("})
 """What may stand between what a title names and its day."""
 
@@ -42,17 +39,18 @@ class Walls(Standing):
         super().__init__(words, lexicon, measures, around)
         self.hours = BareHours(words, lexicon, measures, around)
         self.weak = WeakWalls(words, lexicon, measures, around)
+        self.counts = Counts(words, lexicon, measures, around)
         self.naming = Naming(words, lexicon, measures, around)
 
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""
-        if self._is_counted_part(piece, wall) or self._is_unbound(piece, said, wall):
+        if self.counts.hold(piece, wall) or self._is_unbound(piece, said, wall):
             return False
         if wall.clock is not None and (self._is_degrees(piece) or self._is_mixed(piece)):
             return False
-        if self._goes_on(piece, wall) or self._is_of_event(piece, wall) or self._counts_named(piece, wall):
+        if self._is_of_event(piece, wall) or self._is_thing(piece, wall):
             return False
-        if self._is_thing(piece, wall) or self.naming.hold(piece, said, wall) or self._is_one(piece, wall):
+        if self.naming.hold(piece, said, wall) or self._is_one(piece, wall):
             return False
         if wall.bare or self._goes_to_number(piece, wall):
             return self._accepts_number(piece, said, wall)
@@ -166,7 +164,8 @@ class Walls(Standing):
         if self.around.is_unit(piece.end) and (counts or wall.days in PRESENT):
             # "On the quarter hour", "tonight, | 20 min"
             return True
-        if said.preposition == "of" and (self._is_ordinal(piece.end - 1) or isinstance(wall.days, Season)):
+        counted = self.counts.is_ordinal(piece.end - 1) or isinstance(wall.days, Season)
+        if said.preposition == "of" and counted:
             # "Within a minute of the first", "within an hour of the fall"
             return True
         first = piece.start + (self.texts[piece.start] == "to")
@@ -226,49 +225,9 @@ class Walls(Standing):
             behind += 1
         return any(place >= 0 and self.around.is_weekday(place) for place in (before, behind))
 
-    def _goes_on(self, piece: Piece, wall: Wall) -> bool:
-        """Whether what is behind it, or in it, makes it what a thing is for, or one of several things."""
-        joints = self.closed.coordinators_of_days | self.closed.range_joints
-        return self.around.follower(piece) in joints and self._counts_things(piece, wall)
-
-    def _counts_things(self, piece: Piece, wall: Wall) -> bool:
-        """Whether ordinals count things and no days: "on the first and second floor", "on the 2nd to 3rd"."""
-        numbered = isinstance(wall.days, Fields) and wall.days.is_day_of_month and wall.clock is None
-        last = piece.end - 1
-        if not numbered or not (self._is_ordinal(last) or self._is_ordinal(last - 1)):
-            return False
-        behind = piece.end + 1 + (self.texts[piece.end + 1 : piece.end + 2] == ["the"])
-        if not self._is_ordinal(behind):
-            return False
-        typed = self.words[behind].is_digits
-        return not self.around.may_end(replace(piece, end=behind + 1 + typed))
-
     def _is_unbound(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it names a period that no preposition makes a time: "check the year on the coin"."""
         return said.preposition is None and wall.days in PRESENT and self.texts[piece.start] == "the"
-
-    def _counts_named(self, piece: Piece, wall: Wall) -> bool:
-        """Whether one of its numbers counts what is named beside it."""
-        return self._counts_several(piece, wall) or self._counts_feast(piece, wall)
-
-    def _counts_feast(self, piece: Piece, wall: Wall) -> bool:
-        """Whether its first number counts what a feast has: "two christmas cards"."""
-        if wall.clock is None or wall.days is None or not self.measures.is_number(piece.start):
-            return False
-        feast = any(one.category == "feast" for one in self.around.pieces(piece.start + 1))
-        follower = self.around.follower(piece)
-        return feast and follower.isalpha() and follower not in self.lexicon.function_words
-
-    def _counts_several(self, piece: Piece, wall: Wall) -> bool:
-        """Whether its last number counts what is behind it: "paint it tomorrow, two coats"."""
-        year = isinstance(wall.days, Fields) and wall.days.year is not None and wall.clock is None
-        # "Book 6 march 30 seats"
-        last = wall.clock is not None or (year and len(self.texts[piece.end - 1]) <= SHORT_YEAR)
-        if wall.days is None or not last or not self.measures.is_number(piece.end - 1):
-            return False
-        follower, led = self.around.follower(piece), self.texts[piece.end - 2]
-        several = self.around.are_several(follower) and follower not in self.lexicon.function_words
-        return several and follower.isalpha() and led not in self.closed.prepositions_of_points
 
     def _is_thing(self, piece: Piece, wall: Wall) -> bool:
         """Whether it is served, described, wished: "with tea", "the first thing you see", "good morning"."""
@@ -294,17 +253,3 @@ class Walls(Standing):
     def _ends_in_thing(self, piece: Piece) -> bool:
         """Whether its last word may be any thing: "first thing"."""
         return self.texts[piece.end - 1] == THING
-
-    def _is_counted_part(self, piece: Piece, wall: Wall) -> bool:
-        """Whether an ordinal counts parts of the day, and is no date: "cancel the second night"."""
-        dated = isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day)
-        counted = self.texts[piece.end - 2] in self.lexicon.ordinals and not self._ends_in_thing(piece)
-        return dated and wall.part is not None and counted
-
-    def _is_ordinal(self, place: int) -> bool:
-        """Whether an ordinal is at a place: a word, or a number and its ending."""
-        if not 0 <= place < len(self.texts):
-            return False
-        behind = {*self.texts[place + 1 : place + 2]}
-        typed = self.words[place].is_digits and not behind.isdisjoint(self.beside.ordinal_endings)
-        return typed or self.texts[place] in self.lexicon.ordinals

@@ -33,47 +33,40 @@ def doubts_of(
     text: str, span: Span, words: Sequence[Word], sketch: Sketch, lexicon: Lexicon
 ) -> Iterator[Remark]:
     """Give what makes a stretch of a text no instruction; ``sketch`` is that of its words."""
-    tree = sketch.part.tree
     heads = [phrase.span for phrase in sketch.phrases if phrase.rule in HEADS_ALONE]
     # "AM: post the letters" is not about who speaks.
     inside = (word for word in words if span[0] <= word.start < span[1])
     said = [word for word in inside if not any(first <= word.start < end for first, end in heads)]
     behind = next((word.text for word in words if word.start >= span[1]), "")
+    what = _does(said, behind, sketch, lexicon)
+    if what is not None:
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} {what}")
+
+
+def _does(said: Sequence[Word], behind: str, sketch: Sketch, lexicon: Lexicon) -> str | None:
+    """Give what words do that ask for nothing, as in "greets"; None where they may ask for something.
+
+    ``behind`` is the mark that follows them.
+    """
+    tree = sketch.part.tree
     has_to = " ".join(word.text for word in said[:2]) in lexicon.beside.obliging and behind != "?"
     if (asks(said, behind, lexicon) and not has_to) or (behind == "?" and _is_inverted(tree)):
-        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} asks, and says nothing to do")
-        return
+        return "asks, and says nothing to do"
     if _greets(sketch, said, lexicon):
-        yield Remark(
-            RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} greets, and says nothing to do"
-        )
-        return
+        return "greets, and says nothing to do"
     if _takes_back(said, lexicon):
-        message = f"{text[slice(*span)]!r} takes back what was said before, and says nothing to do"
-        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
-        return
+        return "takes back what was said before, and says nothing to do"
     if _repeats(sketch.operation, lexicon):
-        message = f"{text[slice(*span)]!r} names nothing to repeat: say again what is to be done"
-        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
-        return
+        return "names nothing to repeat: say again what is to be done"
     if _shifts(said, lexicon):
-        message = f"{text[slice(*span)]!r} is about when something else is: say the new time of that itself"
-        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
-        return
+        return "is about when something else is: say the new time of that itself"
     if is_about_orders(sketch.operation, lexicon):
-        message = f"{text[slice(*span)]!r} is about what was asked for before: say anew what is meant"
-        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
-        return
+        return "is about what was asked for before: say anew what is meant"
     told = _tells(sketch, lexicon)
     if told is not None:
-        yield Remark(
-            RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} tells {told}, and says nothing to do"
-        )
-        return
-    foreign = [tree.nodes[place].text for place in foreign_words(tree, lexicon)]
-    if foreign:
-        message = f"{text[slice(*span)]!r} is not English, as {foreign[0]!r} shows"
-        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+        return f"tells {told}, and says nothing to do"
+    foreign = foreign_words(tree, lexicon)
+    return f"is not English, as {tree.nodes[foreign[0]].text!r} shows" if foreign else None
 
 
 def unasked(clauses: Sequence[Clause], text: str, lexicon: Lexicon) -> tuple[Clause, ...]:

@@ -1,0 +1,37 @@
+"""What two days mean that are said side by side: "monday next week", "tomorrow, the 13th"."""
+
+from fuzzytime.language.meaning.calendar import (
+    Calendar,
+    Cycle,
+    Fields,
+)
+from fuzzytime.language.meaning.days.nested import Within
+from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative
+from fuzzytime.requirement import Unit
+
+
+def narrowed(first: Calendar, second: Calendar) -> Calendar | None:
+    """Give what two expressions said side by side mean together, or None where they do not go together.
+
+    "tuesday" and "the 19th" are one date; "wednesday" and "next week" are a finer one in a coarser one.
+    """
+    if isinstance(first, Fields) and isinstance(second, Fields):
+        return first.joined(second)
+    sizes = list(Unit)
+    finer, coarser = sorted((first, second), key=lambda calendar: sizes.index(calendar.grain))
+    if sizes.index(finer.grain) >= sizes.index(coarser.grain):
+        return None
+    if isinstance(finer, Relative) or (finer.fixed and coarser.fixed):
+        return None
+    if isinstance(finer, Deictic) and isinstance(finer.of, Cycle):
+        return None
+    return Within(finer, coarser)
+
+
+def same_day(first: Calendar, second: Calendar) -> bool:
+    """Whether one may say again which day another means: "tomorrow, the 13th", "in three days on friday"."""
+    if isinstance(first, Deictic):
+        # "Next friday, 5/12": the date is believed.
+        weekly = isinstance(first.of, Fields) and first.of.weekly
+        return weekly and isinstance(second, Fields) and second.month is not None and second.day is not None
+    return isinstance(first, (Relative, Away)) and isinstance(second, Fields) and second.grain is Unit.DAY

@@ -1,0 +1,84 @@
+"""Where an order begins behind who is asked, and ends before thanks: "hey robot, please … thanks"."""
+
+from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import Word
+
+
+def behind_opening(
+    words: Sequence[Word], start: int, end: int, times: AbstractSet[int], lexicon: Lexicon
+) -> int:
+    """Give where an order begins: "hey robot, please" and "why don't you" are no part of it.
+
+    Nor is "could you please", where a time stands behind it, at one of ``times``.
+    """
+    begin = start
+    while begin < end - 1:
+        suggestion = longest_match(words, begin, lexicon.questions["suggesting"])
+        if begin in times:
+            # "Let's say noon"
+            break
+        if suggestion is not None and begin + len(suggestion) < end:
+            begin += len(suggestion)
+        elif (asked := _asked_before(words, begin, times, lexicon)) is not None:
+            begin = asked
+        elif words[begin].text in lexicon.machines and _counts(words[begin + 1], lexicon):
+            break
+        elif begin in times:
+            # "Well before noon" is no "well"
+            break
+        elif _is_somewhere(words, begin, times, lexicon):
+            break
+        elif words[begin + 1].text in lexicon.closed.stative_verbs:
+            # "Everyone is picked up at six"
+            break
+        elif words[begin].text in lexicon.addresses or (begin > start and words[begin].text == ","):
+            begin += 1
+        else:
+            break
+    return begin
+
+
+def _is_somewhere(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> bool:
+    """Whether everybody is said to be somewhere, and nobody is asked: "everyone out by ten"."""
+    everybody = words[place].text in lexicon.addresses & lexicon.closed.universal_pronouns
+    return everybody and place + 1 not in times and words[place + 1].text in lexicon.beside.states
+
+
+def _asked_before(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> int | None:
+    """Give the time behind which somebody is asked to do something: "can you by seven feed the cat"."""
+    first, *behind = (word.text for word in words[place : place + 3])
+    time = place + 2 + (behind[1:] == ["please"])
+    return (
+        time
+        if first in lexicon.closed.requesting_modals and behind[:1] == ["you"] and time in times
+        else None
+    )
+
+
+def _counts(word: Word, lexicon: Lexicon) -> bool:
+    return word.is_digits or word.text in lexicon.numbers
+
+
+def before_courtesies(
+    words: Sequence[Word], start: int, end: int, times: Mapping[int, int], lexicon: Lexicon
+) -> int:
+    """Give where an order ends: "thanks" behind it is no part of it, nor "love" right behind its time."""
+    behind = {stop for first, stop in times.items() if first > start}
+    while end > start + 1:
+        said = [f for f in lexicon.courtesies if _ends_with(words, start, end, f)]
+        said += [
+            f for f in lexicon.called_behind if end - len(f) in behind and _ends_with(words, start, end, f)
+        ]
+        if not said and words[end - 1].text != ",":
+            break
+        end -= max(map(len, said), default=1)
+    return end
+
+
+def _ends_with(words: Sequence[Word], start: int, end: int, form: tuple[str, ...]) -> bool:
+    """Whether a stretch of words ends with a form, and holds more."""
+    first = end - len(form)
+    return first > start and tuple(word.text for word in words[first:end]) == form
