@@ -150,6 +150,21 @@ class _Clauses:
             clause, kind="until", side=None, span=(self.words[place].start, clause.span[1])
         )
 
+    def _so_far(
+        self, place: int, distance: Phrase | None, kind: str
+    ) -> tuple[int, Duration | None, Constraint | None]:
+        """Give where a clause begins with its distance from the event, how far that is, and its bound."""
+        if distance is None:
+            return self.words[place].start, None, None
+        side, distance = sided(distance, self.words, self.lexicon)
+        start, length = distance.span[0], distance.said.time
+        if isinstance(length, (Offset, Coming)):
+            length = length.duration
+        if not isinstance(length, Duration):
+            return start, None, side
+        length = replace(length, hedges=(*distance.said.hedges, *length.hedges))
+        return start, length, side or at_most_after(kind, length)
+
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
         bound = self.before.bound(place) if form in WITHIN else None
@@ -171,18 +186,8 @@ class _Clauses:
         nodes = list(self.tree.at(*content))
         if not nodes or (form[-1] in self.lexicon.ordinals and self._is_counted(nodes[0])):
             return None
-        start = self.words[place].start
         distance = bound or self.before.distance(place)
-        duration, side = None, None
-        if distance is not None:
-            side, distance = sided(distance, self.words, self.lexicon)
-            start, time_before = distance.span[0], distance.said.time
-            if isinstance(time_before, (Offset, Coming)):
-                time_before = time_before.duration
-            if isinstance(time_before, Duration):
-                hedges = (*distance.said.hedges, *time_before.hedges)
-                duration = replace(time_before, hedges=hedges)
-                side = side or at_most_after(kind, duration)
+        start, duration, side = self._so_far(place, distance, kind)
         day_part = self._day_part(place, form) if distance is None else None
         if day_part is not None and form in DAYS_APART:
             start, duration = day_part.span[0], A_DAY
