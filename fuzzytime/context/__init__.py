@@ -5,12 +5,7 @@
 ``sampling``.
 """
 
-from fuzzytime.context.files import (
-    parse_assignment,
-    read_context_file,
-    read_context_lines,
-    read_context_node,
-)
+from fuzzytime.context.files import parse_assignment, read_context_file, read_context_lines, read_context_node
 from fuzzytime.context.lines import parse_context_line, parse_fields, reading_of, time_of
 from fuzzytime.context.readings import Context, Reading
 from fuzzytime.context.signals import Approach, Course, Hold, Linear, Signal

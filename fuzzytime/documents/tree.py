@@ -190,8 +190,7 @@ class _Builder:
             self._add(Scalar(event.value, place.line, place.column, place.index, quoted))
         elif isinstance(event, yaml.CollectionStartEvent):
             if len(self._stack) >= MAX_DEPTH:
-                message = DEPTH_REFUSED
-                raise TreeError(message, place.line, place.column)
+                raise TreeError(DEPTH_REFUSED, place.line, place.column)
             self._stack.append(_Open(event))
 
     def _add(self, node: Node) -> None:

@@ -7,17 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from fuzzytime.rulebook.logic.formula import (
-    And,
-    Direction,
-    Formula,
-    Happened,
-    Is,
-    Not,
-    Operator,
-    Or,
-    Window,
-)
+from fuzzytime.rulebook.logic.formula import And, Direction, Formula, Happened, Is, Not, Operator, Or, Window
 from fuzzytime.satisfaction import Floats
 
 Corners = tuple[float, float, float, float]

@@ -8,15 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fuzzytime.satisfaction import (
-    ALWAYS,
-    Bell,
-    Rectangle,
-    Sampled,
-    SatisfactionFunction,
-    Trapezoid,
-    Triangle,
-)
+from fuzzytime.satisfaction import ALWAYS, Bell, Rectangle, Sampled, SatisfactionFunction, Trapezoid, Triangle
 from fuzzytime.scheduling import (
     EarliestStart,
     HeldKarp,

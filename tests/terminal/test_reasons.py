@@ -6,15 +6,7 @@ from datetime import datetime
 import pytest
 
 from fuzzytime.interpreter import DirectWish, Interpreter, Plan, Request, plan
-from fuzzytime.satisfaction import (
-    ALWAYS,
-    NEVER,
-    Either,
-    Rectangle,
-    SatisfactionFunction,
-    Trapezoid,
-    Triangle,
-)
+from fuzzytime.satisfaction import ALWAYS, NEVER, Either, Rectangle, SatisfactionFunction, Trapezoid, Triangle
 from fuzzytime.scheduling import Limits, Status
 from fuzzytime.skills import Busy
 from fuzzytime_cli.formats.reasons import clash_sentence, explaining, loss_lines, why_sentences

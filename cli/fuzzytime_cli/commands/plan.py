@@ -9,14 +9,7 @@ import typer
 
 from fuzzytime_cli.choices import PlanFormat
 from fuzzytime_cli.exits import Exit
-from fuzzytime_cli.options import (
-    Instructions,
-    Moment,
-    OutputFile,
-    Solving,
-    Understanding,
-    flattened,
-)
+from fuzzytime_cli.options import Instructions, Moment, OutputFile, Solving, Understanding, flattened
 
 if TYPE_CHECKING:
     from fuzzytime.interpreter import Plan

@@ -6,15 +6,7 @@ from functools import partial
 from fuzzytime.documents.nodes import Mapping as MappingNode
 from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.satisfaction import (
-    NEVER,
-    Bell,
-    Rectangle,
-    Sampled,
-    SatisfactionFunction,
-    Trapezoid,
-    Triangle,
-)
+from fuzzytime.satisfaction import NEVER, Bell, Rectangle, Sampled, SatisfactionFunction, Trapezoid, Triangle
 
 CORNERED: Mapping[str, tuple[type[Trapezoid | Triangle | Rectangle], int]] = {
     "trapezoid": (Trapezoid, 4),

@@ -67,8 +67,7 @@ class Turns:
 
     def opened(self, now: datetime) -> list[Line]:
         """Greet: the schedule of a session that goes on, or what to do in a new one."""
-        entries = self.conversation.state.entries
-        if not entries:
+        if not self.conversation.state.entries:
             self._refresh(now)
             kept = "everything" if self.conversation.store.path is not None else "nothing"
             greeting = (

@@ -4,14 +4,7 @@ The ``state``, as a ``document``, in a ``store``.
 """
 
 from fuzzytime_cli.session.document import state_of, state_text
-from fuzzytime_cli.session.state import (
-    Entry,
-    KeptBusy,
-    KeptRating,
-    KeptReading,
-    Started,
-    State,
-)
+from fuzzytime_cli.session.state import Entry, KeptBusy, KeptRating, KeptReading, Started, State
 from fuzzytime_cli.session.store import NotKeptError, SessionStore, damage_of, open_store
 
 __all__ = [

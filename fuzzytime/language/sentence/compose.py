@@ -6,14 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.finding import Times, ground_all
 from fuzzytime.language.grammar.leftovers.leftovers import leftovers
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import (
-    Instruction,
-    Operation,
-    Question,
-    Reading,
-    Remark,
-    Span,
-)
+from fuzzytime.language.instruction import Instruction, Operation, Question, Reading, Remark, Span
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.required.requirements import Grounded
 from fuzzytime.language.sentence.asked_for import asked_of

@@ -8,14 +8,7 @@ from fuzzytime.english import denies
 from fuzzytime.requirement import Condition
 from fuzzytime.rulebook.logic.formula import And, Formula, Happened, Is, Not, Or
 from fuzzytime.rulebook.tables.contents import Tables
-from fuzzytime.rulebook.wording.phrases import (
-    event_named,
-    in_numbers,
-    naming,
-    plain,
-    ways_to_name,
-    within,
-)
+from fuzzytime.rulebook.wording.phrases import event_named, in_numbers, naming, plain, ways_to_name, within
 from fuzzytime.rulebook.wording.thresholds import Threshold, threshold, without
 
 _JOINTS = re.compile(r" (and|or|nor|but) ")

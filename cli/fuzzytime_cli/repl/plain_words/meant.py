@@ -7,14 +7,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import AT_FIRST, AT_ONCE, About, AboutKind, content_words
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
-from fuzzytime_cli.repl.naming import (
-    called,
-    entry_of,
-    part_meant,
-    running_one,
-    unknown,
-    words_of_entry,
-)
+from fuzzytime_cli.repl.naming import called, entry_of, part_meant, running_one, unknown, words_of_entry
 from fuzzytime_cli.repl.plain_words.parts import first_part, swapped_parts, without_part
 from fuzzytime_cli.repl.plain_words.progress import blocked, late, length_said, progress, unstarted
 from fuzzytime_cli.repl.plain_words.retiming import days_on, with_time, without_thing

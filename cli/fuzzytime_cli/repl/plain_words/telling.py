@@ -4,14 +4,7 @@ from dataclasses import replace
 
 from rich.text import Text
 
-from fuzzytime.language import (
-    About,
-    AboutKind,
-    Reading,
-    behind_what_is_told,
-    content_words,
-    news_in,
-)
+from fuzzytime.language import About, AboutKind, Reading, behind_what_is_told, content_words, news_in
 from fuzzytime.requirement import Condition, Constraint
 from fuzzytime.times import format_duration
 from fuzzytime_cli.render import plain

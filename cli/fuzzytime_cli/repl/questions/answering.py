@@ -11,15 +11,7 @@ from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.naming import FEW, all_called, entry_of, running_one
-from fuzzytime_cli.repl.scene import (
-    Reply,
-    Scene,
-    number_of,
-    position_of,
-    running_lines,
-    said,
-    waiting,
-)
+from fuzzytime_cli.repl.scene import Reply, Scene, number_of, position_of, running_lines, said, waiting
 
 LONG = 300.0
 """Seconds from which on it is said when something is done."""

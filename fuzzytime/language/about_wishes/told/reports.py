@@ -73,8 +73,7 @@ def _more(said: Said) -> About | None:
         if not known or (left.words and not (left.names or left.is_in("last"))):
             return None
         return About(kind=AboutKind.MORE, names=left.names, certain=True)
-    rest = found.rest
-    named, parts = rest.without("needing", "last")
+    named, parts = found.rest.without("needing", "last")
     certain = not named.names or "needing" in parts
     return About(kind=AboutKind.MORE, names=named.names, by=found.seconds, certain=certain)
 
@@ -86,8 +85,7 @@ def _made_longer(said: Said) -> About | None:
         found = without.behind(place).length()
         if "more" in tables and found is not None and not found.rest.words:
             thing = without.until(place)
-            names = thing.meant
-            return About(kind=AboutKind.MORE, names=names, by=found.seconds, certain=True)
+            return About(kind=AboutKind.MORE, names=thing.meant, by=found.seconds, certain=True)
     return None
 
 
@@ -111,8 +109,7 @@ def _so_long(said: Said) -> About | None:
             continue
         thing, time = said.until(place), rest.as_time()
         if time.lower().startswith(FOR) and (thing.is_in("last") or thing.label):
-            names = thing.meant
-            return About(kind=AboutKind.TAKES, names=names, time=time, certain=True)
+            return About(kind=AboutKind.TAKES, names=thing.meant, time=time, certain=True)
     return None
 
 
@@ -127,8 +124,7 @@ def _unstarted(said: Said) -> About | None:
     thing = thing.without("yet")[0]
     # "With the soup", "on the soup"
     thing = thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
-    names = thing.meant
-    return About(kind=AboutKind.UNSTARTED, names=names, certain=True)
+    return About(kind=AboutKind.UNSTARTED, names=thing.meant, certain=True)
 
 
 def _started(said: Said) -> About | None:
@@ -145,8 +141,7 @@ def _started(said: Said) -> About | None:
     if thing.has_time:
         return None
     thing = thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
-    names = thing.meant
-    return About(kind=AboutKind.STARTED, names=names, upcoming=not thing.words, certain=True)
+    return About(kind=AboutKind.STARTED, names=thing.meant, upcoming=not thing.words, certain=True)
 
 
 def _going_on(said: Said) -> About | None:

@@ -10,12 +10,7 @@ from datetime import date
 from functools import cache
 from math import floor
 
-from fuzzytime.language.meaning.calendars.astronomy import (
-    new_moon,
-    new_moon_before,
-    sun,
-    sun_reaches,
-)
+from fuzzytime.language.meaning.calendars.astronomy import new_moon, new_moon_before, sun, sun_reaches
 from fuzzytime.language.meaning.calendars.observance import BySky
 
 CHINA, KOREA, VIETNAM = 8, 9, 7

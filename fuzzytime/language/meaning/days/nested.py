@@ -6,13 +6,7 @@ from dataclasses import dataclass
 from datetime import date, timedelta
 from itertools import islice
 
-from fuzzytime.language.meaning.calendar import (
-    Calendar,
-    Cycle,
-    Days,
-    Today,
-    moved,
-)
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Today, moved
 from fuzzytime.requirement import Unit
 
 SEARCHED_PERIODS = 400

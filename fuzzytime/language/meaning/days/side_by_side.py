@@ -1,10 +1,6 @@
 """What two days mean that are said side by side: "monday next week", "tomorrow, the 13th"."""
 
-from fuzzytime.language.meaning.calendar import (
-    Calendar,
-    Cycle,
-    Fields,
-)
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.days.nested import Within
 from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative
 from fuzzytime.requirement import Unit

@@ -5,13 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative, weekday_at
 from fuzzytime.language.meaning.days.side_by_side import narrowed, same_day
-from fuzzytime.language.meaning.expressions import (
-    Duration,
-    HourMark,
-    Range,
-    Said,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Duration, HourMark, Range, Said, Wall
 from fuzzytime.language.meaning.feasts import Feast
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import Constraint, Unit

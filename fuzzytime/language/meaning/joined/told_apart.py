@@ -4,13 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle
 from fuzzytime.language.meaning.days.relations import Deictic, Relative, Which
-from fuzzytime.language.meaning.expressions import (
-    Ending,
-    Offset,
-    Repeat,
-    Said,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Ending, Offset, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.beside import joined, refined
 from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat
 from fuzzytime.language.meaning.joined.intervals_on_days import on_one_day

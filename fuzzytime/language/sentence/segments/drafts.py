@@ -36,12 +36,7 @@ from fuzzytime.language.sentence.segments.taken_back.corrections import correcte
 from fuzzytime.language.sentence.segments.told.asides import Aside, asides_of, beside_each_other
 from fuzzytime.language.sentence.segments.told.asides_of_hours import asides_of_hours
 from fuzzytime.language.sentence.segments.told.gaps import with_gaps
-from fuzzytime.language.sentence.segments.told.messages import (
-    Message,
-    messages_of,
-    orders_beside,
-    remarks_of,
-)
+from fuzzytime.language.sentence.segments.told.messages import Message, messages_of, orders_beside, remarks_of
 from fuzzytime.language.sentence.segments.told.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source
 from fuzzytime.language.sentence.trees.tree import Trees

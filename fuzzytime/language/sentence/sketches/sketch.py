@@ -14,26 +14,13 @@ from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.its_times.own_times import own_times
 from fuzzytime.language.sentence.sketches.its_times.referred import referred
 from fuzzytime.language.sentence.sketches.its_times.said_of_time import SaidOfTime, said_of_time
-from fuzzytime.language.sentence.sketches.telling import (
-    of_which,
-    telling_alone,
-    with_name,
-    with_told,
-)
-from fuzzytime.language.sentence.verbs.meant.actions import (
-    Action,
-    action_of,
-    says_how_things_are,
-)
+from fuzzytime.language.sentence.sketches.telling import of_which, telling_alone, with_name, with_told
+from fuzzytime.language.sentence.verbs.meant.actions import Action, action_of, says_how_things_are
 from fuzzytime.language.sentence.verbs.meant.remembered import as_remembered
 from fuzzytime.language.sentence.verbs.operations.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.operations.operations import Reader
 from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import due_by_then
-from fuzzytime.language.sentence.verbs.without_verbs.happenings import (
-    given_new_time,
-    happening_at,
-    happens,
-)
+from fuzzytime.language.sentence.verbs.without_verbs.happenings import given_new_time, happening_at, happens
 from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import chores_at, deed_at
 from fuzzytime.language.sentence.verbs.without_verbs.named_moments import named_moment
 from fuzzytime.language.sentence.verbs.without_verbs.put_there import put_there

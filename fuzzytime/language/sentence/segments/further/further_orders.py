@@ -17,9 +17,7 @@ from fuzzytime.language.sentence.segments.further.orders_in_front import (
     order_behind_order,
 )
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_overlooked
-from fuzzytime.language.sentence.segments.orders_beside_times import (
-    is_led_by_time,
-)
+from fuzzytime.language.sentence.segments.orders_beside_times import is_led_by_time
 from fuzzytime.language.sentence.trees.tags import IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of, gone_to_do

@@ -25,8 +25,7 @@ AS = "as"
 
 def asides_of_hours(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:
     """Give the asides of a text that say when somewhere opens or closes, in order."""
-    verbs = lexicon.doing.hours
-    if verbs.isdisjoint(word.text for word in scanned.words):
+    if lexicon.doing.hours.isdisjoint(word.text for word in scanned.words):
         return ()
     found = (_aside(scanned.words, phrase, lexicon) for phrase in phrases_of(scanned, lexicon))
     return tuple(aside for aside in found if aside is not None)

@@ -76,8 +76,7 @@ def is_said(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     """Whether a sentence may begin behind "that": "that i'm late", "that dinner is ready"."""
     if place >= len(words) - 1:
         return False
-    text = words[place].text
-    return _is_subject(text, lexicon) or _finite(words, place, lexicon) is not None
+    return _is_subject(words[place].text, lexicon) or _finite(words, place, lexicon) is not None
 
 
 def _opens(

@@ -7,13 +7,7 @@ from fuzzytime.language.grammar.judging.beside.titles import written_out
 from fuzzytime.language.grammar.judging.look_alikes.proper_names import names_in
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import (
-    Coming,
-    Duration,
-    Offset,
-    Phrase,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Wall
 from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker

@@ -7,14 +7,7 @@ from fuzzytime.language.grammar.leftovers.leftovers import not_understood
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.days.relations import days_away
-from fuzzytime.language.meaning.expressions import (
-    Edge,
-    Offset,
-    Phrase,
-    Range,
-    Said,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Edge, Offset, Phrase, Range, Said, Wall
 from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft

@@ -9,16 +9,7 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import (
-    Duration,
-    Ending,
-    Offset,
-    Phrase,
-    Range,
-    Repeat,
-    Said,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Duration, Ending, Offset, Phrase, Range, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.intervals_on_days import is_interval, on_days
 from fuzzytime.language.meaning.joined.repeats_beside import names_day_of, without_clocks
 from fuzzytime.language.meaning.joined.throughout import each_day, is_clock_time, is_rest_of_days

@@ -6,10 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.statements.plural_statements import is_led_by_plural, with_plural
-from fuzzytime.language.sentence.verbs.statements.statements import (
-    behind_particles,
-    plural_subject,
-)
+from fuzzytime.language.sentence.verbs.statements.statements import behind_particles, plural_subject
 
 
 def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str]) -> Tree:
