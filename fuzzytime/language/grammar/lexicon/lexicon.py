@@ -37,7 +37,9 @@ class Entry:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lexicon:
-    """Word tables.
+    """The word tables of a language.
+
+    Most are sections of ``rules/lexicon.yaml``, or rows of them: what each is for stands there, beside it.
 
     Parameters
     ----------
@@ -49,111 +51,25 @@ class Lexicon:
         Words of the calendar that have another meaning too.
     indicators, connectives, clauses, comparisons, corrections, addresses, courtesies, amounts, results
         Words that the reading of sentences uses, by meaning.
-    wanting, forgetting, ordering
-        Verbs above the one that is meant: "I want to", "don't forget to".
-    causing, letting
-        Verbs that bring something about: "have … ready", "let … rest".
     intransitive
         Verbs that take no object, so that they share none either: "stop and open the door".
     alone, chores
         Orders alone: "reduce the heat and simmer"; and between two times: "… on monday and paint on tuesday".
-    particles
-        Words that belong to a verb ("put on"), with the verbs behind which they do before a noun.
-    places
-        Words that begin what says where.
     vague_adverbs
         Adverbs that say nothing of how something is done: "just", "also".
-    doing
-        Verbs, and what is said like one, by what they say of what happens or ask for.
-    closed
-        Determiners, pronouns, auxiliaries, conjunctions, prepositions and adverbs, in small groups.
-    beside
-        Words around a time, in small groups by what they make of it.
-    no_times
-        Words around what looks like a time and is none, in small groups by what it is.
-    called
-        Pronouns of persons, with the words that say of somebody that they are called so.
-    past
-        Irregular forms of verbs of what is over.
-    undoing
-        Verbs that undo what was done, with the verbs of that.
-    told
-        Words that tell how long something takes, or how far it is, by what they do there.
-    asides
-        Words of asides that say how long something takes, by what they do there.
-    moments
-        What is a moment and hardly a place: "at kick-off".
-    spacing
-        Words of gaps between what is done several times, by what they do there.
+    doing, closed, beside, no_times
+        Verbs, words of closed classes, words around a time, and those around what is none, in small groups.
     other_calendars
         Words before a feast that put it on a day which is not known: "orthodox easter".
-    fillers
-        What people say while they think: "um".
-    becoming, levels
-        What something becomes, and how strong it is on: "pat it dry", "cook it on low".
-    passing
-        What is said of what is called by a number: "train 14 stops at nine".
-    instances
-        What tells several of one kind apart: the ``first``, and the ``further`` ones.
-    appointing
-        Words behind which "for" says when, not how long: "an alarm for two hours before noon".
-    catching
-        Verbs whose object is called by its time: "catch the 7:42".
-    circling
-        Verbs behind which "around" is where to, and no hedge: "bring the car around at six".
-    dosing
-        Verbs of what is taken so many at a time: "one in the morning and one at night".
-    coming_in
-        Verbs right behind which "in" is where to: "come in around six".
-    dining
-        Words of what is done at a meal that it is "for": "meet for lunch".
-    playing
-        Verbs whose object may be called like a time: "play yesterday".
-    timing, timing_alone, citing
-        Words behind which "for" and a number say how many minutes; what "3:16" belongs to.
-    lasting
-        Nouns that a length of time before them is about: "a ten minute walk".
-    taken
-        What keeps who speaks from all else: "I have an appointment", "I'm out".
-    frames
-        What goes on around other work, and keeps nobody from it: "my shift is from 7 to 3".
-    standing
-        In what state something is for a while: "the bridge is closed until noon".
-    happening
-        What has a time without a verb: "dinner at seven".
-    persons, names, names_like_words, addressing, animals
-        Words for people, those of them that are given names, further names that are other words, too, and
-        verbs whose object is one: "it" stands for neither; what is "him" and "it".
-    rescheduling, events
-        Verbs that give another time to what has one, and what has one: "change the alarm to seven".
-    machines
-        What is called by a number: "robot 3, dock".
-    workers
-        Who or what is called by a number and does something: "robot 3 docks".
-    landmarks
-        Things on a way: "after the bridge" says where.
-    impersonal
-        What "it" does or is when it stands for nothing: "rains", "dark".
-    measure_verbs, measure_nouns
-        Words beside which a number is an amount.
-    dividing
-        Verbs beside which a number says into how many parts.
-    changing, reading, counting, rating, amount_nouns
-        Words beside which even a bound is one: "by 10", "until 10".
     transliterated
         By their sounds, feasts whose names Latin letters spell in many ways.
     usual_hours
         By words for what people do, the hours at which they do it.
-    questions, foreign
-        Words that begin a question, by how they do, and words that show that a text is not English.
-    conversation
-        What is said about what was asked for already, by what it does.
     function_words
         Words that may follow a bare number without making it a count.
-    misspelt
-        What is meant by words as they are often mistyped.
-    clipped
-        What may be meant by words whose last letter is left out or doubled: they are pointed at.
+    misspelt, clipped
+        What is meant by words as they are often mistyped, and what may be meant where the last letter is left
+        out or doubled: that is pointed at.
     orders
         Verbs of what is done at home, which trees may have for nouns: "order pizza", "bath ella".
     called_by_number
