@@ -6,6 +6,7 @@ and ``policies``; of ``lexicon.yaml`` the ``speech`` and the ``groups``.
 
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
@@ -59,17 +60,18 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
     read_parts(days)
     read_feasts(days)
     read_clocks(days)
-    amounts = dict(read_amounts(speech))
-    clauses = by_form(speech, "clauses")
-    comparisons = read_comparisons(speech)
-    connectives = by_form(speech, "connectives")
-    indicators = {" ".join(form): name for form, name in by_form(speech, "indicators").items()}
-    policy = read_policy(days)
-    usual_hours = read_usual_hours(days)
-    doing = read_groups(speech, "doing", Doing)
-    closed = read_groups(speech, "closed_classes", ClosedClasses)
-    beside = read_groups(speech, "beside_times", BesideTimes)
-    no_times = read_groups(speech, "no_times", NoTimes)
+    lexicon = _lexicon(speech, days)
+    # A list that is asked for twice has its mistakes twice.
+    mistakes = {*speech.reader.mistakes, *days.reader.mistakes}
+    if mistakes:
+        # What a mistake above brings upon the rows below it need not be told as well.
+        above = {mistake for mistake in mistakes if Path(mistake.path) in customs}
+        raise DocumentError(tuple(above or mistakes))
+    return lexicon
+
+
+def _lexicon(speech: Tables, days: Tables) -> Lexicon:
+    """Give what the tables say; of rows with mistakes, what is left of them."""
     entries: dict[str, list[Entry]] = {}
     for entry in (*speech.entries, *days.entries):
         entries.setdefault(entry.words[0], []).append(entry)
@@ -78,7 +80,11 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
     given_names = speech.single_words("persons", "names")
     kept = {form[0] for form in speech.words("spelling", "kept")}
     known = kept | entries.keys() | number_words.keys() | function_words
-    lexicon = Lexicon(
+    groups: dict[str, Any] = {name: speech.single_words(name) for name in _SECTIONS}
+    groups |= {name: speech.single_words("verbs", name) for name in _ROWS["verbs"]}
+    groups |= {name: _by_use(speech, name) for name in _BY_USE}
+    return Lexicon(
+        **groups,
         entries={first: tuple(found) for first, found in entries.items()},
         numbers=number_words,
         magnitudes={
@@ -86,81 +92,39 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
         },
         ordinals=numbers(days, "ordinals"),
         ambiguous=days.single_words("ambiguous"),
-        indicators=indicators,
-        connectives=connectives,
-        clauses=clauses,
-        comparisons=comparisons,
+        indicators={" ".join(form): name for form, name in by_form(speech, "indicators").items()},
+        connectives=by_form(speech, "connectives"),
+        clauses=by_form(speech, "clauses"),
+        comparisons=read_comparisons(speech),
         corrections=frozenset(speech.words("corrections")),
-        addresses=speech.single_words("addresses"),
         courtesies=frozenset(speech.words("courtesies")),
         called_behind=frozenset((*speech.words("courtesies", "behind times"), *speech.words("addresses"))),
-        amounts=amounts,
+        amounts=dict(read_amounts(speech)),
         results=frozenset(" ".join(form) for form in speech.words("results")),
-        wanting=speech.single_words("verbs", "wanting"),
-        ordering=speech.single_words("verbs", "ordering"),
-        forgetting=speech.single_words("verbs", "forgetting"),
-        causing=speech.single_words("verbs", "causing"),
-        letting=speech.single_words("verbs", "letting"),
-        intransitive=speech.single_words("verbs", "intransitive"),
-        alone=speech.single_words("verbs", "alone"),
-        chores=speech.single_words("verbs", "chores"),
         particles={
             form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
             for name, node in speech.rows("particles")
             for form in (form_of(name.text),)
         },
-        places=speech.single_words("places"),
-        vague_adverbs=speech.single_words("vague_adverbs"),
-        doing=doing,
-        closed=closed,
-        beside=beside,
-        no_times=no_times,
-        called=_by_use(speech, "called"),
-        past=_by_use(speech, "past"),
-        undoing=_by_use(speech, "undoing"),
-        told=_by_use(speech, "told"),
-        asides=_by_use(speech, "asides"),
-        spacing=_by_use(speech, "spacing"),
+        doing=read_groups(speech, "doing", Doing),
+        closed=read_groups(speech, "closed_classes", ClosedClasses),
+        beside=read_groups(speech, "beside_times", BesideTimes),
+        no_times=read_groups(speech, "no_times", NoTimes),
         moments=frozenset(speech.words("moments")),
-        becoming=speech.single_words("becoming"),
-        fillers=speech.single_words("fillers"),
-        other_calendars=speech.single_words("other_calendars"),
-        levels=speech.single_words("levels"),
-        passing=speech.single_words("passing"),
         instances={name: frozenset(speech.words("instances", name)) for name in _ROWS["instances"]},
-        appointing=speech.single_words("appointing"),
-        lasting=speech.single_words("lasting"),
-        playing=speech.single_words("playing"),
-        catching=speech.single_words("catching"),
-        circling=speech.single_words("circling"),
-        dosing=speech.single_words("dosing"),
-        coming_in=speech.single_words("coming_in"),
-        dining=speech.single_words("dining"),
         timing=speech.single_words("timing", "verbs"),
         timing_alone=speech.single_words("timing", "alone"),
-        citing=speech.single_words("citing"),
         persons=speech.single_words("persons") | given_names,
         names=given_names,
         names_like_words=speech.single_words("persons", "like words"),
-        animals=speech.single_words("animals"),
-        machines=speech.single_words("machines"),
-        workers=speech.single_words("workers"),
         moving=speech.single_words("rescheduling", "moving"),
         switching=speech.single_words("rescheduling", "switching"),
         rescheduling=frozenset(
             form[0] for key in ("moving", "verbs") for form in speech.words("rescheduling", key)
         ),
         events=speech.single_words("rescheduling", "events"),
-        addressing=speech.single_words("verbs", "addressing"),
         measure_verbs=speech.single_words("measures", "verbs"),
         measure_nouns=speech.single_words("measures", "nouns"),
-        landmarks=speech.single_words("landmarks"),
-        travelling=speech.single_words("travelling"),
-        impersonal=speech.single_words("impersonal"),
-        taken=speech.single_words("taken"),
-        happening=speech.single_words("happening"),
-        frames=speech.single_words("frames"),
-        standing=speech.single_words("standing"),
         dividing=speech.single_words("measures", "dividing"),
         changing=frozenset(speech.words("measures", "changing")),
         counting=speech.single_words("measures", "counting"),
@@ -172,7 +136,6 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
             name.text: frozenset(speech.words("conversation", name.text))
             for name, _ in speech.rows("conversation")
         },
-        foreign=speech.single_words("foreign"),
         function_words=function_words,
         misspelt={
             **misspellings((form[0] for form in speech.words("spelling", "words")), known),
@@ -180,16 +143,9 @@ def read_lexicon(words: Path, calendar: Path, customs: Iterable[Path] = ()) -> L
         },
         clipped=clipped((form[0] for form in speech.words("spelling", "ending")), known),
         transliterated=Names.of((entry.words, entry) for entry in days.entries if is_transliterated(entry)),
-        usual_hours=usual_hours,
-        policy=policy,
+        usual_hours=read_usual_hours(days),
+        policy=read_policy(days),
     )
-    # A list that is asked for twice has its mistakes twice.
-    mistakes = {*speech.reader.mistakes, *days.reader.mistakes}
-    if mistakes:
-        # What a mistake above brings upon the rows below it need not be told as well.
-        above = {mistake for mistake in mistakes if Path(mistake.path) in customs}
-        raise DocumentError(tuple(above or mistakes))
-    return lexicon
 
 
 def _by_use(speech: Tables, section: str) -> dict[str, frozenset[str]]:
@@ -257,6 +213,17 @@ _ROWS = {
     "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "rating", "amounts"),
 }  # fmt: skip
 """Sections whose rows rules ask for by name: all of them, and no other."""
+
+_SECTIONS = (
+    "addresses", "places", "vague_adverbs", "becoming", "fillers", "other_calendars", "levels", "passing",
+    "appointing", "lasting", "playing", "catching", "circling", "dosing", "coming_in", "dining", "citing",
+    "animals", "machines", "workers", "landmarks", "travelling", "impersonal", "taken", "happening", "frames",
+    "standing", "foreign",
+)  # fmt: skip
+"""Sections that are one group of words, in the field of that name."""
+
+_BY_USE = ("called", "past", "undoing", "told", "asides", "spacing")
+"""Sections whose words stand by what they do."""
 
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
