@@ -72,6 +72,14 @@ class Talk:
         raise KeyError(identifier)
 
 
+def talk_of(*lines: str) -> Talk:
+    """Give a conversation in which some lines were said."""
+    talk = Talk()
+    for line in lines:
+        talk.say(line)
+    return talk
+
+
 def _text(lines: object) -> str:
     assert isinstance(lines, (list, tuple))
     return "\n".join(line.plain if isinstance(line, Text) else str(line) for line in lines)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from terminal.talking import NINE, Talk
+from terminal.talking import NINE, talk_of
 
 EVENING, MORNING = "call mum at 18:00 on 2026-03-04", "call mum at 06:00 on 2026-03-05"
 
@@ -37,8 +37,7 @@ pytestmark = pytest.mark.model
     ],
 )
 def test_an_answer_in_words_takes_the_time_it_means(answer: str, entry: str) -> None:
-    talk = Talk()
-    talk.say("call mum at six")
+    talk = talk_of("call mum at six")
     answered = talk.say(answer)
     assert "taken as" in answered
     assert "Which time" not in answered
@@ -47,8 +46,7 @@ def test_an_answer_in_words_takes_the_time_it_means(answer: str, entry: str) -> 
 
 @pytest.mark.parametrize("answer", ["no", "neither", "both of them"])
 def test_where_none_is_chosen_the_question_is_put_again(answer: str) -> None:
-    talk = Talk()
-    talk.say("call mum at six")
+    talk = talk_of("call mum at six")
     assert "Which time" in talk.say(answer)
     assert talk.entries == ["call mum at six"]
     talk.say("the later one")
@@ -66,15 +64,11 @@ def test_where_none_is_chosen_the_question_is_put_again(answer: str) -> None:
     ],
 )
 def test_what_answers_something_else_is_taken_as_it_is_said(answer: str, entries: list[str]) -> None:
-    talk = Talk()
-    talk.say("call mum at six")
-    talk.say(answer)
+    talk = talk_of("call mum at six", answer)
     assert talk.entries == entries
 
 
 def test_an_hour_of_the_clock_stays_in_its_half_of_the_day() -> None:
-    talk = Talk()
-    talk.say("call mum at six pm")
-    talk.say("06:00")
+    talk = talk_of("call mum at six pm", "06:00")
     assert talk.entries == ["call mum at 06:00"]
     assert talk.start("s1").hour == 6 != NINE.hour

@@ -2,19 +2,12 @@
 
 import pytest
 
-from terminal.talking import Talk
+from terminal.talking import talk_of
 
 pytestmark = pytest.mark.model
 
 CALLS = ["call mum at six pm", "call the plumber at noon"]
 OTHER = "feed the dog at four pm"
-
-
-def talk_of(*lines: str) -> Talk:
-    talk = Talk()
-    for line in lines:
-        talk.say(line)
-    return talk
 
 
 @pytest.mark.parametrize("answer", ["the plumber", "the first one", "s2", "2", "plumber please"])

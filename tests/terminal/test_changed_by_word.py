@@ -2,16 +2,9 @@
 
 import pytest
 
-from terminal.talking import Talk
+from terminal.talking import talk_of
 
 pytestmark = pytest.mark.model
-
-
-def talk_of(*lines: str) -> Talk:
-    talk = Talk()
-    for line in lines:
-        talk.say(line)
-    return talk
 
 
 CALLS = ("call Ann at noon", "call Bob at one pm", "call Carl at two pm")

@@ -16,7 +16,7 @@ from fuzzytime_cli.repl.scene import Reply
 from fuzzytime_cli.repl.start import Dialogue, answer_each, piped
 from fuzzytime_cli.repl.turn import Turns
 from terminal.running import ran
-from terminal.talking import NINE, Talk
+from terminal.talking import NINE, Talk, talk_of
 
 
 def test_an_instruction_is_kept_and_the_schedule_drawn() -> None:
@@ -70,8 +70,7 @@ def test_words_that_are_not_understood_are_pointed_at_and_not_kept() -> None:
 
 
 def test_times_count_from_when_the_words_were_said() -> None:
-    talk = Talk()
-    talk.say("Stir the soup in exactly ten minutes")
+    talk = talk_of("Stir the soup in exactly ten minutes")
     talk.now += timedelta(minutes=4)
     talk.say("Set the table in exactly ten minutes")
     assert abs(talk.start("s1") - NINE - timedelta(minutes=10)) < timedelta(minutes=4)
@@ -79,8 +78,7 @@ def test_times_count_from_when_the_words_were_said() -> None:
 
 
 def test_a_start_that_comes_is_said_once_and_the_skill_stays() -> None:
-    talk = Talk()
-    talk.say("Stir the soup now")
+    talk = talk_of("Stir the soup now")
     began = talk.start("s1")
     assert "start now: stir the soup" in talk.wait(seconds=1)
     assert talk.wait(seconds=1) == ""
@@ -92,15 +90,12 @@ def test_a_start_that_comes_is_said_once_and_the_skill_stays() -> None:
 
 
 def test_what_happens_by_itself_is_announced_but_not_as_a_start() -> None:
-    talk = Talk()
-    talk.say("The guests come in ten minutes")
+    talk = talk_of("The guests come in ten minutes")
     assert "  now: The guests come (s1)" in talk.wait(minutes=10)
 
 
 def test_what_happened_while_the_conversation_was_closed_did_so_at_its_time() -> None:
-    talk = Talk()
-    talk.say("The guests come in exactly an hour")
-    talk.say("light the fire an hour after the guests come")
+    talk = talk_of("The guests come in exactly an hour", "light the fire an hour after the guests come")
     made = talk.turns.conversation.plan(NINE + timedelta(minutes=100))
     assert [one.identifier for one in made.skills] == ["s2"]
     start = made.instant(made.schedule.start_times[0])
@@ -108,17 +103,14 @@ def test_what_happened_while_the_conversation_was_closed_did_so_at_its_time() ->
 
 
 def test_what_waits_for_a_started_skill_waits_until_it_is_done() -> None:
-    talk = Talk()
-    talk.say("Boil the eggs now")
+    talk = talk_of("Boil the eggs now")
     talk.wait(seconds=5)
     talk.say("Peel the eggs after boiling the eggs")
     assert talk.start("s2") >= NINE + timedelta(minutes=5)
 
 
 def test_moves_are_said() -> None:
-    talk = Talk()
-    talk.say("Stir the soup in exactly ten minutes")
-    talk.say(":duration 1 10min")
+    talk = talk_of("Stir the soup in exactly ten minutes", ":duration 1 10min")
     answer = talk.say("Set the table in exactly ten minutes")
     assert "moved: s1" in answer
 
@@ -143,17 +135,14 @@ def test_an_ambiguous_time_is_asked_about_once_and_a_number_answers() -> None:
 
 
 def test_a_question_that_is_not_answered_leaves_the_choice_and_loses_no_line() -> None:
-    talk = Talk()
-    talk.say("Call mum at six")
-    talk.say("Stir the soup soon")
+    talk = talk_of("Call mum at six", "Stir the soup soon")
     assert talk.entries == ["Call mum at six", "Stir the soup soon"]
     assert talk.start("s1").hour in {17, 18}
     assert "cannot" not in talk.say(":list")
 
 
 def test_a_skill_without_readings_is_drawn_without_an_empty_axis() -> None:
-    talk = Talk()
-    talk.say("Flip the pancakes when the pan is hot")
+    talk = talk_of("Flip the pancakes when the pan is hot")
     drawn = talk.say(":plot 1")
     assert "pan_temp in" not in drawn
     assert "no start satisfies: not enough readings of pan_temp" in drawn
@@ -188,9 +177,7 @@ def test_a_skill_has_one_name_in_a_plan_a_run_and_a_conversation(tmp_path: Path)
     happened = [
         json.loads(line) for line in ran("run", *given, "--simulate", *now, folder=tmp_path).out.splitlines()
     ]
-    talk = Talk()
-    for line in lines:
-        talk.say(line)
+    talk = talk_of(*lines)
     assert talk.turns.plan is not None
     assert [skill["id"] for skill in planned["skills"]] == ["s1", "s1.2", "s2"]
     assert sorted(event["id"] for event in happened if event["type"] == "start") == ["s1", "s1.2", "s2"]
@@ -198,16 +185,14 @@ def test_a_skill_has_one_name_in_a_plan_a_run_and_a_conversation(tmp_path: Path)
 
 
 def test_a_start_that_comes_while_one_types_is_announced_with_the_next_turn() -> None:
-    talk = Talk()
-    talk.say("Feed the cat now")
+    talk = talk_of("Feed the cat now")
     talk.now += timedelta(seconds=5)
     assert "09:00:00  start now: feed the cat (s1)" in talk.say("Call mum in ten minutes")
     assert "start now" not in talk.say(":list")
 
 
 def test_a_rejected_skill_has_no_time_and_its_reason_is_said_once() -> None:
-    talk = Talk()
-    talk.say(":ctx washer_power=400")
+    talk = talk_of(":ctx washer_power=400")
     answer = talk.say("Hang up the laundry when the washing machine is done")
     assert answer.count("never: washer_power stays at 400 W") == 1
     (row,) = [line for line in answer.split("\n") if "hang up the laundry" in line and " 0.00 " in line]
@@ -216,8 +201,7 @@ def test_a_rejected_skill_has_no_time_and_its_reason_is_said_once() -> None:
 
 
 def test_notes_end_with_the_start_and_who_takes_the_time_is_named() -> None:
-    talk = Talk()
-    talk.say("Set the table before the guests arrive")
+    talk = talk_of("Set the table before the guests arrive")
     talk.wait(seconds=1)
     answer = talk.say("Stir the soup now")
     assert "note: s1" not in answer
@@ -237,8 +221,7 @@ def test_the_schedule_follows_the_width_of_the_terminal(monkeypatch: pytest.Monk
 
 
 def test_what_is_said_anew_may_refer_to_what_was_said_since() -> None:
-    talk = Talk()
-    talk.say("Make the gravy at 10 am")
+    talk = talk_of("Make the gravy at 10 am")
     talk.wait(seconds=5)
     talk.say("Serve the roast at 10:30 am")
     talk.wait(seconds=5)
@@ -267,8 +250,7 @@ def test_a_note_is_said_once_and_listed_when_asked_for() -> None:
 
 @pytest.mark.parametrize(("count", "shown"), [(13, 13), (14, 12), (20, 12)])
 def test_of_many_notes_the_first_are_told_and_the_rest_counted(count: int, shown: int) -> None:
-    talk = Talk()
-    talk.say("Serve the roast")
+    talk = talk_of("Serve the roast")
     assert talk.turns.plan is not None
     notes = tuple(Problem(kind=ProblemKind.NOTE, message=f"a note: of kind {n}") for n in range(count))
     lines = [line.plain for line in note_lines(replace(talk.turns.plan, problems=notes), ["s1"])]
@@ -293,9 +275,7 @@ class Tty(io.StringIO):
 def test_a_terminal_s_lines_are_broken_between_words_and_a_pipe_s_are_whole(
     stream: io.StringIO, most: int
 ) -> None:
-    talk = Talk()
-    talk.say("Stir the soup at half past six")
-    talk.say("Set the table in about twenty minutes")
+    talk = talk_of("Stir the soup at half past six", "Set the table in about twenty minutes")
     screen = Screen(stream, 40, colour=False, unicode=True, interactive=False)
     talk.turns.width = 40
     screen.write("moved: s1 put the roast in the oven from 17:14:06 to 17:01:06")
@@ -353,8 +333,7 @@ def test_many_assumed_durations_are_told_together(tmp_path: Path) -> None:
 
 
 def test_of_a_running_skill_it_is_said_that_it_runs() -> None:
-    talk = Talk()
-    talk.say("Paint the wall now")
+    talk = talk_of("Paint the wall now")
     talk.wait(seconds=2)
     talk.say("Set the table soon")
     assert "s1 is running until" in talk.say(":why 1")
@@ -369,8 +348,7 @@ def test_a_planned_instant_is_rounded_and_does_not_waver() -> None:
 
 
 def test_a_move_to_another_day_is_told_with_the_day() -> None:
-    talk = Talk()
-    talk.say("Call mum at 5 pm")
+    talk = talk_of("Call mum at 5 pm")
     assert "moved: s1 call mum from 17:00 to Thu 17:00" in talk.say(":edit 1 call mum at 5 pm tomorrow")
 
 

@@ -9,13 +9,11 @@ import pytest
 from fuzzytime_cli.render import Screen
 from fuzzytime_cli.repl import start
 from terminal.running import ran
-from terminal.talking import NINE, Talk
+from terminal.talking import NINE, Talk, talk_of
 
 
 def test_steps_are_undone_and_done_again() -> None:
-    talk = Talk()
-    talk.say("Stir the soup soon")
-    talk.say("Set the table soon")
+    talk = talk_of("Stir the soup soon", "Set the table soon")
     assert "undone" in talk.say(":undo")
     assert talk.entries == ["Stir the soup soon"]
     assert "done again" in talk.say(":redo")
@@ -26,8 +24,7 @@ def test_steps_are_undone_and_done_again() -> None:
 
 
 def test_what_if_changes_nothing() -> None:
-    talk = Talk()
-    talk.say("Stir the soup soon")
+    talk = talk_of("Stir the soup soon")
     answer = talk.say(":what-if set the table now")
     assert "set the table" in answer
     assert "nothing is changed" in answer
@@ -35,17 +32,14 @@ def test_what_if_changes_nothing() -> None:
 
 
 def test_why_explains_from_the_words_to_the_start() -> None:
-    talk = Talk()
-    talk.say("Place the pan on the stove in about four minutes")
+    talk = talk_of("Place the pan on the stove in about four minutes")
     answer = " ".join(talk.say(":why 1").split())
     assert "place ← minutes (oblique temporal) ← four (number), about (hedge), in (preposition)" in answer
     assert "rules/lookup.yaml" in answer
 
 
 def test_a_command_takes_words_for_what_is_planned() -> None:
-    talk = Talk()
-    talk.say("Stir the soup in ten minutes")
-    talk.say("Set the table in five minutes")
+    talk = talk_of("Stir the soup in ten minutes", "Set the table in five minutes")
     assert talk.say(":why the soup") == talk.say(":why 1")
     talk.say(":drop table")
     assert talk.entries == ["Stir the soup in ten minutes"]
@@ -87,8 +81,7 @@ def test_a_command_takes_words_for_what_is_planned() -> None:
     ],
 )
 def test_a_wrong_command_is_answered_by_its_rule(line: str, rule: str) -> None:
-    talk = Talk()
-    talk.say("Stir the soup soon")
+    talk = talk_of("Stir the soup soon")
     assert rule in talk.say(line)
     assert talk.entries == ["Stir the soup soon"]
 
@@ -115,9 +108,7 @@ def test_what_was_not_said_is_not_repeated(line: str) -> None:
 
 
 def test_a_session_is_saved_and_loaded(tmp_path: Path) -> None:
-    talk = Talk()
-    talk.say("Stir the soup in exactly an hour")
-    talk.say(":busy 12:00 13:00 lunch")
+    talk = talk_of("Stir the soup in exactly an hour", ":busy 12:00 13:00 lunch")
     talk.say(f":save {tmp_path / 'dinner.json'}")
     talk.say(f":save {tmp_path / 'dinner.ics'}")
     other = Talk()
@@ -133,17 +124,14 @@ def test_the_beginning_of_a_command_will_do() -> None:
 
 
 def test_an_instruction_is_said_anew() -> None:
-    talk = Talk()
-    talk.say("Stir the soup soon")
-    talk.say(":edit 1")
+    talk = talk_of("Stir the soup soon", ":edit 1")
     assert talk.edit == ":edit 1 Stir the soup soon"
     talk.say(":edit 1 Stir the soup in ten minutes")
     assert talk.entries == ["Stir the soup in ten minutes"]
 
 
 def test_what_is_said_anew_while_it_is_running_is_planned_again() -> None:
-    talk = Talk()
-    talk.say("Paint the wall now")
+    talk = talk_of("Paint the wall now")
     talk.wait(seconds=2)
     answer = talk.say(":edit 1 Paint the wall in two hours")
     assert "no longer running: paint the wall" in answer
@@ -152,8 +140,7 @@ def test_what_is_said_anew_while_it_is_running_is_planned_again() -> None:
 
 
 def test_what_is_done_no_longer_holds_its_agent() -> None:
-    talk = Talk()
-    talk.say("Paint the wall now")
+    talk = talk_of("Paint the wall now")
     talk.wait(seconds=2)
     talk.say("Set the table now")
     before = talk.start("s2")
@@ -163,8 +150,7 @@ def test_what_is_done_no_longer_holds_its_agent() -> None:
 
 
 def test_what_is_done_before_its_time_leaves_the_rest_of_its_instruction() -> None:
-    talk = Talk()
-    talk.say("Boil the eggs in about five minutes, then call mum")
+    talk = talk_of("Boil the eggs in about five minutes, then call mum")
     before = talk.start("s1.2")
     assert "done: boil the eggs" in talk.say(":done 1")
     assert NINE <= talk.start("s1.2") < before
@@ -172,9 +158,7 @@ def test_what_is_done_before_its_time_leaves_the_rest_of_its_instruction() -> No
 
 
 def test_of_a_repetition_one_occurrence_is_done() -> None:
-    talk = Talk()
-    talk.say("Water the plants every two hours until 6 pm")
-    talk.say(":done s1")
+    talk = talk_of("Water the plants every two hours until 6 pm", ":done s1")
     assert talk.start("s1.2") > NINE
 
 
@@ -185,8 +169,7 @@ def test_help_of_one_command_is_its_line() -> None:
 
 
 def test_times_of_other_days_name_the_day() -> None:
-    talk = Talk()
-    talk.say("Watch the fire now for 20 hours")
+    talk = talk_of("Watch the fire now for 20 hours")
     assert "until Thu 05:00:00" in talk.wait(seconds=1) + talk.say("what's next?")
     talk.wait(days=2)
     assert "  1  04 Mar 09:00  Watch the fire now" in talk.say(":list")
@@ -220,9 +203,7 @@ def test_a_plan_is_saved_only_as_what_can_be_told(name: str, tmp_path: Path) -> 
 
 
 def test_a_command_can_be_tried_and_changes_nothing() -> None:
-    talk = Talk()
-    talk.say("Flip the pancakes when the pan is hot")
-    talk.say("Boil the eggs in ten minutes")
+    talk = talk_of("Flip the pancakes when the pan is hot", "Boil the eggs in ten minutes")
     answer = talk.say(":what-if :ctx pan_temp=200")
     assert "found a place: s1 flip the pancakes" in answer
     assert "nothing is changed" in answer
@@ -240,14 +221,12 @@ def test_a_command_can_be_tried_and_changes_nothing() -> None:
     ],
 )
 def test_what_cannot_be_tried_is_said(words: str, answer: str) -> None:
-    talk = Talk()
-    talk.say("Boil the eggs in ten minutes")
+    talk = talk_of("Boil the eggs in ten minutes")
     assert answer in talk.say(words)
 
 
 def test_a_long_instruction_is_undone_in_a_line() -> None:
-    talk = Talk()
-    talk.say("Stir the soup soon and " + 30 * "very " + "slowly")
+    talk = talk_of("Stir the soup soon and " + 30 * "very " + "slowly")
     assert max(map(len, talk.say(":undo").splitlines())) <= 80
     assert max(map(len, talk.say(":redo").splitlines()[:1])) <= 80
 
@@ -345,17 +324,14 @@ def test_what_is_said_anew_keeps_its_place_among_the_others(
 
 
 def test_an_instruction_that_refers_to_one_given_since_stands_behind_it() -> None:
-    talk = Talk()
-    talk.say("stir the soup in an hour")
-    talk.say("set the table in ten minutes")
+    talk = talk_of("stir the soup in an hour", "set the table in ten minutes")
     talk.wait(seconds=5)
     talk.say(":edit 1 stir the soup after that")
     assert following(talk) == [("s2",), ()]
 
 
 def test_a_step_that_is_said_anew_is_the_same_step() -> None:
-    talk = Talk()
-    talk.say(":in-order on")
+    talk = talk_of(":in-order on")
     for line in ("fry the onions in ten minutes", "boil the rice", "serve the rice"):
         talk.say(line)
     talk.wait(seconds=5)
@@ -366,7 +342,6 @@ def test_a_step_that_is_said_anew_is_the_same_step() -> None:
 
 @pytest.mark.parametrize("quote", ["", '"', "'"])
 def test_a_file_whose_name_has_spaces_may_be_quoted(quote: str, tmp_path: Path) -> None:
-    talk = Talk()
-    talk.say("stir the soup soon")
+    talk = talk_of("stir the soup soon")
     assert "written" in talk.say(f":save {quote}{tmp_path / 'my dinner.csv'}{quote}")
     assert (tmp_path / "my dinner.csv").is_file()

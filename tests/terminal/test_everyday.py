@@ -7,7 +7,7 @@ import pytest
 from fuzzytime.language import AboutKind, about_things, about_wishes, respelled
 from fuzzytime.language.finding import shipped_lexicon
 from terminal.running import ran
-from terminal.talking import NINE, Talk
+from terminal.talking import NINE, Talk, talk_of
 
 
 @pytest.mark.parametrize(
@@ -47,8 +47,7 @@ def test_of_what_was_cleared_one_is_kept_after_all() -> None:
 
 @pytest.mark.model
 def test_who_asks_for_a_while_gets_it() -> None:
-    talk = Talk()
-    talk.say("call Ann at 9:02")
+    talk = talk_of("call Ann at 9:02")
     assert "taken from 09:00 to 09:05" in talk.say("give me five minutes")
     talk.wait(minutes=6)
     assert "goes on until" in talk.say("I need ten minutes")
@@ -83,8 +82,7 @@ def test_a_mistyped_order_about_wishes_is_read(typed: str, meant: str | None) ->
 
 @pytest.mark.model
 def test_a_mistyped_order_is_read_where_it_means_something() -> None:
-    talk = Talk()
-    talk.say("call Ann at noon")
+    talk = talk_of("call Ann at noon")
     assert "read as: mvoe" not in talk.say("mvoe the sofa")
     assert "read as: move it to one" in talk.say("mvoe it to one")
     talk.say("mvoe the call to two")
@@ -93,8 +91,7 @@ def test_a_mistyped_order_is_read_where_it_means_something() -> None:
 
 @pytest.mark.model
 def test_a_reason_is_no_wish_and_said_to_change_nothing() -> None:
-    talk = Talk()
-    talk.say("go for a run at 6 pm")
+    talk = talk_of("go for a run at 6 pm")
     assert "'too tired' changes nothing" in talk.say("actually skip it, too tired")
     talk.say("undo")
     assert '"it\'s raining" changes nothing' in talk.say("forget the run, it's raining")
@@ -113,16 +110,14 @@ def test_a_reason_is_no_wish_and_said_to_change_nothing() -> None:
     ],
 )
 def test_what_was_done_needs_no_speaker(planned: str, told: str) -> None:
-    talk = Talk()
-    talk.say(planned)
+    talk = talk_of(planned)
     assert "done: " in talk.say(told)
     assert talk.left == []
 
 
 @pytest.mark.model
 def test_what_may_be_the_name_of_a_dish_is_a_wish() -> None:
-    talk = Talk()
-    talk.say("fried eggs at six")
+    talk = talk_of("fried eggs at six")
     assert talk.entries == ["fried eggs at six"]
     assert "nothing like it is planned" in talk.say("hung the picture")
     assert talk.entries == ["fried eggs at six"]
@@ -130,23 +125,17 @@ def test_what_may_be_the_name_of_a_dish_is_a_wish() -> None:
 
 @pytest.mark.model
 def test_of_several_things_one_is_done_and_the_rest_stays() -> None:
-    talk = Talk()
-    talk.say("buy milk and bread at noon")
-    talk.say("I bought the milk")
+    talk = talk_of("buy milk and bread at noon", "I bought the milk")
     assert talk.entries == ["buy bread at noon"]
 
 
 @pytest.mark.model
 def test_of_several_things_of_a_line_one_is_moved_lengthened_swapped_and_dropped() -> None:
-    talk = Talk()
-    talk.say("call Ann at ten, Bob at eleven and Carl at noon")
-    talk.say("swap Ann and Carl")
+    talk = talk_of("call Ann at ten, Bob at eleven and Carl at noon", "swap Ann and Carl")
     assert talk.entries == ["call Ann at noon, Bob at eleven and Carl at ten"]
     talk.say("s1.2 at one pm")
     assert talk.entries == ["call Ann at noon, Bob at one pm and Carl at ten"]
-    talk = Talk()
-    talk.say("pay the rent at ten, fix the bike at eleven, mow the lawn at four pm")
-    talk.say("2 at noon")
+    talk = talk_of("pay the rent at ten, fix the bike at eleven, mow the lawn at four pm", "2 at noon")
     assert talk.entries == ["pay the rent at ten, fix the bike at noon, mow the lawn at four pm"]
     talk.say("step 3 takes 9 minutes")
     assert talk.entries == [
@@ -160,9 +149,7 @@ def test_of_several_things_of_a_line_one_is_moved_lengthened_swapped_and_dropped
 
 @pytest.mark.model
 def test_a_time_without_its_half_of_the_day_does_not_go_to_tomorrow() -> None:
-    talk = Talk()
-    talk.say("call Ann at ten")
-    talk.say("no, at seven")
+    talk = talk_of("call Ann at ten", "no, at seven")
     assert talk.start("s1") == NINE.replace(hour=19)
 
 
@@ -176,8 +163,7 @@ def test_how_something_is_said_is_told() -> None:
 
 @pytest.mark.model
 def test_why_asks_of_what_is_running_too() -> None:
-    talk = Talk()
-    talk.say("iron the shirts now")
+    talk = talk_of("iron the shirts now")
     talk.wait(seconds=5)
     assert "is running until" in talk.say("why is it now?")
     assert "running" in talk.say("how long will that take?")
@@ -185,9 +171,7 @@ def test_why_asks_of_what_is_running_too() -> None:
 
 @pytest.mark.model
 def test_what_waits_for_a_taxi_finds_it() -> None:
-    talk = Talk()
-    talk.say("taxi at seven pm")
-    talk.say("pack before the taxi comes")
+    talk = talk_of("taxi at seven pm", "pack before the taxi comes")
     assert "no instruction" not in talk.say("lock up when it's here")
     assert talk.start("s3") == talk.start("s1")
 
@@ -216,9 +200,7 @@ def test_the_doctor_tells_that_the_sessions_are_damaged(tmp_path: Path) -> None:
 
 @pytest.mark.model
 def test_keeping_takes_one_back_of_what_was_dropped() -> None:
-    talk = Talk()
-    talk.say("ring the plumber at half ten")
-    talk.say("ring the electrician at eleven")
+    talk = talk_of("ring the plumber at half ten", "ring the electrician at eleven")
     talk.say("cancel everything this morning")
     talk.say("no wait, keep the plumber")
     assert talk.entries == ["ring the plumber at half ten"]
@@ -226,17 +208,13 @@ def test_keeping_takes_one_back_of_what_was_dropped() -> None:
 
 @pytest.mark.model
 def test_and_with_a_time_alone_is_the_same_at_that_time_too() -> None:
-    talk = Talk()
-    talk.say("read to the kids at 8 pm")
-    talk.say("and at 7:30 pm")
+    talk = talk_of("read to the kids at 8 pm", "and at 7:30 pm")
     assert talk.entries == ["read to the kids at 8 pm", "read to the kids at 7:30 pm"]
 
 
 @pytest.mark.model
 def test_what_is_repeated_is_left_out_on_days_that_repeat() -> None:
-    talk = Talk()
-    talk.say("read to the kids at 8 pm every day")
-    talk.say("not on fridays")
+    talk = talk_of("read to the kids at 8 pm every day", "not on fridays")
     assert talk.entries == ["read to the kids at 8 pm every day except on fridays"]
 
 
@@ -246,17 +224,13 @@ def test_what_is_repeated_is_left_out_on_days_that_repeat() -> None:
     [("reschedule for friday", "call Ann friday at one pm"), ("I need it by three", "call Ann by three")],
 )
 def test_a_new_time_needs_no_thing(line: str, entry: str) -> None:
-    talk = Talk()
-    talk.say("call Ann at one pm")
-    talk.say(line)
+    talk = talk_of("call Ann at one pm", line)
     assert talk.entries == [entry]
 
 
 @pytest.mark.model
 def test_what_was_asked_for_without_a_time_may_get_one() -> None:
-    talk = Talk()
-    talk.say("water the plants")
-    talk.say("water the plants at six pm")
+    talk = talk_of("water the plants", "water the plants at six pm")
     assert talk.entries == ["water the plants at six pm"]
     talk.say("water the plants again at eight pm")
     assert len(talk.entries) == 2
@@ -264,16 +238,14 @@ def test_what_was_asked_for_without_a_time_may_get_one() -> None:
 
 @pytest.mark.model
 def test_one_of_several_things_of_a_line_is_put_off_and_no_other() -> None:
-    talk = Talk()
-    talk.say("mow the lawn at ten, trim the hedge at eleven and sweep the path at one pm")
+    talk = talk_of("mow the lawn at ten, trim the hedge at eleven and sweep the path at one pm")
     talk.say("postpone the hedge by an hour")
     assert (talk.start("s1").hour, talk.start("s1.2").hour, talk.start("s1.3").hour) == (10, 12, 13)
 
 
 @pytest.mark.model
 def test_questions_name_days_of_the_plan_and_what_is_planned() -> None:
-    talk = Talk()
-    talk.say("Tom picks up Lena from school at half three")
+    talk = talk_of("Tom picks up Lena from school at half three")
     assert "s1 Tom picks up Lena" in talk.say("who picks up lena?")
     assert "nothing is planned then" in talk.say("what's the plan for tomorrow")
     assert "s1 Tom picks up Lena" in talk.say("what time do I start then?")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from terminal.talking import Talk
+from terminal.talking import Talk, talk_of
 
 pytestmark = pytest.mark.model
 
@@ -51,16 +51,14 @@ def test_questions_are_answered_in_a_line(line: str, answer: str) -> None:
 
 
 def test_what_was_done_is_known() -> None:
-    talk = Talk()
-    talk.say("feed the cat now")
+    talk = talk_of("feed the cat now")
     assert "not yet: s1 feed the cat is running until 09:02" in talk.say("did I feed the cat?")
     talk.wait(minutes=10)
     assert "yes: s1 feed the cat, from 09:00 to 09:02" in talk.say("have I fed the cat?")
 
 
 def test_there_is_no_room_where_all_is_taken() -> None:
-    talk = Talk()
-    talk.say("paint the wall now for three hours")
+    talk = talk_of("paint the wall now for three hours")
     assert "no: a nap (30 min, assumed) does not fit in before 11:30" in talk.say(
         "is there time for a nap before half past eleven?"
     )
@@ -68,8 +66,7 @@ def test_there_is_no_room_where_all_is_taken() -> None:
 
 
 def test_what_is_repeated_is_known_further_than_it_is_shown() -> None:
-    talk = Talk()
-    talk.say("feed the hens every day at eight am except on sunday")
+    talk = talk_of("feed the hens every day at eight am except on sunday")
     assert "feed the hens: Sat 08:00" in talk.say("what do I do on saturday?")
     assert "no: s1" in talk.say("am I free on saturday at eight am?")
     assert "nothing is planned then" in talk.say("what do I do on sunday?")
@@ -81,6 +78,5 @@ def test_nothing_planned_is_free() -> None:
 
 @pytest.mark.parametrize("line", ["can you go at five?", "what about calling Ann at 5 pm?"])
 def test_what_is_asked_of_another_is_no_question_about_the_plan(line: str) -> None:
-    talk = Talk()
-    talk.say(line)
+    talk = talk_of(line)
     assert talk.entries == [line]

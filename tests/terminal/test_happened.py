@@ -2,7 +2,7 @@
 
 import pytest
 
-from terminal.talking import Talk
+from terminal.talking import Talk, talk_of
 
 pytestmark = pytest.mark.model
 
@@ -30,8 +30,7 @@ pytestmark = pytest.mark.model
     ],
 )
 def test_what_waits_for_it_is_done_now(wish: str, told: str, entry: str) -> None:
-    talk = Talk()
-    talk.say(wish)
+    talk = talk_of(wish)
     assert f"taken as :edit 1 {entry}" in talk.say(told)
     assert talk.entries == [entry]
     talk.say("undo")
@@ -49,9 +48,7 @@ def test_what_waits_for_it_is_done_now(wish: str, told: str, entry: str) -> None
     ],
 )
 def test_what_tells_another_thing_leaves_it_waiting(wish: str, told: str) -> None:
-    talk = Talk()
-    talk.say(wish)
-    talk.say(told)
+    talk = talk_of(wish, told)
     assert talk.entries[0] == wish
 
 
@@ -82,9 +79,7 @@ def test_what_is_over_is_no_wish(told: str) -> None:
     ],
 )
 def test_what_it_is_only_done_beside_does_not_name_it(wish: str, line: str) -> None:
-    talk = Talk()
-    talk.say(wish)
-    talk.say(line)
+    talk = talk_of(wish, line)
     assert talk.entries[0] == wish
 
 
@@ -100,13 +95,11 @@ def test_what_it_is_only_done_beside_does_not_name_it(wish: str, line: str) -> N
     ],
 )
 def test_news_is_told_in_short_forms(told: str, news: str, answer: str) -> None:
-    talk = Talk()
-    talk.say(told)
+    talk = talk_of(told)
     assert answer in talk.say(news)
 
 
 def test_a_change_that_would_not_be_understood_changes_nothing() -> None:
-    talk = Talk()
-    talk.say("call Ann at noon")
+    talk = talk_of("call Ann at noon")
     assert "nothing is changed" in talk.say(":edit 1 the blue one")
     assert talk.entries == ["call Ann at noon"]

@@ -6,7 +6,7 @@ import pytest
 
 from fuzzytime.language import AboutKind, about_wishes
 from fuzzytime.language.finding import shipped_lexicon
-from terminal.talking import Talk
+from terminal.talking import Talk, talk_of
 
 NOW = datetime(2026, 3, 4, 15)  # noqa: DTZ001 - the tests' moment is of no zone
 
@@ -23,20 +23,14 @@ def test_a_meal_is_named_like_any_other_thing(line: str, kind: AboutKind | None)
 
 @pytest.mark.model
 def test_a_correction_changes_the_last_instruction() -> None:
-    talk = Talk()
-    talk.say("stir the soup at 10")
-    talk.say("call mum at 5 pm")
+    talk = talk_of("stir the soup at 10", "call mum at 5 pm")
     assert ":edit 2 call mum at 6 pm" in talk.say("no, make it 6 pm")
     assert talk.entries == ["stir the soup at 10", "call mum at 6 pm"]
 
 
 @pytest.mark.model
 def test_what_is_named_is_moved_given_a_length_and_dropped() -> None:
-    talk = Talk()
-    talk.say("call mum at 5 pm")
-    talk.say("simmer the soup at 10 am")
-    talk.say("stir it at noon")
-    talk.say("make it 20 minutes")
+    talk = talk_of("call mum at 5 pm", "simmer the soup at 10 am", "stir it at noon", "make it 20 minutes")
     talk.say("move the soup to 11 am")
     assert talk.entries == ["call mum at 5 pm", "simmer the soup at 11 am", "stir it at noon for 20 minutes"]
     talk.say("never mind")
@@ -50,10 +44,7 @@ def test_what_is_named_is_moved_given_a_length_and_dropped() -> None:
 
 @pytest.mark.model
 def test_everything_is_pushed_back_but_what_was_told() -> None:
-    talk = Talk()
-    talk.say("stir the soup in about ten minutes")
-    talk.say("call mum at 5 pm")
-    talk.say("dinner is at 7 pm")
+    talk = talk_of("stir the soup in about ten minutes", "call mum at 5 pm", "dinner is at 7 pm")
     starts = {name: talk.start(name) for name in ("s1", "s2", "s3")}
     shown = talk.say("push everything back by 20 minutes")
     assert "taken as :delay all 20min" in shown
@@ -70,8 +61,7 @@ def test_everything_is_pushed_back_but_what_was_told() -> None:
 
 @pytest.mark.model
 def test_what_is_delayed_does_not_start_before() -> None:
-    talk = Talk()
-    talk.say("stir the soup within an hour")
+    talk = talk_of("stir the soup within an hour")
     assert "running" in talk.say("what's next?")
     talk.wait(minutes=1)
     shown = talk.say("push the soup back by ten minutes")
@@ -83,9 +73,7 @@ def test_what_is_delayed_does_not_start_before() -> None:
 
 @pytest.mark.model
 def test_what_follows_another_moves_along() -> None:
-    talk = Talk()
-    talk.say("call mum at 5 pm")
-    talk.say("ten minutes after you call mum, water the plants")
+    talk = talk_of("call mum at 5 pm", "ten minutes after you call mum, water the plants")
     starts = [talk.start("s1"), talk.start("s2")]
     assert "follows another one's time" in talk.say("delay the plants by an hour")
     talk.say("push everything back by an hour")
@@ -94,8 +82,7 @@ def test_what_follows_another_moves_along() -> None:
 
 @pytest.mark.model
 def test_what_happens_later_takes_along_what_is_tied_to_it() -> None:
-    talk = Talk()
-    talk.say("the guests come at 7 pm, serve the soup five minutes after they arrive")
+    talk = talk_of("the guests come at 7 pm, serve the soup five minutes after they arrive")
     talk.say("set the table 20 minutes before the guests come")
     starts = {name: talk.start(name) for name in ("s1", "s1.2", "s2")}
     talk.wait(minutes=1)
@@ -113,9 +100,7 @@ def test_what_happens_later_takes_along_what_is_tied_to_it() -> None:
 
 @pytest.mark.model
 def test_news_can_be_changed_as_instructions_can() -> None:
-    talk = Talk()
-    talk.say("the guests come at 7 pm")
-    talk.say("serve the soup five minutes after the guests arrive")
+    talk = talk_of("the guests come at 7 pm", "serve the soup five minutes after the guests arrive")
     start = talk.start("s2")
     talk.wait(minutes=1)
     talk.say("the guests are an hour late")
@@ -133,9 +118,7 @@ def test_news_can_be_changed_as_instructions_can() -> None:
 
 @pytest.mark.model
 def test_what_happens_sooner_is_done_by_word() -> None:
-    talk = Talk()
-    talk.say("the guests come at 7 pm")
-    talk.say("serve the soup five minutes after the guests arrive")
+    talk = talk_of("the guests come at 7 pm", "serve the soup five minutes after the guests arrive")
     talk.wait(minutes=30)
     talk.say(":done 1")
     assert talk.start("s2") == talk.now + timedelta(minutes=5)
@@ -143,8 +126,7 @@ def test_what_happens_sooner_is_done_by_word() -> None:
 
 @pytest.mark.model
 def test_what_follows_what_is_running_is_pushed_back_too() -> None:
-    talk = Talk()
-    talk.say("Set the table now, then light the candles")
+    talk = talk_of("Set the table now, then light the candles")
     talk.wait(seconds=1)
     talk.say("push everything back by ten minutes")
     assert talk.start("s1.2") == talk.now.replace(minute=15, second=0)
@@ -152,10 +134,7 @@ def test_what_follows_what_is_running_is_pushed_back_too() -> None:
 
 @pytest.mark.model
 def test_two_swap_their_times() -> None:
-    talk = Talk()
-    talk.say("call mum at 5 pm")
-    talk.say("Water the plants at 6 pm.")
-    talk.say("swap the two")
+    talk = talk_of("call mum at 5 pm", "Water the plants at 6 pm.", "swap the two")
     assert talk.entries == ["call mum at 6 pm", "Water the plants at 5 pm."]
     talk.say("feed the cat at 8 pm")
     assert "which two" in talk.say("swap them")
@@ -166,9 +145,7 @@ def test_two_swap_their_times() -> None:
 
 @pytest.mark.model
 def test_what_is_running_is_done_early_or_goes_on() -> None:
-    talk = Talk()
-    talk.say("paint the wall now for 30 minutes")
-    talk.say("then water the plants")
+    talk = talk_of("paint the wall now for 30 minutes", "then water the plants")
     talk.wait(minutes=5)
     assert "until 09:40" in talk.say("ten more minutes")
     assert talk.start("s2") == talk.now + timedelta(minutes=35)
@@ -180,8 +157,7 @@ def test_what_is_running_is_done_early_or_goes_on() -> None:
 
 @pytest.mark.model
 def test_who_is_late_starts_nothing_before() -> None:
-    talk = Talk()
-    talk.say("call mum in about five minutes")
+    talk = talk_of("call mum in about five minutes")
     assert "by how much?" in talk.say("I'm running late")
     talk.say("I'm 20 minutes late")
     assert talk.start("s1") == talk.now + timedelta(minutes=20)
@@ -191,10 +167,7 @@ def test_who_is_late_starts_nothing_before() -> None:
 
 @pytest.mark.model
 def test_one_comes_first_or_after_another() -> None:
-    talk = Talk()
-    talk.say("wash the car at 10 am")
-    talk.say("call mum at 5 pm")
-    talk.say("move the car to after the call")
+    talk = talk_of("wash the car at 10 am", "call mum at 5 pm", "move the car to after the call")
     assert talk.start("s1") > talk.start("s2")
     talk.say("do the car first")
     assert talk.start("s1") < talk.now + timedelta(minutes=5)
@@ -202,9 +175,7 @@ def test_one_comes_first_or_after_another() -> None:
 
 @pytest.mark.model
 def test_doing_something_then_gives_it_another_time() -> None:
-    talk = Talk()
-    talk.say("Call mum at 5 pm")
-    talk.say("let's do the call at 6 pm instead")
+    talk = talk_of("Call mum at 5 pm", "let's do the call at 6 pm instead")
     assert talk.entries == ["Call mum at 6 pm"]
     talk.say("could we do it half an hour earlier?")
     assert talk.start("s1") == talk.now.replace(hour=17, minute=30)
@@ -216,8 +187,7 @@ def test_doing_something_then_gives_it_another_time() -> None:
 
 @pytest.mark.model
 def test_suppositions_change_nothing() -> None:
-    talk = Talk()
-    talk.say("call mum at 5 pm")
+    talk = talk_of("call mum at 5 pm")
     assert "water the plants" in talk.say("what if I water the plants at noon?")
     assert "lost its place" not in talk.say("what if we push the call back by an hour?")
     assert "nothing is changed" in talk.say("what if we drop the call?")
@@ -226,54 +196,45 @@ def test_suppositions_change_nothing() -> None:
 
 @pytest.mark.model
 def test_of_several_times_none_is_guessed() -> None:
-    talk = Talk()
-    talk.say("feed the cat at 10 am and the dog at 11 am")
+    talk = talk_of("feed the cat at 10 am and the dog at 11 am")
     assert "several times" in talk.say("no, make it noon")
 
 
 def test_no_corrects_what_was_told_and_no_answer() -> None:
-    talk = Talk()
-    talk.say("make the salad in an hour")
-    talk.say("call mum at six pm")
+    talk = talk_of("make the salad in an hour", "call mum at six pm")
     assert "make the salad" in talk.say("what's next?")
     assert ":edit 2 call mum at half past six" in talk.say("no, half past six")
 
 
 def test_how_long_it_is_until_then_is_in_minutes() -> None:
-    talk = Talk()
-    talk.say("call mum at six pm")
+    talk = talk_of("call mum at six pm")
     talk.now += timedelta(seconds=1)
     assert "in 9 h, done at" in talk.say("what's next?")
 
 
 def test_why_of_what_is_running_says_so() -> None:
-    talk = Talk()
-    talk.say("stir the soup for 20 minutes")
+    talk = talk_of("stir the soup for 20 minutes")
     talk.wait(minutes=5)
     assert talk.say("why is the soup so early?") == "s1 stir the soup has started, and is running until 09:20"
 
 
 def test_earlier_alone_is_asked_back() -> None:
-    talk = Talk()
-    talk.say("call mum at six pm")
+    talk = talk_of("call mum at six pm")
     assert talk.say("do it earlier").startswith("by how much?")
 
 
 def test_who_must_leave_is_told_when() -> None:
-    talk = Talk()
-    talk.say("dentist at 11 am, it's 20 minutes away")
+    talk = talk_of("dentist at 11 am, it's 20 minutes away")
     assert "at 10:40" in talk.say("when do I have to leave?")
 
 
 def test_who_sets_the_table_leaves_nowhere() -> None:
-    talk = Talk()
-    talk.say("set the table in ten minutes")
+    talk = talk_of("set the table in ten minutes")
     assert "nothing that is planned" in talk.say("when do we set off?")
 
 
 def test_why_not_at_another_time_is_about_what_is_named() -> None:
-    talk = Talk()
-    talk.say("pick up the parcel at noon")
+    talk = talk_of("pick up the parcel at noon")
     assert "pick up the parcel" in talk.say("why can't I pick up the parcel at eleven?")
 
 
@@ -321,10 +282,7 @@ def test_instructions_are_meant_by_numbers_by_places_and_several_at_once(line: s
     ],
 )
 def test_what_is_meant_so_is_moved(line: str, starts: list[int]) -> None:
-    talk = Talk()
-    talk.say("call mum at six pm")
-    talk.say("call dad at seven pm")
-    talk.say(line)
+    talk = talk_of("call mum at six pm", "call dad at seven pm", line)
     assert [talk.start(name).hour for name in ("s1", "s2")] == starts
 
 
@@ -339,17 +297,14 @@ def test_what_is_meant_so_is_moved(line: str, starts: list[int]) -> None:
     ],
 )
 def test_what_means_none_is_said_and_changes_nothing(line: str, said: str) -> None:
-    talk = Talk()
-    talk.say("call mum at six pm")
-    talk.say("feed the cat at seven pm")
+    talk = talk_of("call mum at six pm", "feed the cat at seven pm")
     assert said in talk.say(line)
     assert talk.entries == ["call mum at six pm", "feed the cat at seven pm"]
 
 
 @pytest.mark.model
 def test_a_timer_tells_what_is_left_and_takes_more() -> None:
-    talk = Talk()
-    talk.say("set a timer for ten minutes")
+    talk = talk_of("set a timer for ten minutes")
     talk.wait(seconds=1)
     assert "until 09:10" in talk.say("how long is left?")
     assert "until 09:10" in talk.say("how long is left on the timer?")
@@ -368,8 +323,6 @@ def test_a_timer_tells_what_is_left_and_takes_more() -> None:
     ],
 )
 def test_questions_name_verbs_in_any_form_and_directions_want_a_length(line: str, said: str) -> None:
-    talk = Talk()
-    talk.say("feed the cat at six pm")
-    talk.say("wash the car at seven pm")
+    talk = talk_of("feed the cat at six pm", "wash the car at seven pm")
     assert said in talk.say(line)
     assert len(talk.entries) == 2

@@ -4,13 +4,12 @@ import pytest
 
 from fuzzytime.language import AboutKind, about_wishes, in_its_place, said_apart
 from fuzzytime.language.finding import shipped_lexicon
-from terminal.talking import NINE, Talk
+from terminal.talking import NINE, Talk, talk_of
 
 
 @pytest.mark.parametrize("line", ["go", "ok go", "let's go", "wait", "hang on a minute", "k", "ty", "oops"])
 def test_what_only_waves_on_is_no_wish(line: str) -> None:
-    talk = Talk()
-    talk.say("call Ann at noon")
+    talk = talk_of("call Ann at noon")
     assert "s1 call Ann: at 12:00" in talk.say(line)
     assert talk.entries == ["call Ann at noon"]
 
@@ -33,8 +32,7 @@ def test_going_somewhere_is_a_wish() -> None:
     ],
 )
 def test_what_is_wished_behind_what_is_let_be_stands_in_its_place(said: str, entry: str) -> None:
-    talk = Talk()
-    talk.say("call Bob at five")
+    talk = talk_of("call Bob at five")
     assert "taken as :edit 1" in talk.say(said)
     assert talk.entries == [entry]
     talk.say("undo")
@@ -60,25 +58,19 @@ def test_what_is_let_be_alone_stands_in_nothings_place() -> None:
     ],
 )
 def test_a_bound_stays_one_where_only_its_time_is_said_anew(first: str, line: str, entry: str) -> None:
-    talk = Talk()
-    talk.say("sand the desk from eight to noon")
-    talk.say(first)
-    talk.say(line)
+    talk = talk_of("sand the desk from eight to noon", first, line)
     assert talk.entries[-1] == entry
 
 
 @pytest.mark.model
 def test_dinner_with_its_time_is_a_wish_and_no_time_of_another() -> None:
-    talk = Talk()
-    talk.say("start the rice at half past five pm")
-    talk.say("dinner at six pm")
+    talk = talk_of("start the rice at half past five pm", "dinner at six pm")
     assert talk.entries == ["start the rice at half past five pm", "dinner at six pm"]
 
 
 @pytest.mark.model
 def test_what_is_to_come_first_or_last_needs_no_verb() -> None:
-    talk = Talk()
-    talk.say("wash up now")
+    talk = talk_of("wash up now")
     for line in ("make the salad", "make the soup", "chop the nuts"):
         talk.say(line)
     talk.say("soup first, please")
@@ -90,10 +82,7 @@ def test_what_is_to_come_first_or_last_needs_no_verb() -> None:
 
 @pytest.mark.model
 def test_entries_are_called_by_their_numbers() -> None:
-    talk = Talk()
-    talk.say("call Ann at ten")
-    talk.say("iron the shirts at eleven")
-    talk.say("2 at noon")
+    talk = talk_of("call Ann at ten", "iron the shirts at eleven", "2 at noon")
     assert talk.start("s2").hour == 12
     talk.say("s1 at one pm")
     assert talk.start("s1").hour == 13
@@ -119,8 +108,7 @@ def test_lines_are_crossed_off_in_several_words() -> None:
 
 @pytest.mark.model
 def test_what_is_to_stop_is_done_or_forgotten() -> None:
-    talk = Talk()
-    talk.say("check the oven every ten minutes until noon")
+    talk = talk_of("check the oven every ten minutes until noon")
     assert "taken as :drop 1" in talk.say("stop checking")
     talk.say("stop stirring the soup at noon")
     assert talk.entries == ["stop stirring the soup at noon"]
@@ -128,20 +116,14 @@ def test_what_is_to_stop_is_done_or_forgotten() -> None:
 
 @pytest.mark.model
 def test_both_are_over_though_one_of_them_was_running() -> None:
-    talk = Talk()
-    talk.say("wash the car now")
-    talk.say("feed the cat at ten")
+    talk = talk_of("wash the car now", "feed the cat at ten")
     talk.wait(minutes=1)
     assert ":drop 1,2" in talk.say("both done")
 
 
 @pytest.mark.model
 def test_a_number_alone_counts_minutes_where_something_is_pushed() -> None:
-    talk = Talk()
-    talk.say("call Ann at ten")
-    talk.say("push everything by ten")
-    talk.say("push it back ten")
-    talk.say("delay it by five")
+    talk = talk_of("call Ann at ten", "push everything by ten", "push it back ten", "delay it by five")
     assert talk.start("s1").strftime("%H:%M") == "10:25"
     talk.say("never mind, leave it")
     assert talk.start("s1").strftime("%H:%M") == "10:20"
@@ -149,9 +131,7 @@ def test_a_number_alone_counts_minutes_where_something_is_pushed() -> None:
 
 @pytest.mark.model
 def test_how_long_something_takes_is_told_of_what_was_spoken_of() -> None:
-    talk = Talk()
-    talk.say("bake the cake at noon")
-    talk.say("it takes two hours")
+    talk = talk_of("bake the cake at noon", "it takes two hours")
     assert talk.entries == ["bake the cake at noon for two hours"]
     assert "by how much?" in talk.say("it takes longer")
     assert "150min" in talk.say("half an hour")
@@ -161,16 +141,13 @@ def test_how_long_something_takes_is_told_of_what_was_spoken_of() -> None:
 
 @pytest.mark.model
 def test_what_is_supposed_of_the_same_again_is_of_that() -> None:
-    talk = Talk()
-    talk.say("start the rice at half past five pm")
+    talk = talk_of("start the rice at half past five pm")
     assert "moved: s1 start the rice from 17:30 to 18:00" in talk.say("what if I start the rice at six pm?")
 
 
 @pytest.mark.model
 def test_questions_are_answered_and_change_nothing() -> None:
-    talk = Talk()
-    talk.say("stir the soup at eleven")
-    talk.say("serve the soup at noon")
+    talk = talk_of("stir the soup at eleven", "serve the soup at noon")
     assert "s1 stir the soup: at 11:00" in talk.say("how much time do I have?")
     assert "s1 stir the soup: at 11:00" in talk.say("how long left?")
     assert "yes: everything that is planned has its time" in talk.say("am I going to make it?")
@@ -187,9 +164,7 @@ def test_questions_are_answered_and_change_nothing() -> None:
 
 @pytest.mark.model
 def test_it_is_no_event_where_a_thing_was_named() -> None:
-    talk = Talk()
-    talk.say("fold the laundry at ten")
-    talk.say("handover at 13:30")
+    talk = talk_of("fold the laundry at ten", "handover at 13:30")
     assert "put away the laundry" in talk.say("put it away before that")
     talk.say("meeting with Tom at three pm")
     assert "prepare meeting with Tom" in talk.say("prepare it before that")
@@ -273,9 +248,7 @@ def test_one_thing_is_said_with_commas_too() -> None:
 
 @pytest.mark.model
 def test_one_of_several_things_is_left_out_of_an_instruction() -> None:
-    talk = Talk()
-    talk.say("clean the bathroom, the hall and the kitchen at eleven")
-    talk.say("not the hall")
+    talk = talk_of("clean the bathroom, the hall and the kitchen at eleven", "not the hall")
     assert talk.entries == ["clean the bathroom and the kitchen at eleven"]
     talk.say("leave the kitchen out")
     assert talk.entries == ["clean the bathroom at eleven"]
@@ -285,16 +258,13 @@ def test_one_of_several_things_is_left_out_of_an_instruction() -> None:
 
 @pytest.mark.model
 def test_who_is_here_is_who_was_to_come() -> None:
-    talk = Talk()
-    talk.say("movers arrive at ten am")
-    talk.say("keys to the landlord at 5 pm sharp")
+    talk = talk_of("movers arrive at ten am", "keys to the landlord at 5 pm sharp")
     assert "moved: s1 movers arrive" in talk.say("they're here")
 
 
 @pytest.mark.model
 def test_what_tells_how_something_is_stands_in_the_place_of_nothing() -> None:
-    talk = Talk()
-    talk.say("freeze the tubes at ten")
+    talk = talk_of("freeze the tubes at ten")
     for line in ("never mind, it works", "it works", "that helps", "sorry", "y"):
         talk.say(line)
         assert talk.entries == ["freeze the tubes at ten"], line
@@ -303,9 +273,7 @@ def test_what_tells_how_something_is_stands_in_the_place_of_nothing() -> None:
 
 @pytest.mark.model
 def test_an_answer_in_front_of_something_else_is_no_part_of_it() -> None:
-    talk = Talk()
-    talk.say("do the dishes after lunch")
-    talk.say("ok fine, at six pm")
+    talk = talk_of("do the dishes after lunch", "ok fine, at six pm")
     assert talk.entries == ["do the dishes at six pm"]
     talk.say("sure, call Bob at eleven")
     assert talk.entries[-1] == "call Bob at eleven"
@@ -316,8 +284,7 @@ def test_an_answer_in_front_of_something_else_is_no_part_of_it() -> None:
 
 @pytest.mark.model
 def test_one_of_several_things_to_do_of_a_line_is_meant() -> None:
-    talk = Talk()
-    talk.say("water the roses at nine thirty, then mow the lawn at ten")
+    talk = talk_of("water the roses at nine thirty, then mow the lawn at ten")
     assert "done: mow the lawn" in talk.say("the lawn is done")
     talk.say("call Ann at eleven and Ben at noon")
     talk.say("drop Ben")
@@ -327,18 +294,13 @@ def test_one_of_several_things_to_do_of_a_line_is_meant() -> None:
 
 @pytest.mark.model
 def test_what_is_to_come_beside_another_may_be_corrected() -> None:
-    talk = Talk()
-    talk.say("hang the banner at five pm")
-    talk.say("blow up the balloons at six pm")
-    talk.say("no, before the banner")
+    talk = talk_of("hang the banner at five pm", "blow up the balloons at six pm", "no, before the banner")
     assert talk.start("s2") < talk.start("s1")
 
 
 @pytest.mark.model
 def test_a_delivery_is_unpacked() -> None:
-    talk = Talk()
-    talk.say("count the till at nine thirty")
-    talk.say("delivery at ten am")
+    talk = talk_of("count the till at nine thirty", "delivery at ten am")
     assert "unpack delivery" in talk.say("unpack it straight after")
 
 
@@ -356,8 +318,7 @@ def test_a_delivery_is_unpacked() -> None:
     ],
 )
 def test_the_name_of_a_command_is_no_wish(line: str, said: str) -> None:
-    talk = Talk()
-    talk.say("call Ann at noon")
+    talk = talk_of("call Ann at noon")
     assert said in talk.say(line)
     assert talk.entries == ["call Ann at noon"]
 
@@ -367,22 +328,19 @@ def test_the_name_of_a_command_is_no_wish(line: str, said: str) -> None:
     "line", ["plot the data at four", "export the data", "edit the essay", "rate the pies at two"]
 )
 def test_what_commands_are_called_may_be_done_to_a_thing(line: str) -> None:
-    talk = Talk()
-    talk.say(line)
+    talk = talk_of(line)
     assert talk.entries == [line]
 
 
 @pytest.mark.parametrize("line", ["list", "status", "help me"])
 def test_commands_need_no_colon_where_they_are_no_wishes(line: str) -> None:
-    talk = Talk()
-    talk.say("call Ann at noon")
+    talk = talk_of("call Ann at noon")
     assert "call Ann" in talk.say(line) or line == "help me"
     assert talk.entries == ["call Ann at noon"]
 
 
 def test_undo_behind_done_loses_nothing() -> None:
-    talk = Talk()
-    talk.say("boil the rice for 20 minutes")
+    talk = talk_of("boil the rice for 20 minutes")
     talk.wait(minutes=1)
     assert "done: boil the rice" in talk.say("done")
     assert "running: s1 boil the rice, until 09:20:00" in talk.say("undo")
@@ -393,8 +351,7 @@ def test_undo_behind_done_loses_nothing() -> None:
     "line", ["scratch that, feed the cat at seven pm", ":edit 1 feed the cat at seven pm"]
 )
 def test_another_wish_in_the_place_of_what_has_begun_in_part_is_planned(line: str) -> None:
-    talk = Talk()
-    talk.say("dust the shelf, sweep the floor, call Ann at six pm")
+    talk = talk_of("dust the shelf, sweep the floor, call Ann at six pm")
     talk.wait(seconds=30)
     assert "no longer running: dust the shelf" in talk.say(line)
     assert talk.entries == ["feed the cat at seven pm"]
@@ -403,8 +360,7 @@ def test_another_wish_in_the_place_of_what_has_begun_in_part_is_planned(line: st
 
 @pytest.mark.model
 def test_what_is_left_of_what_has_begun_in_part_is_worded_anew() -> None:
-    talk = Talk()
-    talk.say("dust the shelf, sweep the floor, call Ann at six pm")
+    talk = talk_of("dust the shelf, sweep the floor, call Ann at six pm")
     talk.wait(seconds=30)
     answer = talk.say(":edit 1 dust the shelf, sweep the floor, call Ann at eight pm")
     assert "running: s1 dust the shelf" in answer
@@ -413,8 +369,7 @@ def test_what_is_left_of_what_has_begun_in_part_is_worded_anew() -> None:
 
 @pytest.mark.model
 def test_who_asks_why_hears_what_something_waits_for() -> None:
-    talk = Talk()
-    talk.say("take the tents down once the dew is off")
+    talk = talk_of("take the tents down once the dew is off")
     for question in ("why the tents", "when do I take the tents down?", ":why s1"):
         assert "waits: nothing tells 'once the dew is off'" in talk.say(question), question
     talk.say("forget the tents")

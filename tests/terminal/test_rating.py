@@ -9,7 +9,7 @@ import pytest
 from fuzzytime.rulebook import check
 from fuzzytime_cli.exits import Exit
 from terminal.running import ran
-from terminal.talking import NINE, Talk
+from terminal.talking import NINE, Talk, talk_of
 
 STEAK = "Fry the steak in ten minutes"
 
@@ -24,8 +24,7 @@ def window(talk: Talk, identifier: str) -> tuple[float, float]:
 
 
 def test_a_start_that_was_too_late_moves_the_next_plans_earlier() -> None:
-    talk = Talk()
-    talk.say(STEAK)
+    talk = talk_of(STEAK)
     before = sum(window(talk, "s1"))
     answer = talk.say(":rate 1 2 too late")
     assert "rated as planned, it has not started: s1 fry the steak at 09:10:00" in answer
@@ -36,8 +35,7 @@ def test_a_start_that_was_too_late_moves_the_next_plans_earlier() -> None:
 
 
 def test_a_rating_is_undone_and_done_again() -> None:
-    talk = Talk()
-    talk.say(STEAK)
+    talk = talk_of(STEAK)
     before = window(talk, "s1")
     talk.say(":rate 1 too early")
     after = window(talk, "s1")
@@ -62,8 +60,7 @@ def test_ratings_are_shown_with_what_they_amount_to() -> None:
 
 
 def test_a_start_that_has_passed_is_rated_as_it_was() -> None:
-    talk = Talk()
-    talk.say("Stir the soup now")
+    talk = talk_of("Stir the soup now")
     talk.wait(seconds=1)
     talk.now = NINE + timedelta(minutes=30)
     assert "rated: s1 stir the soup at 09:00:00: 3 of 5" in talk.say(":rate 1 3")
@@ -75,8 +72,7 @@ def test_a_start_that_has_passed_is_rated_as_it_was() -> None:
 
 
 def test_a_rating_says_the_same_when_its_times_have_passed() -> None:
-    talk = Talk()
-    talk.say(STEAK)
+    talk = talk_of(STEAK)
     kept = []
     for minutes in (0, 10, 60):
         talk.wait(minutes=minutes)
@@ -87,8 +83,7 @@ def test_a_rating_says_the_same_when_its_times_have_passed() -> None:
 
 
 def test_ratings_refer_to_the_population_and_do_not_feed_on_themselves() -> None:
-    talk = Talk()
-    talk.say(STEAK)
+    talk = talk_of(STEAK)
     start = talk.start("s1")
     for _ in range(3):
         talk.say(":rate 1 too late")
@@ -112,8 +107,7 @@ def test_ratings_refer_to_the_population_and_do_not_feed_on_themselves() -> None
     ],
 )
 def test_what_is_no_rating_is_said_and_nothing_changes(instruction: str, words: str, said: str) -> None:
-    talk = Talk()
-    talk.say(instruction)
+    talk = talk_of(instruction)
     assert said in talk.say(f":rate {words}")
     assert talk.turns.conversation.ratings == ()
 
@@ -151,10 +145,7 @@ def test_ratings_are_exported_as_lines_and_as_a_rule_file(tmp_path: Path) -> Non
 
 
 def test_a_saved_session_keeps_no_ratings_and_a_loaded_one_takes_none_away(tmp_path: Path) -> None:
-    talk = Talk()
-    talk.say(STEAK)
-    talk.say(":rate 1 4")
-    talk.say(f":save {tmp_path / 'session.json'}")
+    talk = talk_of(STEAK, ":rate 1 4", f":save {tmp_path / 'session.json'}")
     assert '"ratings": []' in (tmp_path / "session.json").read_text()
     talk.say(f":load {tmp_path / 'session.json'}")
     assert len(talk.turns.conversation.ratings) == 1

@@ -6,17 +6,14 @@ import pytest
 
 from fuzzytime.language import AboutKind, about_wishes
 from fuzzytime.language.finding import shipped_lexicon
-from terminal.talking import Talk
+from terminal.talking import Talk, talk_of
 
 NOW = datetime(2026, 3, 4, 15)  # noqa: DTZ001 - the tests' moment is of no zone
 
 
 @pytest.mark.model
 def test_what_is_tied_to_what_happens_stays_with_it() -> None:
-    talk = Talk()
-    talk.say("call mum at 5 pm")
-    talk.say("the guests come at 7 pm")
-    talk.say("have the soup ready when they come")
+    talk = talk_of("call mum at 5 pm", "the guests come at 7 pm", "have the soup ready when they come")
     starts = [talk.start("s1"), talk.start("s3")]
     assert "rejected" not in talk.say("push everything back by ten minutes")
     assert [talk.start("s1"), talk.start("s3")] == [starts[0] + timedelta(minutes=10), starts[1]]
@@ -25,8 +22,7 @@ def test_what_is_tied_to_what_happens_stays_with_it() -> None:
 
 @pytest.mark.model
 def test_what_is_said_anew_when_it_is_over_is_planned_again() -> None:
-    talk = Talk()
-    talk.say("water the plants now")
+    talk = talk_of("water the plants now")
     talk.wait(minutes=1)
     talk.wait(minutes=30)
     talk.say("do the plants after lunch")
@@ -34,8 +30,7 @@ def test_what_is_said_anew_when_it_is_over_is_planned_again() -> None:
 
 
 def test_what_has_not_begun_is_planned_anew() -> None:
-    talk = Talk()
-    talk.say("stir the soup for 20 minutes")
+    talk = talk_of("stir the soup for 20 minutes")
     talk.wait(minutes=5)
     answer = talk.say("I haven't started yet")
     assert "no longer running: stir the soup" in answer
@@ -77,18 +72,14 @@ def test_a_part_of_the_day_is_a_new_time() -> None:
     ],
 )
 def test_what_is_said_again_behind_a_correction_is_said_anew(first: str, anew: str, entry: str) -> None:
-    talk = Talk()
-    talk.say(first)
-    talk.say("wash the car tomorrow")
+    talk = talk_of(first, "wash the car tomorrow")
     assert ":edit 1" in talk.say(anew)
     assert talk.entries == [entry, "wash the car tomorrow"]
 
 
 @pytest.mark.model
 def test_a_condition_stays_where_the_time_beside_it_moves() -> None:
-    talk = Talk()
-    talk.say("if it rains, close the window at six pm")
-    talk.say("no, make it seven pm")
+    talk = talk_of("if it rains, close the window at six pm", "no, make it seven pm")
     assert talk.entries == ["if it rains, close the window at seven pm"]
 
 
@@ -110,9 +101,7 @@ def test_a_condition_stays_where_the_time_beside_it_moves() -> None:
     ],
 )
 def test_a_new_time_keeps_what_it_leaves_open(first: str, anew: str, entry: str) -> None:
-    talk = Talk()
-    talk.say(first)
-    talk.say(anew)
+    talk = talk_of(first, anew)
     assert talk.entries == [entry]
 
 
@@ -136,16 +125,13 @@ def test_a_new_time_keeps_what_it_leaves_open(first: str, anew: str, entry: str)
     ],
 )
 def test_minutes_past_no_hour_keep_the_one_that_was_said(first: str, anew: str, entry: str) -> None:
-    talk = Talk()
-    talk.say(first)
-    talk.say(anew)
+    talk = talk_of(first, anew)
     assert talk.entries == [entry]
 
 
 @pytest.mark.model
 def test_a_day_that_stays_is_the_same_day_when_it_is_said_later() -> None:
-    talk = Talk()
-    talk.say("call mum tomorrow at six pm")
+    talk = talk_of("call mum tomorrow at six pm")
     talk.wait(days=1)
     talk.say("no, make it seven pm")
     assert talk.entries == ["call mum on 2026-03-05 at seven pm"]
@@ -163,9 +149,7 @@ def test_a_day_that_stays_is_the_same_day_when_it_is_said_later() -> None:
     ],
 )
 def test_a_time_alone_is_that_of_what_was_asked_for_last(first: str, time: str, entry: str) -> None:
-    talk = Talk()
-    talk.say("feed the cat at noon")
-    talk.say(first)
+    talk = talk_of("feed the cat at noon", first)
     assert ":edit 2" in talk.say(time)
     assert talk.entries == ["feed the cat at noon", entry]
 
@@ -192,16 +176,13 @@ def test_a_time_alone_is_pointed_at_where_nothing_was_asked_for() -> None:
 def test_what_went_on_from_when_to_when_goes_on_as_long_at_another_time(
     wish: str, line: str, anew: str
 ) -> None:
-    talk = Talk()
-    talk.say(wish)
-    talk.say(line)
+    talk = talk_of(wish, line)
     assert talk.entries == [anew]
 
 
 @pytest.mark.model
 def test_what_happens_keeps_its_place_when_it_takes_longer() -> None:
-    talk = Talk()
-    talk.say("meeting at four")
+    talk = talk_of("meeting at four")
     assert "16:00 17:30 meeting" in talk.say("make it half an hour longer")
 
 
@@ -209,26 +190,19 @@ def test_what_happens_keeps_its_place_when_it_takes_longer() -> None:
 @pytest.mark.parametrize("day", ["on friday", "on friday at six", "tomorrow morning"])
 @pytest.mark.parametrize("part", ["tonight", "this evening"])
 def test_a_part_of_today_leaves_no_other_day(day: str, part: str) -> None:
-    talk = Talk()
-    talk.say(f"paint the fence {day}")
-    talk.say(f"no, {part}")
+    talk = talk_of(f"paint the fence {day}", f"no, {part}")
     assert talk.entries == [f"paint the fence {part}"]
 
 
 @pytest.mark.model
 @pytest.mark.parametrize("counted", ["ten minutes after that", "in ten minutes", "ten minutes before that"])
 def test_what_counted_from_now_or_another_does_so_no_more_when_it_moves_to_a_day(counted: str) -> None:
-    talk = Talk()
-    talk.say("stir the soup at noon")
-    talk.say(f"serve it {counted}")
-    talk.say("make it tomorrow")
+    talk = talk_of("stir the soup at noon", f"serve it {counted}", "make it tomorrow")
     assert talk.entries[-1] == "serve it tomorrow"
 
 
 @pytest.mark.model
 def test_what_waited_and_is_done_is_over() -> None:
-    talk = Talk()
-    talk.say("serve the soup when the guests sit down")
-    talk.say("then clear the table")
+    talk = talk_of("serve the soup when the guests sit down", "then clear the table")
     assert "found a place: s2 clear the table" in talk.say("the soup is served")
     assert "the soup waits" in talk.say("undo")

@@ -6,7 +6,7 @@ import pytest
 
 from fuzzytime.language import AboutKind, about_wishes
 from fuzzytime.language.finding import shipped_lexicon
-from terminal.talking import Talk
+from terminal.talking import Talk, talk_of
 
 NOW = datetime(2026, 3, 4, 15)  # noqa: DTZ001 - the tests' moment is of no zone
 
@@ -58,8 +58,7 @@ def test_a_number_alone_is_heard_as_one(line: str, number: str) -> None:
     ],
 )
 def test_a_number_alone_counts_what_was_counted(wish: str, line: str, anew: str) -> None:
-    talk = Talk()
-    talk.say(wish)
+    talk = talk_of(wish)
     assert f"taken as :edit 1 {anew};" in talk.say(line)
 
 
@@ -133,9 +132,7 @@ def test_what_is_said_of_wishes_is_heard(
 
 @pytest.mark.model
 def test_what_was_done_is_no_wish() -> None:
-    talk = Talk()
-    talk.say("feed the cat at 10 am")
-    talk.say("call mum at 5 pm")
+    talk = talk_of("feed the cat at 10 am", "call mum at 5 pm")
     assert "done: feed the cat" in talk.say("I've already fed the cat")
     assert "yes: s1 feed the cat" in talk.say("did I feed the cat?")
     assert talk.left == ["call mum at 5 pm"]
@@ -147,16 +144,13 @@ def test_what_was_done_is_no_wish() -> None:
 @pytest.mark.model
 @pytest.mark.parametrize("line", ["check that the soup is ready", "ask at eleven whether the cabin is ready"])
 def test_who_asks_for_a_report_makes_none(line: str) -> None:
-    talk = Talk()
-    talk.say(line)
+    talk = talk_of(line)
     assert talk.entries == [line]
 
 
 @pytest.mark.model
 def test_why_is_answered_in_sentences() -> None:
-    talk = Talk()
-    talk.say("Fry the fish at 5 pm")
-    talk.say("Call mum at 5 pm")
+    talk = talk_of("Fry the fish at 5 pm", "Call mum at 5 pm")
     answer = talk.say("why is the fish so late?")
     assert "It asked for “at 5 pm”" in answer
     assert ":why s1 shows" in answer
@@ -165,9 +159,7 @@ def test_why_is_answered_in_sentences() -> None:
 
 @pytest.mark.model
 def test_a_label_names_what_it_stands_beside() -> None:
-    talk = Talk()
-    talk.say("cook the soup at noon")
-    talk.say("lay the table at 3 pm")
+    talk = talk_of("cook the soup at noon", "lay the table at 3 pm")
     assert "s2 lay the table: at 15:00" in talk.say("when is s2?")
     assert "It asked for “at 3 pm”" in talk.say("why is s2 at three?")
     talk.say("move s2 to 4 pm")
@@ -180,17 +172,14 @@ def test_a_label_names_what_it_stands_beside() -> None:
 
 @pytest.mark.model
 def test_a_label_is_nothing_to_do() -> None:
-    talk = Talk()
-    talk.say("cook the soup at noon")
+    talk = talk_of("cook the soup at noon")
     assert "s1 was asked for already" in talk.say("taste s1")
     assert "upload the files to s1" in talk.say("upload the files to s1 at nine")
 
 
 @pytest.mark.model
 def test_what_is_not_known_is_a_wish_of_its_own() -> None:
-    talk = Talk()
-    talk.say("call mum at 5 pm")
-    talk.say("cancel the subscription")
+    talk = talk_of("call mum at 5 pm", "cancel the subscription")
     assert talk.entries == ["call mum at 5 pm", "cancel the subscription"]
 
 
@@ -238,18 +227,14 @@ def test_protests_and_farewells_are_no_wishes(line: str, kind: AboutKind) -> Non
 
 
 def test_a_protest_is_asked_back() -> None:
-    talk = Talk()
-    talk.say("call mum at six pm")
+    talk = talk_of("call mum at six pm")
     assert talk.say("that's wrong").startswith("what is meant instead?")
     assert talk.say("I can't do that now").startswith("when then?")
     assert talk.entries == ["call mum at six pm"]
 
 
 def test_what_was_forgotten_may_be_kept() -> None:
-    talk = Talk()
-    talk.say("call mum at six pm")
-    talk.say("forget the call")
-    talk.say("no wait, keep it")
+    talk = talk_of("call mum at six pm", "forget the call", "no wait, keep it")
     assert talk.entries == ["call mum at six pm"]
 
 
@@ -264,7 +249,5 @@ def test_what_was_forgotten_may_be_kept() -> None:
     ],
 )
 def test_without_a_correction_or_of_something_else_it_is_another_wish(line: str) -> None:
-    talk = Talk()
-    talk.say("feed the dog at six pm")
-    talk.say(line)
+    talk = talk_of("feed the dog at six pm", line)
     assert len(talk.entries) == 2

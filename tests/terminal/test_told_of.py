@@ -2,7 +2,7 @@
 
 import pytest
 
-from terminal.talking import Talk
+from terminal.talking import Talk, talk_of
 
 pytestmark = pytest.mark.model
 
@@ -30,9 +30,7 @@ pytestmark = pytest.mark.model
     ],
 )
 def test_what_is_told_of_a_thing_changes_that_itself(wish: str, told: str, left: list[str]) -> None:
-    talk = Talk()
-    talk.say(wish)
-    talk.say(told)
+    talk = talk_of(wish, told)
     assert talk.left == left
 
 
@@ -50,15 +48,12 @@ def test_what_is_told_of_a_thing_changes_that_itself(wish: str, told: str, left:
 def test_by_how_much_something_is_late_or_longer_may_stand_behind_a_comma(
     wish: str, told: str, answer: str
 ) -> None:
-    talk = Talk()
-    talk.say(wish)
+    talk = talk_of(wish)
     assert answer in talk.say(told)
 
 
 def test_of_several_that_start_then_one_must_be_named() -> None:
-    talk = Talk()
-    talk.say("call bob at ten")
-    talk.say("call mum at ten")
+    talk = talk_of("call bob at ten", "call mum at ten")
     assert "several start then" in talk.say("cancel my ten o'clock")
     assert len(talk.entries) == 2
 
@@ -78,23 +73,18 @@ def test_of_several_that_start_then_one_must_be_named() -> None:
     ],
 )
 def test_what_asks_for_nothing_becomes_no_task(told: str) -> None:
-    talk = Talk()
-    talk.say("walk the dog at noon")
-    talk.say(told)
+    talk = talk_of("walk the dog at noon", told)
     assert talk.entries == ["walk the dog at noon"]
 
 
 @pytest.mark.parametrize("told", ["bob is back at six", "the essay is due friday", "mum's old car at six"])
 def test_what_happens_at_a_time_is_planned(told: str) -> None:
-    talk = Talk()
-    talk.say(told)
+    talk = talk_of(told)
     assert talk.entries == [told]
 
 
 def test_what_a_question_was_about_is_meant_next() -> None:
-    talk = Talk()
-    talk.say("put a wash on at ten am for an hour")
-    talk.say("hang it out at four pm")
+    talk = talk_of("put a wash on at ten am for an hour", "hang it out at four pm")
     talk.say("how long does the wash take?")
     talk.say("make that two hours")
     assert talk.entries[0] == "put a wash on at ten am for two hours"
@@ -126,6 +116,5 @@ def test_time_is_kept_free(line: str, answer: str) -> None:
     ],
 )
 def test_how_the_day_looks_may_be_asked_in_many_ways(line: str, answer: str) -> None:
-    talk = Talk()
-    talk.say("gym at four pm")
+    talk = talk_of("gym at four pm")
     assert answer in talk.say(line)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from terminal.talking import Talk
+from terminal.talking import Talk, talk_of
 
 pytestmark = pytest.mark.model
 
@@ -53,9 +53,7 @@ def test_a_line_means_one_of_those_asked_for(lines: str, entries: list[str]) -> 
 
 
 def test_the_next_of_a_repetition_is_left_out_by_its_day_or_not_at_all() -> None:
-    talk = Talk()
-    talk.say("walk the dog every day at noon")
-    talk.say("skip the next one")
+    talk = talk_of("walk the dog every day at noon", "skip the next one")
     assert talk.entries == ["walk the dog every day at noon except on 2026-03-04"]
     other = Talk()
     other.say("stir the soup every ten minutes from noon")
@@ -64,16 +62,13 @@ def test_the_next_of_a_repetition_is_left_out_by_its_day_or_not_at_all() -> None
 
 
 def test_what_is_running_is_not_started_again() -> None:
-    talk = Talk()
-    talk.say("stir the soup right now")
+    talk = talk_of("stir the soup right now")
     assert "has started, and is running" in talk.say("started")
 
 
 @pytest.mark.parametrize("line", ["do the soup first", "the soup first", "do the second one first"])
 def test_of_two_with_times_the_first_takes_the_time_of_the_other(line: str) -> None:
-    talk = Talk()
-    talk.say("boil the potatoes at six pm")
-    talk.say("make the soup at seven pm")
+    talk = talk_of("boil the potatoes at six pm", "make the soup at seven pm")
     assert ":swap" in talk.say(line)
     assert talk.start("s2") < talk.start("s1")
 
@@ -92,6 +87,5 @@ def test_of_more_the_first_is_as_soon_as_possible(line: str) -> None:
     "line", ["how long do I have before the call?", "how much time do we have until the call?"]
 )
 def test_how_long_there_is_before_something_is_until_then(line: str) -> None:
-    talk = Talk()
-    talk.say("call ann at 11 am")
+    talk = talk_of("call ann at 11 am")
     assert "in 2 h" in talk.say(line)

@@ -10,7 +10,7 @@ import pytest
 from fuzzytime.times import instant_after, parse_instant, parse_zone, seconds_between
 from fuzzytime_cli.inputs.surroundings import moment_of
 from terminal.running import ran
-from terminal.talking import NINE, Talk
+from terminal.talking import NINE, talk_of
 
 
 @pytest.mark.parametrize(
@@ -78,8 +78,7 @@ def test_time_passes_as_in_utc_in_every_zone_in_every_hour_of_a_change() -> None
 
 
 def test_a_clock_that_goes_back_starts_nothing_twice_and_loses_nothing() -> None:
-    talk = Talk()
-    talk.say("Feed the cat now")
+    talk = talk_of("Feed the cat now")
     assert "start now: feed the cat" in talk.wait(seconds=1)
     talk.say("Call mum in exactly ten minutes")
     started = talk.turns.conversation.store.started("test")
