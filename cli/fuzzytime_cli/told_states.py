@@ -94,8 +94,8 @@ def _is_somehow(reading: Reading, lexicon: Lexicon) -> bool:
     place = next((n for n, token in enumerate(tokens) if token.text.lower() in being), 0)
     if not 0 < place < len(tokens) - 1:
         # "Looks like rain at four"
-        seems = tokens[:1] != () and tokens[0].tag == "VBZ" and tokens[0].lemma in lexicon.doing.being
-        return seems and tokens[0].text.lower() != tokens[0].lemma
+        seems = tokens[:1] != () and tokens[0].tag == "VBZ" and tokens[0].lemma != "be"
+        return seems and tokens[0].lemma in lexicon.doing.being - {tokens[0].text.lower()}
     state = tokens[place + 1]
     happens = {form[0] for name in HAPPENING for form in conversation[name]} | lexicon.doing.foretold
     things = all(token.tag.startswith(NAMING) for token in tokens[:place])

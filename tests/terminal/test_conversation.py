@@ -411,8 +411,8 @@ def test_a_time_is_not_asked_about_where_the_other_is_in_the_dead_of_night() -> 
 
 @pytest.mark.model
 def test_each_answer_to_pasted_lines_stands_below_its_line() -> None:
-    screen = Screen.of(io.StringIO(), {})
-    talk = Dialogue(Talk().turns, lambda: NINE, screen, bell=False)
+    written = io.StringIO()
+    talk = Dialogue(Talk().turns, lambda: NINE, Screen.of(written, {}), bell=False)
     answer_each(talk, "gym at 18:00\nwhen is the gym?\ncall mum at noon")
-    shown = [line for line in screen.stream.getvalue().splitlines() if line.startswith(("› ", "s"))]
+    shown = [line for line in written.getvalue().splitlines() if line.startswith(("› ", "s"))]
     assert [line[:5] for line in shown] == ["› gym", "s1   ", "› whe", "s1 gy", "› cal", "s2   ", "s1   "]

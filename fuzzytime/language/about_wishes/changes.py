@@ -194,7 +194,8 @@ def _corrected(said: Said) -> About | None:
         time = f"{EVERY} {number} {Unit.MINUTE}s"
         return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
     longer, more = rest.without("more")
-    if more and (found := longer.length()) is not None and not found.rest.words:
+    found = longer.length() or rest.length() if more else None
+    if found is not None and not found.rest.without("more")[0].words:
         # "Make it ten minutes longer"
         return About(kind=AboutKind.MORE, by=found.seconds, certain=True)
     number = rest.as_number()

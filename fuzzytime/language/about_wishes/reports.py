@@ -64,7 +64,8 @@ def _more(said: Said) -> About | None:
     if said.forms[:1] == (MAKE,):
         return _made_longer(said.behind(1))
     without, tables = said.without("more")
-    found = without.length() if "more" in tables and said.is_one else None
+    # "Another hour" is none without its article.
+    found = without.length() or said.length() if "more" in tables and said.is_one else None
     if found is None:
         left, parts = said.without("more", "needing", "lengths")
         # "The sanding takes longer": by how much is not said
@@ -73,8 +74,7 @@ def _more(said: Said) -> About | None:
         if not known or (left.words and not (left.names or left.is_in("last"))):
             return None
         return About(kind=AboutKind.MORE, names=left.names, certain=True)
-    rest = found.rest
-    named, parts = rest.without("needing", "last")
+    named, parts = found.rest.without("needing", "last", "more")
     certain = not named.names or "needing" in parts
     return About(kind=AboutKind.MORE, names=named.names, by=found.seconds, certain=certain)
 

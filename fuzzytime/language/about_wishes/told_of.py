@@ -57,11 +57,13 @@ def _off(how: Said) -> About | None:
 
 def _longer(how: Said) -> About | None:
     """Read that it goes on for longer: "is taking an hour longer", "is going to need more time"."""
-    left, tables = how.without("more", "needing", "lengths", *SMALL)
+    left, tables = how.without("more", "needing", "lengths", "adding", *SMALL)
     if "lengths" not in tables and not {"more", "needing"} <= tables:
         return None
-    found = left.length()
-    known = found is None or not found.rest.words
+    # "Another hour"
+    found = left.length() or how.length()
+    rest = left if found is None else found.rest.without("more", "needing", "lengths", "adding", *SMALL)[0]
+    known = not rest.words
     return About(kind=AboutKind.MORE, by=found.seconds if found else None, told=True) if known else None
 
 
@@ -69,7 +71,9 @@ def _later(how: Said) -> About | None:
     """Read that it is late, or early: "is running 20 minutes behind", "is delayed by an hour"."""
     left, tables = how.without("late", "early", *DIRECTIONS, *SMALL)
     found = left.length()
-    if not tables - {*SMALL} or (found.rest.words if found else left.words):
+    # "The stall is up"
+    known = tables - {*SMALL} if found else tables & {"late", "early"}
+    if not known or (found.rest.words if found else left.words):
         return None
     earlier = not tables.isdisjoint(SOONER)
     by = None if found is None else -found.seconds if earlier else found.seconds
