@@ -6,6 +6,8 @@ from terminal.talking import Talk
 
 pytestmark = pytest.mark.model
 
+MEETING = "meeting thursday at two pm"
+
 
 @pytest.mark.parametrize(
     ("wish", "told", "left"),
@@ -129,3 +131,49 @@ def test_how_the_day_looks_may_be_asked_in_many_ways(line: str, answer: str) -> 
     talk = Talk()
     talk.say("gym at four pm")
     assert answer in talk.say(line)
+
+
+@pytest.mark.parametrize(
+    ("told", "said", "entries"),
+    [
+        ("tom's out thursday, move it to friday", "changes nothing", ["meeting friday at two pm"]),
+        ("ella's sick, call the doctor at two pm", "changes nothing", [MEETING, "call the doctor at two pm"]),
+        ("oven's hot, put the pie in now", ":ctx oven_temp=180", [MEETING, "put the pie in now"]),
+    ],
+)
+def test_what_only_tells_in_front_of_what_is_asked_is_no_task(
+    told: str, said: str, entries: list[str]
+) -> None:
+    talk = Talk()
+    talk.say(MEETING)
+    assert said in talk.say(told)
+    assert talk.entries == entries
+
+
+@pytest.mark.parametrize(
+    ("change", "also", "left"),
+    [
+        ("cancel dinner", "and the gym too", []),
+        ("move dinner to nine pm", "the gym too", ["gym at nine pm", "dinner at nine pm"]),
+        # Nothing was changed.
+        ("thanks", "the gym too", ["gym at six pm", "dinner at seven pm"]),
+    ],
+)
+def test_another_thing_is_changed_the_same_way(change: str, also: str, left: list[str]) -> None:
+    talk = Talk()
+    for line in ("gym at six pm", "dinner at seven pm", change, also):
+        talk.say(line)
+    assert talk.left == left
+
+
+@pytest.mark.parametrize(
+    ("lines", "answer"),
+    [
+        (("strip the paint at ten am for an hour", "another hour"), ":duration 1 120min"),
+        (("parts come at eleven am", "parts are late, more like noon"), "from 11:00 to 12:00"),
+        (("gym at six pm", "dinner at eight pm", "what's next after gym?"), "s2 dinner"),
+    ],
+)
+def test_how_much_more_and_how_late_something_is(lines: tuple[str, ...], answer: str) -> None:
+    talk = Talk()
+    assert answer in [talk.say(line) for line in lines][-1]

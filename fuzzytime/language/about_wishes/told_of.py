@@ -21,10 +21,11 @@ def told_of(said: Said) -> About | None:
 
     Of what names no wish itself it may be what happens besides: "lunch is at one".
     """
+    who, how = _thing_and_state(Said(written_out(said.text), said.now, said.lexicon))
     # "The truck's late, about 20 minutes"
-    who, how = _thing_and_state(Said(written_out(said.text).replace(",", ""), said.now, said.lexicon))
+    how = replace(how, text=how.text.replace(",", ""))
     last = who.is_in("last")
-    if not who.words or not how.words or who.has_time or not (last or who.meant):
+    if not who.is_one or not who.words or not how.words or who.has_time or not (last or who.meant):
         return None
     about = _off(how) or _longer(how) or _later(how) or _then(how, last=last)
     if about is None:
@@ -73,6 +74,10 @@ def _later(how: Said) -> About | None:
     found = left.length()
     # "The stall is up"
     known = tables - {*SMALL} if found else tables & {"late", "early"}
+    time = left.as_time() if known and left.words and found is None else ""
+    if time:
+        # "They are late, more like noon"
+        return About(kind=AboutKind.MOVE, time=time, told=True)
     if not known or (found.rest.words if found else left.words):
         return None
     earlier = not tables.isdisjoint(SOONER)

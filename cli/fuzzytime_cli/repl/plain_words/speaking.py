@@ -35,7 +35,13 @@ from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, 
 from fuzzytime_cli.repl.plain_words.meant import command_meant
 from fuzzytime_cli.repl.plain_words.retiming import said_anew, same_anew, timed_now, wished_instead
 from fuzzytime_cli.repl.plain_words.taking import run, run_each
-from fuzzytime_cli.repl.plain_words.telling import behind_how_a_day_is, is_news, told_anew, told_state
+from fuzzytime_cli.repl.plain_words.telling import (
+    behind_a_fact,
+    behind_how_a_day_is,
+    is_news,
+    told_anew,
+    told_state,
+)
 from fuzzytime_cli.repl.questions import answering, gaps
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.repl.which import entries_meant, which_one, with_label
@@ -114,7 +120,11 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
     if about is not None and about.told and (reply := told_anew(scene, about, words, _taken)) is not None:
         return reply
     if about is None or (not about.certain and not asks and is_news(scene, words)):
-        return behind_how_a_day_is(scene, words, _taken) or _told(scene, words)
+        return (
+            behind_how_a_day_is(scene, words, _taken)
+            or behind_a_fact(scene, words, _reply_about)
+            or _told(scene, words)
+        )
     if about.kind in ANSWERS:
         return ANSWERS[about.kind](scene, about)
     return _taken(scene, about) or _told(scene, words)
