@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.awaited import written_out
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS
@@ -12,6 +13,7 @@ SMALL = ("being", "anew")
 """Tables of what may stand beside how a thing is, and says nothing."""
 
 SOONER = frozenset({"early", "earlier"})
+WILL = "will"
 DONE = "ed"
 """How what was done ends: "gym cancelled"."""
 
@@ -25,8 +27,18 @@ def told_of(said: Said) -> About | None:
     # "The truck's late, about 20 minutes"
     how = replace(how, text=how.text.replace(",", ""))
     last = who.is_in("last")
-    if not who.is_one or not who.words or not how.words or who.has_time or not (last or who.meant):
+    # "Serve the rice after the soup is done", "the six o'clock is off"
+    bounded = any((form,) in said.lexicon.clauses for form in who.forms) or (who.has_time and not who.label)
+    unnamed = not (last or who.meant) or who.is_in("both")
+    if not who.is_one or not who.words or not how.words or bounded or unnamed:
         return None
+    if is_over(how) and who.is_in("everything"):
+        return About(kind=AboutKind.DROP, everything=True, certain=True)
+    if is_over(how):
+        # "Check that the soup is ready" is no report.
+        named = len(who.words) == 1 or who.forms[0] in EMPTY or bool(who.label)
+        names = frozenset[str]() if who.is_in("they") else who.meant
+        return About(kind=AboutKind.DONE, names=names, certain=named)
     about = _off(how) or _longer(how) or _later(how) or _then(how, last=last)
     if about is None:
         return None
@@ -34,9 +46,17 @@ def told_of(said: Said) -> About | None:
     return replace(about, names=who.meant, thing=who.text, told=about.told and not last, certain=certain)
 
 
+def is_over(state: Said) -> bool:
+    """Whether words say that something is over: "done", "all finished now"."""
+    left, tables = state.without("finished", "speaker")
+    return "finished" in tables and not left.words
+
+
 def _thing_and_state(said: Said) -> tuple[Said, Said]:
     """Give what something is told of, and how that is; nothing where none is."""
-    stating = said.lexicon.closed.third_person_be | {f"{verb}s" for verb in said.lexicon.doing.happening}
+    stating = (
+        said.lexicon.closed.third_person_be | {WILL} | {f"{verb}s" for verb in said.lexicon.doing.happening}
+    )
     places = (place for place, word in enumerate(said.forms) if word in stating)
     place = next(places, 0)
     off = max((len(form) for form in said.table("cancelled") if said.forms[-len(form) :] == form), default=0)
@@ -87,6 +107,7 @@ def _later(how: Said) -> About | None:
 
 def _then(how: Said, *, last: bool) -> About | None:
     """Read when it is: "is at seven", "is on friday now"; but "it's friday" tells the day."""
+    how, _ = how.without("being")
     left, _ = how.without("anew")
     time = left.as_time() if left.words else ""
     told = one_time(time, how.now, how.lexicon) if time else None
