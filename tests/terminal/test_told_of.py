@@ -24,6 +24,8 @@ MEETING = "meeting thursday at two pm"
         ("put the wine in the fridge at ten am", "wine's in", []),
         ("post office at five pm", "then the post office tomorrow", ["post office tomorrow at five pm"]),
         ("electrician at 11 am", "electrician can't do 11, he'll come at 3 pm", ["electrician at 3 pm"]),
+        ("dentist at ten am", "friday, same time", ["dentist friday at ten am"]),
+        ("hay delivery at ten am", "cancel the hay, they rang to say monday", []),
         # What only has to do with it stays.
         ("buy lunch at noon", "lunch is off", ["buy lunch at noon"]),
         ("gym at six pm", "gym's off on sunday", ["gym at six pm"]),
@@ -72,6 +74,7 @@ def test_of_several_that_start_then_one_must_be_named() -> None:
         "the incubator's full until eight",
         "looks like rain at four",
         "anna's sick",
+        "granny's not home till seven",
         "move the essay to tomorrow night",
         "skip the gravy",
         "that's it for today",

@@ -22,6 +22,7 @@ from fuzzytime.language import (
     lets_be,
     reported,
     respelled,
+    tells_of_somebody,
 )
 from fuzzytime.language.sentence.trees.model import is_verb
 from fuzzytime_cli.render import plain
@@ -161,7 +162,9 @@ def _asks(scene: Scene, reading: Reading) -> bool:
     """Whether words ask for something, or say a time."""
     asked = any(one.operation is not None and one.operation.is_asked for one in reading.instructions)
     asked = asked and not tells_what_is(reading, scene.conversation.interpreter.language.lexicon)
-    return asked or any(one.requirements for one in reading.instructions)
+    # "They rang to say monday" says when nothing is to be done.
+    told = tells_of_somebody(reading.tokens)
+    return asked or (not told and any(one.requirements for one in reading.instructions))
 
 
 def _with_reason(scene: Scene, words: str) -> Reply | None:
