@@ -183,7 +183,7 @@ def _with_reason(scene: Scene, words: str) -> Reply | None:
         # "Never mind, it works"
         return None
     reading = language.read(why, now=scene.now)
-    if _asks(scene, reading) or entry_of(scene, content_words(why)) is not None:
+    if _asks(scene, reading) or is_news(scene, why) or entry_of(scene, content_words(why)) is not None:
         return None
     reply = _taken(scene, about)
     if reply is None:
