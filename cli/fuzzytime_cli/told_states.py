@@ -94,18 +94,21 @@ def _is_somehow(reading: Reading, lexicon: Lexicon) -> bool:
     place = next((n for n, token in enumerate(tokens) if token.text.lower() in being), 0)
     if not 0 < place < len(tokens) - 1:
         # "Looks like rain at four"
-        seems = tokens[:1] != () and tokens[0].tag == "VBZ" and tokens[0].lemma in lexicon.doing.being
-        return seems and tokens[0].text.lower() != tokens[0].lemma
-    state = tokens[place + 1]
+        seems = tokens[:1] != () and tokens[0].tag == "VBZ" and tokens[0].lemma != "be"
+        return seems and tokens[0].lemma in lexicon.doing.being - {tokens[0].text.lower()}
+    denied = tokens[place + 1].text.lower() in lexicon.closed.negators
+    place += denied
+    state = tokens[min(place + 1, len(tokens) - 1)]
     happens = {form[0] for name in HAPPENING for form in conversation[name]} | lexicon.doing.foretold
-    things = all(token.tag.startswith(NAMING) for token in tokens[:place])
+    things = all(token.tag.startswith(NAMING) for token in tokens[: place - denied])
     timed = [part.span for one in reading.instructions for part in one.requirements]
     behind = tokens[place + 2 : place + 3]
     # "Mum's old car" is hers.
     owned = any(
         one.tag.startswith("N") and not any(overlap(one.span, span) for span in timed) for one in behind
     )
-    return things and state.tag in STATES and not owned and state.text.lower() not in happens
+    known = state.text.lower() in happens and not denied
+    return things and state.tag in STATES and not owned and not known
 
 
 def _is_short_for_is(reading: Reading) -> bool:

@@ -6,6 +6,8 @@ from terminal.talking import Talk, talk_of
 
 pytestmark = pytest.mark.model
 
+MEETING = "meeting thursday at two pm"
+
 
 @pytest.mark.parametrize(
     ("wish", "told", "left"),
@@ -22,6 +24,8 @@ pytestmark = pytest.mark.model
         ("put the wine in the fridge at ten am", "wine's in", []),
         ("post office at five pm", "then the post office tomorrow", ["post office tomorrow at five pm"]),
         ("electrician at 11 am", "electrician can't do 11, he'll come at 3 pm", ["electrician at 3 pm"]),
+        ("dentist at ten am", "friday, same time", ["dentist friday at ten am"]),
+        ("hay delivery at ten am", "cancel the hay, they rang to say monday", []),
         # What only has to do with it stays.
         ("buy lunch at noon", "lunch is off", ["buy lunch at noon"]),
         ("gym at six pm", "gym's off on sunday", ["gym at six pm"]),
@@ -65,6 +69,7 @@ def test_of_several_that_start_then_one_must_be_named() -> None:
         "the incubator's full until eight",
         "looks like rain at four",
         "anna's sick",
+        "granny's not home till seven",
         "move the essay to tomorrow night",
         "skip the gravy",
         "that's it for today",
@@ -118,3 +123,49 @@ def test_time_is_kept_free(line: str, answer: str) -> None:
 def test_how_the_day_looks_may_be_asked_in_many_ways(line: str, answer: str) -> None:
     talk = talk_of("gym at four pm")
     assert answer in talk.say(line)
+
+
+@pytest.mark.parametrize(
+    ("told", "said", "entries"),
+    [
+        ("tom's out thursday, move it to friday", "changes nothing", ["meeting friday at two pm"]),
+        ("ella's sick, call the doctor at two pm", "changes nothing", [MEETING, "call the doctor at two pm"]),
+        ("oven's hot, put the pie in now", ":ctx oven_temp=180", [MEETING, "put the pie in now"]),
+    ],
+)
+def test_what_only_tells_in_front_of_what_is_asked_is_no_task(
+    told: str, said: str, entries: list[str]
+) -> None:
+    talk = Talk()
+    talk.say(MEETING)
+    assert said in talk.say(told)
+    assert talk.entries == entries
+
+
+@pytest.mark.parametrize(
+    ("change", "also", "left"),
+    [
+        ("cancel dinner", "and the gym too", []),
+        ("move dinner to nine pm", "the gym too", ["gym at nine pm", "dinner at nine pm"]),
+        # Nothing was changed.
+        ("thanks", "the gym too", ["gym at six pm", "dinner at seven pm"]),
+    ],
+)
+def test_another_thing_is_changed_the_same_way(change: str, also: str, left: list[str]) -> None:
+    talk = Talk()
+    for line in ("gym at six pm", "dinner at seven pm", change, also):
+        talk.say(line)
+    assert talk.left == left
+
+
+@pytest.mark.parametrize(
+    ("lines", "answer"),
+    [
+        (("strip the paint at ten am for an hour", "another hour"), ":duration 1 120min"),
+        (("parts come at eleven am", "parts are late, more like noon"), "from 11:00 to 12:00"),
+        (("gym at six pm", "dinner at eight pm", "what's next after gym?"), "s2 dinner"),
+    ],
+)
+def test_how_much_more_and_how_late_something_is(lines: tuple[str, ...], answer: str) -> None:
+    talk = Talk()
+    assert answer in [talk.say(line) for line in lines][-1]

@@ -46,7 +46,11 @@ def is_named_itself(scene: Scene, names: frozenset[str]) -> bool:
     return any(
         operation is not None
         and names <= words_of_entry(scene, entry)
-        and not names.isdisjoint(content_words(operation.verb) | _words_of_verb(scene, operation.lemma))
+        and not names.isdisjoint(
+            content_words(operation.object)
+            if operation.stated
+            else content_words(operation.verb) | _words_of_verb(scene, operation.lemma)
+        )
         for operation in operations
     )
 

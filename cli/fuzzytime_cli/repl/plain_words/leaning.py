@@ -93,6 +93,13 @@ def _going_on(scene: Scene, words: str, last: Entry, taken: Taken) -> Reply | No
     if known and is_named_itself(scene, names):
         # "Then the post office tomorrow"
         return taken(scene, About(kind=AboutKind.MOVE, names=names, time=more.time))
+    last_change = scene.taken if scene.taken is not None and scene.taken.kind in REDIRECTED else None
+    if last_change is not None and not more.time and names and entry_of(scene, names) is not None:
+        # "Push dinner back by an hour", and then "the bath too"
+        others = replace(
+            last_change, names=names, each=(), places=(), both=False, several=False, upcoming=False
+        )
+        return taken(scene, others)
     if (reply := _continued(words, last, scene)) is not None:
         return reply
     # "And Sam too" is nothing to do at any time.

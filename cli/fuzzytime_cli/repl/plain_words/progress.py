@@ -5,7 +5,7 @@ from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import About, AboutKind
-from fuzzytime.times import instant_after
+from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown
 from fuzzytime_cli.repl.plain_words.retiming import some_time, without_thing
@@ -63,12 +63,11 @@ def progress(scene: Scene, about: About) -> str | None:
 
 def _lengthened(scene: Scene, number: int, about: About) -> str:
     """Give the command that lets what has not started take longer."""
-    if about.by is None:
-        raise AskedBackError("by how much? Say: twenty minutes longer", about)
+    by = parse_duration(length_said(scene, about))
     lasts = max(one.skill.time_until_done for _, one in waiting(scene, number))
-    if lasts + about.by <= 0:
-        raise FuzzytimeError(f"it takes {as_typed(lasts)}, and cannot be {as_typed(-about.by)} shorter")
-    return f":duration {number} {as_typed(lasts + about.by)}"
+    if lasts + by <= 0:
+        raise FuzzytimeError(f"it takes {as_typed(lasts)}, and cannot be {as_typed(-by)} shorter")
+    return f":duration {number} {as_typed(lasts + by)}"
 
 
 def unstarted(scene: Scene, about: About) -> str:
@@ -144,6 +143,8 @@ def length_said(scene: Scene, about: About) -> str:
     if about.by is None:
         way = "bring it forward" if about.earlier else "push it back"
         message = f"by how much? Say: {way} by ten minutes (or: make it half past six)"
+        if about.kind is AboutKind.MORE:
+            message = "by how much? Say: twenty minutes longer"
         raise AskedBackError(message, about)
     return as_typed(about.by)
 

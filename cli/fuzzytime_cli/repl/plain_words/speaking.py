@@ -22,6 +22,7 @@ from fuzzytime.language import (
     lets_be,
     reported,
     respelled,
+    tells_of_somebody,
 )
 from fuzzytime.language.sentence.trees.model import is_verb
 from fuzzytime_cli.render import plain
@@ -35,7 +36,13 @@ from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, 
 from fuzzytime_cli.repl.plain_words.meant import command_meant
 from fuzzytime_cli.repl.plain_words.retiming import said_anew, same_anew, timed_now, wished_instead
 from fuzzytime_cli.repl.plain_words.taking import run, run_each
-from fuzzytime_cli.repl.plain_words.telling import behind_how_a_day_is, is_news, told_anew, told_state
+from fuzzytime_cli.repl.plain_words.telling import (
+    behind_a_fact,
+    behind_how_a_day_is,
+    is_news,
+    told_anew,
+    told_state,
+)
 from fuzzytime_cli.repl.questions import answering, gaps
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.repl.which import entries_meant, which_one, with_label
@@ -114,7 +121,11 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
     if about is not None and about.told and (reply := told_anew(scene, about, words, _taken)) is not None:
         return reply
     if about is None or (not about.certain and not asks and is_news(scene, words)):
-        return behind_how_a_day_is(scene, words, _taken) or _told(scene, words)
+        return (
+            behind_how_a_day_is(scene, words, _taken)
+            or behind_a_fact(scene, words, _reply_about)
+            or _told(scene, words)
+        )
     if about.kind in ANSWERS:
         return ANSWERS[about.kind](scene, about)
     return _taken(scene, about) or _told(scene, words)
@@ -151,7 +162,9 @@ def _asks(scene: Scene, reading: Reading) -> bool:
     """Whether words ask for something, or say a time."""
     asked = any(one.operation is not None and one.operation.is_asked for one in reading.instructions)
     asked = asked and not tells_what_is(reading, scene.conversation.interpreter.language.lexicon)
-    return asked or any(one.requirements for one in reading.instructions)
+    # "They rang to say monday" says when nothing is to be done.
+    told = tells_of_somebody(reading.tokens)
+    return asked or (not told and any(one.requirements for one in reading.instructions))
 
 
 def _with_reason(scene: Scene, words: str) -> Reply | None:
@@ -170,7 +183,7 @@ def _with_reason(scene: Scene, words: str) -> Reply | None:
         # "Never mind, it works"
         return None
     reading = language.read(why, now=scene.now)
-    if _asks(scene, reading) or entry_of(scene, content_words(why)) is not None:
+    if _asks(scene, reading) or is_news(scene, why) or entry_of(scene, content_words(why)) is not None:
         return None
     reply = _taken(scene, about)
     if reply is None:

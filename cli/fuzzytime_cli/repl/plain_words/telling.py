@@ -1,5 +1,6 @@
 """What somebody tells to be so now: "the pan is hot" is a reading, "Bob is here" what was waited for."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from rich.text import Text
@@ -13,7 +14,7 @@ from fuzzytime_cli.repl.conversation import context_of
 from fuzzytime_cli.repl.plain_words.leaving_out import Taken
 from fuzzytime_cli.repl.plain_words.retiming import IDLE
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
-from fuzzytime_cli.told_states import as_news, is_waited_for, tells_a_state, told_of
+from fuzzytime_cli.told_states import as_news, is_waited_for, tells_a_state, tells_what_is, told_of
 
 CHANGED = frozenset({AboutKind.MOVE, AboutKind.DELAY, AboutKind.DROP, AboutKind.EXCEPT})
 """What may be said for a reason."""
@@ -79,6 +80,24 @@ def behind_how_a_day_is(scene: Scene, words: str, taken: Taken) -> Reply | None:
     reply = taken(scene, about)
     changes_nothing = Text(plain(f"{told!r} changes nothing"))
     return None if reply is None else replace(reply, lines=(*reply.lines, changes_nothing))
+
+
+def behind_a_fact(scene: Scene, words: str, answered: Callable[[Scene, str], Reply | None]) -> Reply | None:
+    """Take what is asked for behind what tells how something is: "Tom's out, call Bob at two"; else None."""
+    language = scene.conversation.interpreter.language
+    told, mark, rest = words.partition(",")
+    reading = language.read(told, now=scene.now) if mark and rest.strip() else None
+    if reading is None or not tells_what_is(reading, language.lexicon) or is_news(scene, told):
+        return None
+    asked = language.read(rest, now=scene.now).instructions
+    if not any(one.operation is not None and one.operation.is_asked for one in asked):
+        return None
+    state = told_state(scene, told, reading)
+    reply = answered(scene, rest.strip())
+    lines = (Text(plain(f"{told!r} changes nothing")),) if state is None else state.lines
+    if reply is None:
+        return Reply(lines, anew=rest.strip())
+    return replace(reply, lines=(*lines, *reply.lines))
 
 
 def told_anew(scene: Scene, about: About, words: str, taken: Taken) -> Reply | None:

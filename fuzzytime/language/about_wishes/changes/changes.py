@@ -183,18 +183,13 @@ def _corrected(said: Said) -> About | None:
         return About(kind=AboutKind.MOVE, time=time, bare=bare, corrects=True, certain=True)
     if place == 0 or not rest.words:
         return None
-    thing, is_said, new = rest.text.rpartition(" is ")
-    if is_said:
-        # "Actually, the dentist is at half past four"
-        time = Said(new, said.now, said.lexicon).as_time()
-        names = Said(thing, said.now, said.lexicon).names
-        return About(kind=AboutKind.MOVE, names=names, time=time) if time and names else None
     if rest.forms[:1] == (EVERY,) and (number := rest.behind(1).as_number()):
         # "No, every ten"
         time = f"{EVERY} {number} {Unit.MINUTE}s"
         return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
     longer, more = rest.without("more")
-    if more and (found := longer.length()) is not None and not found.rest.words:
+    found = longer.length() or rest.length() if more else None
+    if found is not None and not found.rest.without("more")[0].words:
         # "Make it ten minutes longer"
         return About(kind=AboutKind.MORE, by=found.seconds, certain=True)
     number = rest.as_number()

@@ -1,5 +1,6 @@
 """A new time with what it leaves of the old one: "tomorrow at six", and then "no, at seven"."""
 
+import re
 from datetime import datetime, timedelta
 
 from fuzzytime.language.about_wishes.said import CLOCKED, one_time
@@ -31,6 +32,9 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
     >>> merged_time("tomorrow at six", wednesday, "at seven", wednesday, shipped_lexicon())
     'tomorrow at seven'
     """
+    # "Tomorrow, same time"
+    same = "|".join(lexicon.beside.same_time)
+    new = re.sub(rf",?\s+(?:at )?(?:the )?(?:{same})$", "", new, flags=re.IGNORECASE)
     new = _past_hour_said(new, old, said, now, lexicon)
     other = one_time(new, now, lexicon)
     before = one_time(old, said, lexicon)

@@ -10,7 +10,8 @@ from fuzzytime.language.instruction import Token
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import Constraint, TimeRequirement
 
-CONTRACTED = re.compile(r"(?<=\w)['\u2019]s\b")
+CONTRACTED = re.compile(r"(?<=\w)['\u2019](s|re)\b")
+BEING = {"s": " is", "re": " are"}
 NOW = "now"
 SUBJECTS = frozenset({"nsubj", "nsubj:pass"})
 HELPING = frozenset({"aux", "aux:pass"})
@@ -22,12 +23,12 @@ NOMINAL = ("N", "PRP", "DT")
 
 
 def written_out(said: str) -> str:
-    """Write out what is short for "is": "the glue's dry".
+    """Write out what is short for "is", or "are": "the glue's dry".
 
     >>> written_out("the glue's dry")
     'the glue is dry'
     """
-    return CONTRACTED.sub(" is", said)
+    return CONTRACTED.sub(lambda short: BEING[short[1]], said)
 
 
 def is_untold(part: TimeRequirement) -> bool:

@@ -2,11 +2,12 @@
 
 from dataclasses import replace
 
-from fuzzytime.english import EMPTY, PARTICIPLE
+from fuzzytime.english import PARTICIPLE
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import lengthened
 from fuzzytime.language.about_wishes.said import FOR, Said
+from fuzzytime.language.about_wishes.told.told_of import is_over
 
 WITH = "with"
 ON = "on"
@@ -40,7 +41,7 @@ def _of_last(said: Said) -> About | None:
     if rest.is_in("not done"):
         return About(kind=AboutKind.UNSTARTED, text=rest.text, certain=True)
     both, over = rest.opens_with("both"), rest.behind(rest.opens_with("both"))
-    if both and over.words and _is_over(over):
+    if both and over.words and is_over(over):
         return About(kind=AboutKind.DROP, both=True, certain=True)
     return None
 
@@ -64,7 +65,8 @@ def _more(said: Said) -> About | None:
     if said.forms[:1] == (MAKE,):
         return _made_longer(said.behind(1))
     without, tables = said.without("more")
-    found = without.length() if "more" in tables and said.is_one else None
+    # "Another hour" is none without its article.
+    found = without.length() or said.length() if "more" in tables and said.is_one else None
     if found is None:
         left, parts = said.without("more", "needing", "lengths")
         # "The sanding takes longer": by how much is not said
@@ -73,7 +75,7 @@ def _more(said: Said) -> About | None:
         if not known or (left.words and not (left.names or left.is_in("last"))):
             return None
         return About(kind=AboutKind.MORE, names=left.names, certain=True)
-    named, parts = found.rest.without("needing", "last")
+    named, parts = found.rest.without("needing", "last", "more")
     certain = not named.names or "needing" in parts
     return About(kind=AboutKind.MORE, names=named.names, by=found.seconds, certain=certain)
 
@@ -157,9 +159,10 @@ def _protest(said: Said) -> About | None:
         rest = said.after(kind.value)
         if rest is not None and not rest.without("yet", "first", "last")[0].words:
             return About(kind=kind, certain=True)
-    who = said.without_end(said.table("unable then"))
-    if len(who.words) < len(said.words) and who.names and said.is_one and not said.has_time:
-        # "Jo can't make it"
+    # "Jo can't make it", and "today"
+    whole = Said(said.parted()[0], said.now, said.lexicon) if said.has_time else said
+    who = whole.without_end(said.table("unable then"))
+    if len(who.words) < len(whole.words) and who.names and said.is_one and not who.has_time:
         return About(kind=AboutKind.UNABLE, names=who.names)
     for place in range(1, len(said.words) if said.is_one else 0):
         who, rest = said.until(place), said.behind(place).after("unable at")
@@ -196,21 +199,6 @@ def _finished(said: Said) -> About | None:
         if thing.is_in("everything"):
             return About(kind=AboutKind.DROP, everything=True, certain=True)
         return About(kind=AboutKind.DONE, names=thing.meant, certain=True)
-    for place, word in enumerate(said.forms):
-        subject, mark, being = word.partition("'")
-        state = said.behind(place + 1)
-        if (mark + being if mark else word) in said.lexicon.closed.third_person_be and _is_over(state):
-            # "The soup is ready", "it's done"
-            thing = said.until(place)
-            owner = thing if not mark else Said(f"{thing.text} {subject}".strip(), said.now, said.lexicon)
-            if (owner.has_time and not owner.label) or any(
-                len(form) == 1 and form[0] in owner.forms for form in said.lexicon.clauses
-            ):
-                # "Serve the rice after the soup is done"
-                return None
-            # "Check that the soup is ready" is no report.
-            named = len(owner.words) < 2 or owner.forms[0] in EMPTY or bool(owner.label)
-            return About(kind=AboutKind.DONE, names=owner.meant, certain=named)
     return _stated_over(said)
 
 
@@ -229,8 +217,3 @@ def _stated_over(said: Said) -> About | None:
     named = thing.behind(1) if thing.forms[0] in said.lexicon.closed.noun_openers else thing
     # "Get the shirts done" is a wish.
     return About(kind=AboutKind.DONE, names=named.names) if len(named.words) == 1 and named.names else None
-
-
-def _is_over(state: Said) -> bool:
-    left, tables = state.without("finished", "speaker")
-    return "finished" in tables and not left.words

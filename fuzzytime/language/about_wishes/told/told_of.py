@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS
 from fuzzytime.language.about_wishes.said import FOR, Said, one_time
@@ -12,6 +13,7 @@ SMALL = ("being", "anew")
 """Tables of what may stand beside how a thing is, and says nothing."""
 
 SOONER = frozenset({"early", "earlier"})
+WILL = "will"
 DONE = "ed"
 """How what was done ends: "gym cancelled"."""
 
@@ -21,11 +23,22 @@ def told_of(said: Said) -> About | None:
 
     Of what names no wish itself it may be what happens besides: "lunch is at one".
     """
+    who, how = _thing_and_state(Said(written_out(said.text), said.now, said.lexicon))
     # "The truck's late, about 20 minutes"
-    who, how = _thing_and_state(Said(written_out(said.text).replace(",", ""), said.now, said.lexicon))
+    how = replace(how, text=how.text.replace(",", ""))
     last = who.is_in("last")
-    if not who.words or not how.words or who.has_time or not (last or who.meant):
+    # "Serve the rice after the soup is done", "the six o'clock is off"
+    bounded = any((form,) in said.lexicon.clauses for form in who.forms) or (who.has_time and not who.label)
+    unnamed = not (last or who.meant) or who.is_in("both")
+    if not who.is_one or not who.words or not how.words or bounded or unnamed:
         return None
+    if is_over(how) and who.is_in("everything"):
+        return About(kind=AboutKind.DROP, everything=True, certain=True)
+    if is_over(how):
+        # "Check that the soup is ready" is no report.
+        named = len(who.words) == 1 or who.forms[0] in EMPTY or bool(who.label)
+        names = frozenset[str]() if who.is_in("they") else who.meant
+        return About(kind=AboutKind.DONE, names=names, certain=named)
     about = _off(how) or _longer(how) or _later(how) or _then(how, last=last)
     if about is None:
         return None
@@ -33,9 +46,17 @@ def told_of(said: Said) -> About | None:
     return replace(about, names=who.meant, thing=who.text, told=about.told and not last, certain=certain)
 
 
+def is_over(state: Said) -> bool:
+    """Whether words say that something is over: "done", "all finished now"."""
+    left, tables = state.without("finished", "speaker")
+    return "finished" in tables and not left.words
+
+
 def _thing_and_state(said: Said) -> tuple[Said, Said]:
     """Give what something is told of, and how that is; nothing where none is."""
-    stating = said.lexicon.closed.third_person_be | {f"{verb}s" for verb in said.lexicon.doing.happening}
+    stating = (
+        said.lexicon.closed.third_person_be | {WILL} | {f"{verb}s" for verb in said.lexicon.doing.happening}
+    )
     places = (place for place, word in enumerate(said.forms) if word in stating)
     place = next(places, 0)
     off = max((len(form) for form in said.table("cancelled") if said.forms[-len(form) :] == form), default=0)
@@ -57,11 +78,13 @@ def _off(how: Said) -> About | None:
 
 def _longer(how: Said) -> About | None:
     """Read that it goes on for longer: "is taking an hour longer", "is going to need more time"."""
-    left, tables = how.without("more", "needing", "lengths", *SMALL)
+    left, tables = how.without("more", "needing", "lengths", "adding", *SMALL)
     if "lengths" not in tables and not {"more", "needing"} <= tables:
         return None
-    found = left.length()
-    known = found is None or not found.rest.words
+    # "Another hour"
+    found = left.length() or how.length()
+    rest = left if found is None else found.rest.without("more", "needing", "lengths", "adding", *SMALL)[0]
+    known = not rest.words
     return About(kind=AboutKind.MORE, by=found.seconds if found else None, told=True) if known else None
 
 
@@ -69,7 +92,13 @@ def _later(how: Said) -> About | None:
     """Read that it is late, or early: "is running 20 minutes behind", "is delayed by an hour"."""
     left, tables = how.without("late", "early", *DIRECTIONS, *SMALL)
     found = left.length()
-    if not tables - {*SMALL} or (found.rest.words if found else left.words):
+    # "The stall is up"
+    known = tables - {*SMALL} if found else tables & {"late", "early"}
+    time = left.as_time() if known and left.words and found is None else ""
+    if time:
+        # "They are late, more like noon"
+        return About(kind=AboutKind.MOVE, time=time, told=True)
+    if not known or (found.rest.words if found else left.words):
         return None
     earlier = not tables.isdisjoint(SOONER)
     by = None if found is None else -found.seconds if earlier else found.seconds
@@ -78,6 +107,7 @@ def _later(how: Said) -> About | None:
 
 def _then(how: Said, *, last: bool) -> About | None:
     """Read when it is: "is at seven", "is on friday now"; but "it's friday" tells the day."""
+    how, _ = how.without("being")
     left, _ = how.without("anew")
     time = left.as_time() if left.words else ""
     told = one_time(time, how.now, how.lexicon) if time else None
