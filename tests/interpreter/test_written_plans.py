@@ -124,11 +124,25 @@ def test_a_number_behind_a_thing_is_an_hour_where_other_lines_say_when(line: str
 
 
 @pytest.mark.parametrize(
+    ("line", "hours"),
+    [
+        ("Rolls in 9.15, out 9.35", ("09:15", "09:35")),
+        ("Joint in the oven 11, out 1.15", ("11:00", "13:15")),
+        ("Lights on 4, off 5.30", ("16:00", "17:30")),
+    ],
+)
+def test_a_thing_in_two_states_has_both_hours(line: str, hours: tuple[str, str]) -> None:
+    found = starts(told(["Open the hall at 9", line, "Meet at 2.30", "Lock the hall by 6"]))
+    assert (found["s2"], found["s2.2"]) == hours
+
+
+@pytest.mark.parametrize(
     "line",
     [
         "Mix 1.50 kg of lime",
         "Boil 12.30 litres",
         "Buy milk 2.50",
+        "Scene 14 until about 11",
         "Dive 1, with the new boat",
         "Paint rooms 2-4",
     ],

@@ -93,6 +93,14 @@ def _hours(halves: frozenset[str]) -> re.Pattern[str]:
 
 
 @cache
+def _states(states: frozenset[str]) -> re.Pattern[str]:
+    """Give what finds two states of one thing, each with an hour."""
+    state = rf"(?:{'|'.join(sorted(states))})(?:\s(?:the\s)?[^\W\d]+)?"
+    hour = r"(?:2[0-3]|[01]?\d)(?:[.:][0-5]\d)?"
+    return re.compile(rf"\w\s{state}(\s){hour},\s{state}(\s){hour}(?={ENDS})", re.IGNORECASE)
+
+
+@cache
 def _sure(prepositions: frozenset[str], halves: frozenset[str]) -> re.Pattern[str]:
     """Give what finds a time that is surely one by how it is typed, or by what stands in front of it."""
     half = "|".join(map(re.escape, sorted(halves, key=len, reverse=True)))
@@ -139,7 +147,8 @@ def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozense
     """
     if not timed:
         return frozenset()
-    return frozenset((*_behind_things(text, lexicon, timed), *_in_front(text, lexicon, timed)))
+    behind = (*_behind_things(text, lexicon, timed), *_behind_states(text, lexicon, timed))
+    return frozenset((*behind, *_in_front(text, lexicon, timed)))
 
 
 def without_colons(text: str, lexicon: Lexicon, timed: Timed = Timed.MOST) -> str:
@@ -185,6 +194,13 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         goes_on = found["until"] is not None and _goes_on(before, lexicon)
         if (goes_on or named) and _may_end(found, behind, lexicon, timed):
             yield found.start("mark")
+
+
+def _behind_states(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
+    """Give where hours follow what becomes of a thing: "rolls in 4.15, out 4.35"."""
+    for found in _states(lexicon.beside.states).finditer(text):
+        if timed >= Timed.MOST or DECIMAL.search(found[0]):
+            yield from (found.start(1), found.start(2))
 
 
 def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
