@@ -123,6 +123,26 @@ def test_a_number_behind_a_thing_is_an_hour_where_other_lines_say_when(line: str
     assert hour in starts(told(["Open the hall at 9", line, "Lock the hall by 6"])).values()
 
 
+def test_hours_of_four_digits_are_hours_where_one_begins_with_a_zero() -> None:
+    lines = ["Unit call 0730", "Lunch 1230", "Break 1500-1515", "Wrap 1830", "Order 1200 bricks"]
+    found = starts(told(lines))
+    assert [found[name] for name in ("s1", "s2", "s3", "s4")] == ["07:30", "12:30", "15:00", "18:30"]
+    assert found["s5"] < "08:00"
+
+
+@pytest.mark.parametrize(
+    ("line", "what"),
+    [
+        ("Fluid charts totalled at 4", "Fluid charts must be totalled"),
+        ("12 chairs stacked 4.30", "12 chairs must be stacked"),
+        ("Bed linen changed at 10", "Bed linen must be changed"),
+    ],
+)
+def test_what_is_done_at_an_hour_of_a_list_is_to_do(line: str, what: str) -> None:
+    made = told(["Open the hall at 9", line, "Meet at 2.30", "Lock the hall by 6"])
+    assert what in [skill.name for skill in made.schedule.skills]
+
+
 @pytest.mark.parametrize(
     ("line", "hours"),
     [
