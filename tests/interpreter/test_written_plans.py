@@ -123,12 +123,46 @@ def test_a_number_behind_a_thing_is_an_hour_where_other_lines_say_when(line: str
     assert hour in starts(told(["Open the hall at 9", line, "Lock the hall by 6"])).values()
 
 
+def test_hours_of_four_digits_are_hours_where_one_begins_with_a_zero() -> None:
+    lines = ["Unit call 0730", "Lunch 1230", "Break 1500-1515", "Wrap 1830", "Order 1200 bricks"]
+    found = starts(told(lines))
+    assert [found[name] for name in ("s1", "s2", "s3", "s4")] == ["07:30", "12:30", "15:00", "18:30"]
+    assert found["s5"] < "08:00"
+
+
+@pytest.mark.parametrize(
+    ("line", "what"),
+    [
+        ("Fluid charts totalled at 4", "Fluid charts must be totalled"),
+        ("12 chairs stacked 4.30", "12 chairs must be stacked"),
+        ("Bed linen changed at 10", "Bed linen must be changed"),
+    ],
+)
+def test_what_is_done_at_an_hour_of_a_list_is_to_do(line: str, what: str) -> None:
+    made = told(["Open the hall at 9", line, "Meet at 2.30", "Lock the hall by 6"])
+    assert what in [skill.name for skill in made.schedule.skills]
+
+
+@pytest.mark.parametrize(
+    ("line", "hours"),
+    [
+        ("Rolls in 9.15, out 9.35", ("09:15", "09:35")),
+        ("Joint in the oven 11, out 1.15", ("11:00", "13:15")),
+        ("Lights on 4, off 5.30", ("16:00", "17:30")),
+    ],
+)
+def test_a_thing_in_two_states_has_both_hours(line: str, hours: tuple[str, str]) -> None:
+    found = starts(told(["Open the hall at 9", line, "Meet at 2.30", "Lock the hall by 6"]))
+    assert (found["s2"], found["s2.2"]) == hours
+
+
 @pytest.mark.parametrize(
     "line",
     [
         "Mix 1.50 kg of lime",
         "Boil 12.30 litres",
         "Buy milk 2.50",
+        "Scene 14 until about 11",
         "Dive 1, with the new boat",
         "Paint rooms 2-4",
     ],

@@ -164,7 +164,9 @@ def test_a_remark_below_a_heading_quotes_its_words() -> None:
     assert any(remark.message.startswith("'at seven' is taken as 19:00") for remark in below.remarks)
 
 
-@pytest.mark.parametrize("line", ["Tech rehearsal", "Sports day", "School run", "Stunt day 3"])
+@pytest.mark.parametrize(
+    "line", ["Tech rehearsal", "Sports day", "School run", "Stunt day 3", "Day 4 - harbour", "Day 9 of 22"]
+)
 def test_a_first_line_above_hours_that_only_names_something_is_a_title(line: str) -> None:
     title, *_ = Language.shipped().read_all([(t, NOW) for t in (line, "van at 10", "tea at 11", "out at 12")])
     assert title.instructions == ()

@@ -4,7 +4,9 @@ from dataclasses import replace
 
 from fuzzytime.language.english.repeated.bounded_repetitions import from_first_time, to_last_time
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.expressions import Duration, Offset, Repeat, Said
+from fuzzytime.language.meaning.joined.first_times import beginning, first_time
 from fuzzytime.requirement import Constraint
 
 SIDES = 2
@@ -36,13 +38,28 @@ def so_often_apart(repeat: Repeat, length: Duration) -> Repeat | None:
     return replace(repeat, every=length, until=None)
 
 
-@grammar.rule("repeat", "<repeat> <times>", "<repeat> , <times>", "<repeat> for <times>", weight=0.6)
-@grammar.rule("repeat", "<repeat> ( <times> )", weight=0.6)
+@grammar.rule("total", "<times> altogether?", "<times> in all|total")
+@grammar.rule("total", "<integer> altogether", "<integer> in all|total", "<integer> of them")
+def in_all(number: Integer | int) -> int | None:
+    """Five times, five in all."""
+    times = number.value if isinstance(number, Integer) else number
+    return times if 0 < times <= 1000 else None
+
+
+@grammar.rule("repeat", "<repeat> ,|-|( <total> )?", "<repeat> for? <total>", weight=0.6)
 def so_often_in_all(repeat: Repeat, times: int) -> Repeat | None:
-    """Every five minutes, three times: the first of them in five minutes."""
-    if repeat.every is None or repeat != Repeat(repeat.every):
+    """Every five minutes, three times: the first of them in five minutes, or when it is said to begin."""
+    if repeat.every is None or repeat != Repeat(repeat.every, starting=repeat.starting):
         return None
-    return replace(repeat, times=times, starting=Offset(repeat.every, 1))
+    return replace(repeat, times=times, starting=repeat.starting or Offset(repeat.every, 1))
+
+
+@grammar.rule("repeat", "<said> ,|-|( one|1 <repeat> )?", weight=0.8)
+def one_so_often(said: Said, repeat: Repeat) -> Repeat | None:
+    """(Weld brackets) at nine, one every ten minutes, five in all."""
+    first = first_time(said)
+    unsaid = repeat.every is not None and repeat.starting == Offset(repeat.every, 1)
+    return beginning(repeat, first) if first is not None and repeat.times and unsaid else None
 
 
 @grammar.rule("said", "<times> ,|-|( <each> )?", "<times> <each>", weight=0.6)

@@ -6,21 +6,23 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat, timed_as
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
 
-@grammar.rule(
-    "repeat",
-    "<repeat> at|@|on|in|around|,? the? <wall>",
-    "<repeat> , on|at the? <wall>",
-    "<repeat> at|@ <wall>",
-    weight=0.2,
-)
+@grammar.rule("repeat", "<repeat> at|@|on|in|around the? <wall>", "<repeat> , on|at the? <wall>", weight=0.2)
 def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:
-    """Every day at nine, on mondays at 4pm, every day this week."""
+    """Every day at nine, on mondays at 4pm."""
     return narrowed_repeat(repeat, wall)
+
+
+@grammar.rule("repeat", "<repeat> ,? the? <wall>", weight=0.2)
+def repeat_beside(repeat: Repeat, wall: Wall) -> Repeat | None:
+    """Every day 9 am, every day this week; but of "every two minutes, 15 children" no number is an hour."""
+    counted = wall.bare and repeat.every is not None and repeat.every.seconds < DAY_SECONDS
+    return None if counted else narrowed_repeat(repeat, wall)
 
 
 @grammar.rule("repeat", "<wall> ,|on? <repeat>", weight=0.2)

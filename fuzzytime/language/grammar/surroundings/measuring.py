@@ -239,7 +239,7 @@ class Measures:
         """Whether a number is the name of a thing that has no article: "at platform 9", "season 2"."""
         led = {*self.texts[max(0, place - 2) : place - 1]}
         named = place > 0 and self.texts[place - 1] in self.lexicon.called_by_number
-        return named and self.is_number(place) and not led <= self.closed.noun_openers
+        return named and self.is_number(place) and led.isdisjoint(self.closed.noun_openers)
 
     def divided(self, piece: Piece) -> bool:
         """Whether a number says into how many parts: "cut it in two"."""

@@ -58,6 +58,9 @@ ENDS = r"\s*(?:$|[,;()!]|\.(?!\d)|[-–—]\s)"
 """What ends what is said of when something is."""
 
 
+DIGITS = r"(?:2[0-3]|[01]\d)[0-5]\d(?!\d)"
+"""An hour and its minutes without a mark: "0730"; where one has a zero in front, so are the others hours."""
+
 NAMED = re.compile(r"^\s*[^\W\d][^:;,\n]*(?P<colon>:)[ \t](?=\d)", re.MULTILINE)
 """A name with a colon in front of a number: "Tea: 10.30"."""
 
@@ -81,14 +84,23 @@ def _hours(halves: frozenset[str]) -> re.Pattern[str]:
     hour, minutes = r"(?:2[0-3]|[01]?\d)", r"[.:][0-5]\d"
     return re.compile(
         rf"""
-        (?<=[\w)]) \s? (?P<mark>\s) (?: {hour} (?P<minutes>{minutes}) | (?:1[0-2]|0?[1-9])(?![\d.:]) )
+        (?<=[\w)]) \s? (?P<mark>\s)
+        (?: (?P<digits>{DIGITS}) | {hour} (?P<minutes>{minutes}) | (?:1[0-2]|0?[1-9])(?![\d.:]) )
         (?P<until> {half} (?:(?P<dash>\s[-–]\s)|\s?[-–]\s?|\s(?:to|till|until)\s)
-                   {hour} (?P<last>{minutes})? )?
+                   (?:{DIGITS} | {hour} (?P<last>{minutes})?) )?
         (?P<more> (?:,\s{hour}(?:{minutes})?)* \s(?:and|&|\+)\s{hour}(?:{minutes})? )?
         {half} (?P<ends>(?={ENDS}))? (?![\w.:/%°]\S|[/%°])
         """,
         re.VERBOSE | re.IGNORECASE,
     )
+
+
+@cache
+def _states(states: frozenset[str]) -> re.Pattern[str]:
+    """Give what finds two states of one thing, each with an hour."""
+    state = rf"(?:{'|'.join(sorted(states))})(?:\s(?:the\s)?[^\W\d]+)?"
+    hour = r"(?:2[0-3]|[01]?\d)(?:[.:][0-5]\d)?"
+    return re.compile(rf"\w\s{state}(\s){hour},\s{state}(\s){hour}(?={ENDS})", re.IGNORECASE)
 
 
 @cache
@@ -98,6 +110,7 @@ def _sure(prepositions: frozenset[str], halves: frozenset[str]) -> re.Pattern[st
     return re.compile(
         rf"""
         (?<![\d.:]) \d{{1,2}} (?: : [0-5]\d (?![\d:]) | (?:\.[0-5]\d)?\s?(?:{half})(?!\w) )
+        | (?<=\w\s) 0\d[0-5]\d (?!\w)
         | \b (?:{"|".join(sorted(prepositions))}) \s (?:[01]?\d|2[0-3]) (?:\.[0-5]\d)? (?= \s* (?:[,;.)]|$) )
         """,
         re.VERBOSE | re.IGNORECASE,
@@ -113,9 +126,13 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     sure = [surely.search(line) is not None for line in lines]
     decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
     typed = [
-        LEADING.match(line) is not None or any(found["minutes"] for found in halves.finditer(line))
+        LEADING.match(line) is not None
+        or any(found["minutes"] or found["digits"] for found in halves.finditer(line))
         for line in lines
     ]
+    digits = [[found["digits"] for found in halves.finditer(line) if found["digits"]] for line in lines]
+    if any(number.startswith("0") for numbers in digits for number in numbers):
+        sure = [one or bool(numbers) for one, numbers in zip(sure, digits, strict=True)]
     odd = sum(digits >= 60 or digits % FIVES != 0 for digits in decimals)
     planned = len(decimals) >= TYPED and len(decimals) >= FEW_ODD * odd
     if sum(sure) < SURELY and not (planned and sum(typed) >= TYPED):
@@ -138,7 +155,8 @@ def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozense
     """
     if not timed:
         return frozenset()
-    return frozenset((*_behind_things(text, lexicon, timed), *_in_front(text, lexicon, timed)))
+    behind = (*_behind_things(text, lexicon, timed), *_behind_states(text, lexicon, timed))
+    return frozenset((*behind, *_in_front(text, lexicon, timed)))
 
 
 def without_colons(text: str, lexicon: Lexicon, timed: Timed = Timed.MOST) -> str:
@@ -175,12 +193,21 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
             # "Dive 1 - 9.30"
             yield found.end("dash") - 1
             continue
-        typed = found["minutes"] or found["last"]
+        typed = found["minutes"] or found["last"] or found["digits"]
+        if found["digits"] and timed < Timed.MOST and not found["digits"].startswith("0"):
+            continue
         thing = _thing_of(before, lexicon)
         named = _is_thing(thing, lexicon) if typed else _is_timed(thing, lexicon, timed)
         goes_on = found["until"] is not None and _goes_on(before, lexicon)
         if (goes_on or named) and _may_end(found, behind, lexicon, timed):
             yield found.start("mark")
+
+
+def _behind_states(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
+    """Give where hours follow what becomes of a thing: "rolls in 4.15, out 4.35"."""
+    for found in _states(lexicon.beside.states).finditer(text):
+        if timed >= Timed.MOST or DECIMAL.search(found[0]):
+            yield from (found.start(1), found.start(2))
 
 
 def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
@@ -198,7 +225,7 @@ def _may_end(found: re.Match[str], behind: Sequence[Word], lexicon: Lexicon, tim
     """Whether nothing is behind an hour, or beside minutes where or whose it is: "10-11.30 group A"."""
     if found["ends"] is not None:
         return True
-    typed = found["minutes"] or found["last"] or (found["until"] and timed >= Timed.MOST)
+    typed = found["minutes"] or found["last"] or found["digits"] or (found["until"] and timed >= Timed.MOST)
     placed = all(word.text in lexicon.function_words for word in behind)
     return bool(typed) and (found["until"] is not None or placed)
 

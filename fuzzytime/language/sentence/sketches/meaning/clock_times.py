@@ -50,7 +50,7 @@ class LastSaid:
         """The clock time that the next line goes on from: the latest of lines in order, if one went back."""
         if self.clock is None or self.latest is None or not self.in_order:
             return self.clock
-        return self.latest if 0 < self.latest - self.clock <= FOLLOWING.total_seconds() else self.clock
+        return self.latest if 0 < self.latest - self.clock < A_DAY / 2 else self.clock
 
     @property
     def back(self) -> int:

@@ -33,6 +33,8 @@ FEW_DATED = 4
 LONGEST = 6
 """Words of a title, at most."""
 
+OF = "of"
+
 APART = ",:-–—("
 """What may stand between the name of a title and its day: "Brew day, Saturday"."""
 
@@ -48,7 +50,7 @@ def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
     if len(below) < FEWEST or len(first.phrases) > 1:
         return None
     clocks = [found for draft in below if (found := _clocks_in(draft))]
-    alone = len(clocks) >= FEWEST and _only_names(first, lexicon)
+    alone = len(clocks) >= FEWEST and (_only_names(first, lexicon) or _is_numbered(first, lexicon))
     if not first.phrases:
         return Heading(name_of(first), first.text, first.scanned) if alone else None
     (time,) = first.phrases
@@ -160,6 +162,12 @@ def _only_names(first: Draft, lexicon: Lexicon) -> bool:
     sketch, tree = sketch_of(first, part, lexicon), part.tree
     deed = tree.root == len(tree.nodes) - 1 and names_deed(tree, 0, tree.root, lexicon)
     return sketch.operation is None or deed or _is_unit(said[-1], lexicon)
+
+
+def _is_numbered(first: Draft, lexicon: Lexicon) -> bool:
+    """Whether it begins with the number of a day, or week, of something: "Day 4 - harbour", "Day 9 of 22"."""
+    unit, number, behind = ([word.text for word in first.scanned.words] + [""] * 3)[:3]
+    return _is_unit(unit, lexicon) and number.isdecimal() and behind in {*APART, OF, ""}
 
 
 def _numbers_day(first: Draft, time: Phrase, lexicon: Lexicon) -> bool:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.first_times import (
     at_the_beginning,
     beginning,
@@ -29,7 +29,9 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     if len(repeated) != 1:
         return sketch
     repeat = phrases[repeated[0]].said.time
-    if not isinstance(repeat, Repeat) or repeat.walls or repeat.every is None or repeat.starting is not None:
+    if not isinstance(repeat, Repeat) or repeat.walls or repeat.every is None:
+        return sketch
+    if repeat.starting not in {None, Offset(repeat.every, 1)}:
         return sketch
     every = phrases[repeated[0]]
     for part_of, within in ((closing_of, in_the_end), (opening_of, at_the_beginning)):

@@ -48,7 +48,7 @@ def due_by_then(
     if state <= first or _is_ordered(nodes[first:state], lexicon):
         return None
     headlined = (
-        nodes[state].tag in PARTICIPLES and not first and nodes[0].tag in (NOUNS if listed else HEADLINED)
+        nodes[state].tag in PARTICIPLES and not first and nodes[0].tag in (NAMING if listed else HEADLINED)
     )
     wished = headlined and (listed or end not in moments)
     wished = wished or (end in moments and _is_wished(nodes[:end], state, lexicon))
