@@ -33,7 +33,7 @@ class BareHours(Standing):
     def accept_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
         listed = said.preposition in {"at", "for"} and bool(self.run_on.behind(wall.clock, piece.end))
-        if listed or self._leads_entry(piece, said) or self._opens_line(piece, said):
+        if listed or self.reminds(piece) or self._leads_entry(piece, said) or self._opens_line(piece, said):
             return True
         ends = self.around.may_end(piece) or self._leads_to_distance(piece)
         if not ends or self.around.is_unit(piece.end):
@@ -103,6 +103,8 @@ class BareHours(Standing):
         if said.preposition is None and self.given.is_caught(piece):
             # "Catch the 4.15 train"
             return True
+        if self.reminds(piece):
+            return True
         # "At five thirty pick up bread": no amount is said like that.
         worded = all(text in self.lexicon.numbers for text in self.texts[piece.end - 2 : piece.end])
         sure = said.preposition == "at" and worded
@@ -135,13 +137,18 @@ class BareHours(Standing):
         return spelt and told and self._ends_order(piece)
 
     def _ends_at_quarter(self, piece: Piece, place: int) -> bool:
-        """Whether minutes that few numbers end in stand behind a thing: "feed the cat six fifteen"."""
+        """Whether minutes that few numbers end in stand behind a thing: "feed the cat six fifteen".
+
+        So do minutes to an hour, which are no range: "water the plants ten to five".
+        """
         before = self.texts[place - 1] if place else ""
-        costs = not self.lexicon.no_times.costing.isdisjoint(self.texts[: place - 1])
+        kinds = self.lexicon.no_times
+        costs = not (kinds.costing | kinds.betting | self.lexicon.rating).isdisjoint(self.texts[: place - 1])
         counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | self.lexicon.no_times.codes
         named = before.isalpha() and before not in counted | self.lexicon.function_words
         thing = named and not self.measures.is_number(place - 1) and not self.around.opens(place - 1)
-        return thing and not costs and piece.value.time.clock.minute in QUARTERS
+        minutes = piece.value.time.clock.minute in QUARTERS or "to" in self.texts[piece.start : piece.end]
+        return thing and not costs and minutes
 
     def _ends_meeting(self, piece: Piece) -> bool:
         """Whether a number ends what is said of a meeting: "call mum 5", "lunch 12", "dentist 1430"."""
@@ -169,7 +176,8 @@ class BareHours(Standing):
 
     def _ends_order(self, piece: Piece) -> bool:
         """Whether nothing more is said of what is to be done behind it."""
-        return self.around.follower(piece) in {"", ".", "!", ",", ";", ")"} | self.closed.further_clause
+        ends = self.beside.polite_ends | self.closed.further_clause | {"", ")"}
+        return self.around.follower(piece) in ends - {":", "?"}
 
     def _is_listed(self, piece: Piece) -> bool:
         """Whether it is the hour of an entry of a list: "vet 10, dentist 3"."""
