@@ -351,6 +351,7 @@ def test_a_number_that_names_a_thing_is_not_pointed_at() -> None:
         ("pay the rent 4/2026, please", "4/2026"),
         ("call mum 2026-09", "2026-09"),
         ("paint the fence, 2-4", "2-4"),
+        ("check the oven every 10 till 5", "every 10"),
         ("paint the fence on my birthday", "on my birthday"),
         ("paint the fence on payday", "on payday"),
     ],

@@ -128,13 +128,21 @@ class BareHours(Standing):
         named = (place > 1 and self.words[place - 1].capital) or self.is_called(place)
         spelt = all(text.isalpha() or text == "-" for text in self.texts[piece.start : piece.end])
         happens = before in self.lexicon.happening - self.lexicon.measure_nouns
-        if self.words[piece.start].is_digits and piece.value.time.clock.minute in QUARTERS:
+        begins = self._begins_then(before)
+        if self.words[piece.start].is_digits and (begins or piece.value.time.clock.minute in QUARTERS):
             # "Dentist 9.30", but "lunch 12.50"
             taken = self.lexicon.taken - self.lexicon.measure_nouns
-            known = (place == 1 and (happens or before in taken)) or self.is_met(place)
+            known = (place == 1 and (happens or before in taken)) or self.is_met(place) or begins
+            known = known or before in self.lexicon.events
             return known and self._ends_order(piece)
         told = someone or named or happens or self._ends_at_quarter(piece, place)
         return spelt and told and self._ends_order(piece)
+
+    def _begins_then(self, word: str) -> bool:
+        """Whether what a word says is at a moment: "leave | 7.30", "the film starts | 8.10"."""
+        doing = self.lexicon.doing
+        moving = (doing.leaving | doing.arriving) - self.lexicon.lasting
+        return word in doing.timed | doing.several_timed | moving
 
     def _ends_at_quarter(self, piece: Piece, place: int) -> bool:
         """Whether minutes that few numbers end in stand behind a thing: "feed the cat six fifteen".
@@ -156,7 +164,9 @@ class BareHours(Standing):
             return False
         number = self.texts[piece.start]
         if self.measures.is_sure(piece.start):
-            return self.is_called(piece.start) or (number not in YEARS and self.is_met(piece.start))
+            before, events = self.around.before(piece), self.lexicon.events - self.lexicon.addressing
+            met = self.is_met(piece.start) or self._begins_then(before) or before in events
+            return self.is_called(piece.start) or (met and number not in YEARS)
         return number.isdecimal() and 0 < int(number) <= HALF_DAY and self.is_met(piece.start)
 
     def _is_in_front(self, piece: Piece) -> bool:
