@@ -205,17 +205,12 @@ def from_then_on(goal: Goal) -> Said:
     "<said> ,? and|but no|not later",
     weight=0.5,
 )
+@grammar.rule("said", "before|by it gets|is|turns <said> at the very? latest", weight=1.2)
 def latest(said: Said) -> Said | None:
-    """In ten minutes at the latest, at the latest on friday."""
+    """In ten minutes at the latest, at the latest on friday, before it gets dark at the latest."""
     if said.constraint not in {None, Constraint.AT, Constraint.BEFORE} or isinstance(said.time, TimeWord):
         return None
     return replace(said, constraint=Constraint.BEFORE, preposition="no later than", edge=Edge.LAST)
-
-
-@grammar.rule("said", "before|by it gets|is|turns <said> at the very? latest", weight=1.2)
-def latest_as_it_gets(said: Said) -> Said | None:
-    """Before it gets dark at the latest: what says so is a bound, and no state that is waited for."""
-    return latest(said)
 
 
 @grammar.rule(

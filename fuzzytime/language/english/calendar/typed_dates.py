@@ -61,15 +61,10 @@ def dotted(numbers: Typed) -> Fields | None:
     return _either(numbers[0], numbers[1], None)
 
 
-@grammar.rule("weak date", "<last d.m.>", weight=0.2)
-def stopped_at_end(numbers: Typed) -> Fields | None:
-    """On 3.4.: day and month, if a preposition says so, as the full stop may end a sentence."""
-    return stopped(numbers)
-
-
 @grammar.rule("date", "<d.m.>", weight=0.3)
+@grammar.rule("weak date", "<last d.m.>", weight=0.2)
 def stopped(numbers: Typed) -> Fields | None:
-    """20.3. at ten: day and month, as the full stop behind both says."""
+    """20.3. at ten: day and month, as the full stop says; that of "on 3.4." may end a sentence."""
     return valid_date(None, numbers[1], numbers[0])
 
 

@@ -98,8 +98,11 @@ def spaced_military(hour: Integer, minute: Integer) -> Clock | None:
 
 
 @grammar.rule("clock", "<hh:mm>", "<hh:mm> o'clock|oclock|hours|h|hrs")
+@grammar.rule("four digits with hours", "<hh:mm> hours|hrs")
+@grammar.rule("clock behind at", "<hh.mm> hours|hrs")
+@grammar.rule("clock behind at", "<hh.mm> h")
 def typed(numbers: Typed) -> Clock | None:
-    """8:30, 08:30."""
+    """8:30, 08:30; (not before) 20:00 hours, (at) 18.30 hrs."""
     hour, minute = numbers[0], numbers[1]
     if hour > 24 or minute >= 60:
         return None
@@ -128,12 +131,6 @@ def four_digits_with_hours(hour: Integer) -> Clock | None:
     return military(hour) if len(hour.digits) == FULL_DIGITS else None
 
 
-@grammar.rule("four digits with hours", "<hh:mm> hours|hrs")
-def typed_with_hours(numbers: Typed) -> Clock | None:
-    """(not before) 20:00 hours: no length is typed so, with what it is measured in behind it."""
-    return typed(numbers)
-
-
 @grammar.rule("four digits with hours", "<integer> hundred hours")
 def hundreds_with_hours(hour: Integer) -> Clock | None:
     """(before) twenty hundred hours: "two thousand hours" is a length."""
@@ -147,12 +144,6 @@ def hundreds_with_hours(hour: Integer) -> Clock | None:
 def hours(hour: Integer) -> Clock | None:
     """(at) five hours."""
     return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
-
-
-@grammar.rule("clock behind at", "<hh.mm> hours|hrs")
-def dotted_hours(numbers: Typed) -> Clock | None:
-    """(at) 18.30 hrs."""
-    return typed(numbers)
 
 
 @grammar.rule("clock", "<hh.mm>", weight=-0.3)

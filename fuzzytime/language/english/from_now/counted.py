@@ -52,15 +52,10 @@ def in_duration(duration: Duration) -> Said:
 @grammar.rule(
     "said", "in like|say ,? <duration>", "in about|around|roughly ,? say|like ,? <duration>", weight=0.6
 )
-def in_like(duration: Duration) -> Said:
-    """In like ten minutes."""
-    return _length(duration.hedged("about"), Constraint.AT, "in")
-
-
 @grammar.rule("said", "in <duration> ,? about", weight=0.4)
-def in_about(duration: Duration) -> Said:
-    """In ten minutes about; but "write in ten minutes about the flat" is refused where it stands."""
-    return in_like(duration)
+def in_like(duration: Duration) -> Said:
+    """In like ten minutes, in ten minutes about."""
+    return _length(duration.hedged("about"), Constraint.AT, "in")
 
 
 @grammar.rule("said", "for like|say ,? <duration>", weight=0.6)
@@ -262,20 +257,15 @@ def from_now(duration: Duration, preposition: Preposition) -> Said:
     return Said(Offset(replace(duration, hedges=())), None, preposition.name, duration.hedges)
 
 
+@grammar.rule("said", "<duration> in", weight=0.2)
 @grammar.rule(
     "said",
     "when|once|after it's|its|it been <duration>",
     "when|once|after it has been <duration>",
     weight=0.5,
 )
-def when_it_has_been(duration: Duration) -> Said:
-    """When it's been ten minutes: since what was begun."""
-    return so_far_in(duration)
-
-
-@grammar.rule("said", "<duration> in", weight=0.2)
 def so_far_in(duration: Duration) -> Said:
-    """Ten minutes in: counted from what was begun."""
+    """Ten minutes in, when it's been ten minutes: counted from what was begun."""
     return Said(Offset(replace(duration, hedges=())), None, "later", duration.hedges)
 
 
