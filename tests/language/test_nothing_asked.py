@@ -217,6 +217,10 @@ def test_a_number_that_may_be_the_hour_is_said_to_count(text: str, said: list[st
         ("update Windows 11", []),
         ("milk 10 at noon", []),
         ("pick 7", []),
+        ("practice piano 1730", ["1730"]),
+        ("Water The Plants 7.30!", ["7.30"]),
+        ("install python 3.11", []),
+        ("enter code 1530", []),
     ],
 )
 def test_an_hour_behind_a_thing_is_said_to_be_none(text: str, said: list[str]) -> None:

@@ -194,6 +194,7 @@ def from_then_on(goal: Goal) -> Said:
     "<said> ,? and|but no|not later",
     weight=0.5,
 )
+@grammar.rule("said", "before|by it gets|is|turns <said> at the very? latest", weight=1.2)
 def latest(said: Said) -> Said | None:
     """In ten minutes at the latest; before it gets dark at the latest: no state is waited for there."""
     if said.constraint not in {None, Constraint.AT, Constraint.BEFORE} or isinstance(said.time, TimeWord):

@@ -61,8 +61,8 @@ def dotted(numbers: Typed) -> Fields | None:
     return _either(numbers[0], numbers[1], None)
 
 
-@grammar.rule("weak date", "<last d.m.>", weight=0.2)
 @grammar.rule("date", "<d.m.>", weight=0.3)
+@grammar.rule("weak date", "<last d.m.>", weight=0.2)
 def stopped(numbers: Typed) -> Fields | None:
     """20.3. at ten: day and month, as the full stop says; on 3.4.: it may end a sentence, too."""
     return valid_date(None, numbers[1], numbers[0])

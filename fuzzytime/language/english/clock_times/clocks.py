@@ -95,6 +95,7 @@ def spaced_military(hour: Integer, minute: Integer) -> Clock | None:
 @grammar.rule("clock behind at", "<hh.mm> hours|hrs")
 @grammar.rule("four digits with hours", "<hh:mm> hours|hrs")
 @grammar.rule("clock", "<hh:mm>", "<hh:mm> o'clock|oclock|hours|h|hrs")
+@grammar.rule("clock behind at", "<hh.mm> h")
 def typed(numbers: Typed) -> Clock | None:
     """8:30, 08:30; (at) 18.30 hrs; (not before) 20:00 hours: no length is typed so."""
     hour, minute = numbers[0], numbers[1]

@@ -63,9 +63,3 @@ def short_hour(hour: Integer) -> Clock | None:
 def dotted_with_h(numbers: Typed) -> Clock | None:
     """18.30h; but 8.30h alone may be a length."""
     return typed(numbers) if numbers[0] > NOON_HOUR else None
-
-
-@grammar.rule("clock behind at", "<hh.mm> h")
-def dotted_behind_at(numbers: Typed) -> Clock | None:
-    """(at) 8.30h."""
-    return typed(numbers)

@@ -182,13 +182,13 @@ def from_now(duration: Duration, preposition: Preposition) -> Said:
     return Said(Offset(replace(duration, hedges=())), None, preposition.name, duration.hedges)
 
 
+@grammar.rule("said", "<duration> in", weight=0.2)
 @grammar.rule(
     "said",
     "when|once|after it's|its|it been <duration>",
     "when|once|after it has been <duration>",
     weight=0.5,
 )
-@grammar.rule("said", "<duration> in", weight=0.2)
 def so_far_in(duration: Duration) -> Said:
     """Ten minutes in, when it's been ten minutes: counted from what was begun."""
     return Said(Offset(replace(duration, hedges=())), None, "later", duration.hedges)

@@ -82,6 +82,7 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
     "from the? <goal> to|-|through|thru the? <goal>",
     weight=1.1,
 )
+@grammar.rule("said", "from the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def between(first: Goal, last: Goal) -> Said | None:
     """Between 5 and 6 pm, from monday to friday."""
     return range_of(first, last)
@@ -224,12 +225,6 @@ def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
 def hours_of_date(wall: Wall, first: Integer, last: Integer) -> Said | None:
     """On the 12th, 2-4: behind a preposition a number of a day is sure."""
     return hours_of_day(replace(wall, weak=False), first, last) if wall.days is not None else None
-
-
-@grammar.rule("said", "from the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
-def from_until(first: Goal, last: Goal) -> Said | None:
-    """From 9:30 until 11."""
-    return range_of(first, last)
 
 
 @grammar.rule("said", "the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)

@@ -79,8 +79,8 @@ def more_weekdays(repeat: Repeat, number: int) -> Repeat | None:
 
 @grammar.rule(
     "repeat",
-    "on? weekdays|workdays",
-    "every|each weekday|workday",
+    "on? weekdays|workdays|wkdays",
+    "every|each weekday|workday|wkday",
     "every|each working|work|business|school day",
     "on business|working|work|school days",
 )

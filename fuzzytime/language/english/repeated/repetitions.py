@@ -45,6 +45,7 @@ def every(unit: UnitWord) -> Repeat | None:
 
 @grammar.rule("repeat", "at|in <duration> -? intervals", "at intervals of <duration>", weight=0.4)
 @grammar.rule("repeat", "once? every|each <duration>")
+@grammar.rule("repeat", "at|in <duration> -? intervals", "at intervals of <duration>", weight=0.4)
 def every_so_long(duration: Duration) -> Repeat | None:
     """Every twenty minutes, every two days, every hour and a half; at twenty minute intervals."""
     if len(duration.terms) == 1 and duration.terms[0][1] not in SMALL and not duration.hedges:
@@ -117,15 +118,10 @@ def as_prescribed(number: Integer, unit: UnitWord) -> Repeat | None:
 
 
 @grammar.rule("repeat", "a? daily", "everyday", "day in day out", "each day of the week")
+@grammar.rule("repeat", "24 / 7", "around|round the clock", weight=1.0)
 def daily() -> Repeat:
     """Daily."""
     return of_unit(UnitWord(Unit.DAY, 1, "day"))
-
-
-@grammar.rule("repeat", "24 / 7", "around|round the clock", weight=1.0)
-def always() -> Repeat:
-    """24/7: day by day."""
-    return daily()
 
 
 @grammar.rule("repeat", "<integer> -? hourly", weight=0.5)

@@ -23,6 +23,9 @@ class Ranges(Standing):
         if self.given.is_put_off(piece):
             # As in "Reschedule the 3 pm to 4:30".
             return False
+        if self.around.before(piece) in self.closed.distributives:
+            # "Check the oven every | 10 till 5"
+            return False
         led = self.texts[piece.start] in self.closed.noun_openers or piece.rule in HOURS_OF_DAY
         if led and not self.around.may_end(piece):
             # "The Monday to Friday timetable", "order for friday 2-3 pizzas"

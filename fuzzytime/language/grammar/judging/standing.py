@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 from fuzzytime.english import looks_plural
+from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.run_on_hours import RunOnHours
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -52,6 +53,15 @@ class Standing:
         noun = self.texts[place - 1]
         named = {noun, noun.removesuffix("s")}.isdisjoint(nouns) and not self.measures.is_number(place - 1)
         return named and not self.around.timely(place - 1)
+
+    def reminds(self, piece: Piece) -> bool:
+        """Whether it stands between whom one reminds, and of what: "remind me | 1730 | to call mum"."""
+        reminding = self.lexicon.doing.recalling & {*self.texts[max(0, piece.start - 2) : piece.start - 1]}
+        return (
+            bool(reminding)
+            and self.around.follower(piece) == "to"
+            and not self.measures.is_number(piece.end + 1)
+        )
 
     def is_met(self, place: int) -> bool:
         """Whether somebody is met, or something happens, right before a place: "pick up the kids | 3"."""

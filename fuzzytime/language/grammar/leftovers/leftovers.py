@@ -14,9 +14,10 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings.measuring import Measures
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
-from fuzzytime.language.grammar.understood.lent import counts_one
+from fuzzytime.language.grammar.understood.lent import counts_one, lacks_unit
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
+from fuzzytime.language.meaning.expressions import Repeat
 
 TELLING = frozenset(
     {"unit", "day", "weekday", "weekdays", "part", "parts", "day_part", "month", "hh:mm", "hh:mm:ss", "y-m-d"}
@@ -196,9 +197,10 @@ def _is_left_over(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
 
 
 def _ones(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
-    """Give the places of a one of which nothing says what it counts: "in around one"."""
+    """Give the places of a number of which nothing says what it counts: "in around one", "every 10"."""
     for piece in scanned.pieces("said"):
-        if around.texts[piece.start] != "in" or not counts_one(piece.value):
+        each = isinstance(piece.value.time, Repeat) and lacks_unit(piece.value)
+        if not each and (around.texts[piece.start] != "in" or not counts_one(piece.value)):
             continue
         known = _meets(explained, scanned.words[piece.start], scanned.words[piece.end - 1])
         if not known and around.may_end(piece):

@@ -96,8 +96,14 @@ def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phras
     taken = _as_taken(phrase, words, lexicon)
     if taken is not None:
         return replace(phrase, said=taken)
-    bare = said.preposition == "for" and isinstance(said.time, Wall) and said.time.bare
     clock = said.time.clock if isinstance(said.time, Wall) else None
+    hour = clock is not None and clock.grain is Unit.HOUR and clock.half is None
+    inside = words[phrase.first : phrase.end]
+    number = any(word.is_digits or word.text in lexicon.numbers for word in inside)
+    number = number and lexicon.beside.of_clocks.isdisjoint(word.text for word in inside)
+    # "Simmer for 20 or so", but "simmer for noon or so"
+    hedged = hour and bool(said.hedges) and number
+    bare = said.preposition == "for" and isinstance(said.time, Wall) and (said.time.bare or hedged)
     texts = [word.text for word in words[: phrase.first]]
     before, alone = set(texts), lasts_minutes(texts, lexicon) or is_heated(texts, said.time)
     left = is_left_for([word.text for word in words], phrase.first, phrase.end, lexicon)

@@ -33,7 +33,7 @@ class BareHours(Standing):
     def accept_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
         listed = said.preposition in {"at", "for"} and bool(self.run_on.behind(wall.clock, piece.end))
-        if listed or self._leads_entry(piece, said) or self._opens_line(piece, said):
+        if listed or self.reminds(piece) or self._leads_entry(piece, said) or self._opens_line(piece, said):
             return True
         ends = self.around.may_end(piece) or self._leads_to_distance(piece)
         if not ends or self.around.is_unit(piece.end):
@@ -103,6 +103,8 @@ class BareHours(Standing):
         if said.preposition is None and self.given.is_caught(piece):
             # "Catch the 4.15 train"
             return True
+        if self.reminds(piece):
+            return True
         # "At five thirty pick up bread": no amount is said like that.
         worded = all(text in self.lexicon.numbers for text in self.texts[piece.end - 2 : piece.end])
         sure = said.preposition == "at" and worded
@@ -126,13 +128,35 @@ class BareHours(Standing):
         named = (place > 1 and self.words[place - 1].capital) or self.is_called(place)
         spelt = all(text.isalpha() or text == "-" for text in self.texts[piece.start : piece.end])
         happens = before in self.lexicon.happening - self.lexicon.measure_nouns
-        if self.words[piece.start].is_digits and piece.value.time.clock.minute in QUARTERS:
+        begins = self._begins_then(before)
+        if self.words[piece.start].is_digits and (begins or piece.value.time.clock.minute in QUARTERS):
             # "Dentist 9.30", but "lunch 12.50"
             taken = self.lexicon.taken - self.lexicon.measure_nouns
-            known = (place == 1 and (happens or before in taken)) or self.is_met(place)
+            known = (place == 1 and (happens or before in taken)) or self.is_met(place) or begins
+            known = known or before in self.lexicon.events
             return known and self._ends_order(piece)
-        told = someone or named or happens
+        told = someone or named or happens or self._ends_at_quarter(piece, place)
         return spelt and told and self._ends_order(piece)
+
+    def _begins_then(self, word: str) -> bool:
+        """Whether what a word says is at a moment: "leave | 7.30", "the film starts | 8.10"."""
+        doing = self.lexicon.doing
+        moving = (doing.leaving | doing.arriving) - self.lexicon.lasting
+        return word in doing.timed | doing.several_timed | moving
+
+    def _ends_at_quarter(self, piece: Piece, place: int) -> bool:
+        """Whether minutes that few numbers end in stand behind a thing: "feed the cat six fifteen".
+
+        So do minutes to an hour, which are no range: "water the plants ten to five".
+        """
+        before = self.texts[place - 1] if place else ""
+        kinds = self.lexicon.no_times
+        costs = not (kinds.costing | kinds.betting | self.lexicon.rating).isdisjoint(self.texts[: place - 1])
+        counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | self.lexicon.no_times.codes
+        named = before.isalpha() and before not in counted | self.lexicon.function_words
+        thing = named and not self.measures.is_number(place - 1) and not self.around.opens(place - 1)
+        minutes = piece.value.time.clock.minute in QUARTERS or "to" in self.texts[piece.start : piece.end]
+        return thing and not costs and minutes
 
     def _ends_meeting(self, piece: Piece) -> bool:
         """Whether a number ends what is said of a meeting: "call mum 5", "lunch 12", "dentist 1430"."""
@@ -140,7 +164,9 @@ class BareHours(Standing):
             return False
         number = self.texts[piece.start]
         if self.measures.is_sure(piece.start):
-            return self.is_called(piece.start) or (number not in YEARS and self.is_met(piece.start))
+            before, events = self.around.before(piece), self.lexicon.events - self.lexicon.addressing
+            met = self.is_met(piece.start) or self._begins_then(before) or before in events
+            return self.is_called(piece.start) or (met and number not in YEARS)
         return number.isdecimal() and 0 < int(number) <= HALF_DAY and self.is_met(piece.start)
 
     def _is_in_front(self, piece: Piece) -> bool:
@@ -160,7 +186,8 @@ class BareHours(Standing):
 
     def _ends_order(self, piece: Piece) -> bool:
         """Whether nothing more is said of what is to be done behind it."""
-        return self.around.follower(piece) in {"", ".", "!", ",", ";", ")"} | self.closed.further_clause
+        ends = self.beside.polite_ends | self.closed.further_clause | {"", ")"}
+        return self.around.follower(piece) in ends - {":", "?"}
 
     def _is_listed(self, piece: Piece) -> bool:
         """Whether it is the hour of an entry of a list: "vet 10, dentist 3"."""

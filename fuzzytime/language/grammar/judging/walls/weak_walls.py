@@ -56,8 +56,8 @@ class WeakWalls(Standing):
         ends = self.around.follower(piece) in self.beside.polite_ends | {"", ".", ",", ";", ")"}
         # "Rate lunch 9/10"
         rated = not self.lexicon.rating.isdisjoint(self.texts[: piece.start])
-        met = typed and ends and not rated and self.is_met(piece.start)
-        return first.is_digits and last.isdecimal() and met
+        met = ends and not rated and self.is_met(piece.start)
+        return first.is_digits and last.isdecimal() and typed and (met or self.reminds(piece))
 
     def _ends_order(self, piece: Piece) -> bool:
         """Whether a typed day of a month ends what is asked for: "call mum the 9th", not "take the 2nd"."""

@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.phrases import places_in
 
 MARKS = frozenset({":", "-", "–", "—"})
 """Marks between what is told and what is to be done for it."""
@@ -42,7 +43,11 @@ def behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: 
     behind = first.end + 1
     if behind < len(words) and words[first.end].text in {",", "-", ":"}:
         taken = lexicon.function_words | lexicon.places | lexicon.closed.alternatives
-        if words[behind].is_letters and words[behind].text not in taken and phrases[-1].first != behind:
+        timed = places_in(phrases)
+        entry = takewhile(lambda place: words[place].text != ",", range(behind, len(words)))
+        # "Gym on mon, wed and fri at 7"
+        ordered = any(p not in timed and words[p].text not in lexicon.function_words for p in entry)
+        if words[behind].is_letters and words[behind].text not in taken and ordered:
             yield behind
 
 

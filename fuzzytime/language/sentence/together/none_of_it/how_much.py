@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Sequence
+from itertools import dropwhile
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.measuring import AMOUNTED
@@ -14,7 +15,9 @@ HOURS = 12
 
 FOR = "for"
 
-AT_END = re.compile(r"\b(?P<noun>[^\W\d]+) (?P<number>(?:1[0-2]|[1-9])(?:\.[0-5]\d)?)\W*$")
+AT_END = re.compile(
+    r"\b(?P<noun>[^\W\d]+) (?P<number>(?:1[0-2]|[1-9])(?:\.[0-5]\d)?|(?:[01]\d|2[0-3])[0-5]\d)\W*$"
+)
 """A number that may be an hour behind the thing that ends what is said."""
 
 
@@ -25,7 +28,7 @@ def counted(text: str, sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) 
     if sketch.phrases or sketch.clauses:
         return
     joint = _joint(said, lexicon)
-    if not joint and (span := _number_at_end(text, sketch, lexicon)) is not None:
+    if not joint and (span := _number_at_end(text, sketch, said, lexicon)) is not None:
         number = text[slice(*span)]
         yield Remark(
             RemarkKind.POLICY, span, f"{number!r} is not taken as a time: say 'at {number}' if it is"
@@ -53,16 +56,19 @@ def _joint(said: Sequence[Word], lexicon: Lexicon) -> int:
     return place if said[place].text in AMOUNTED | {FOR} else 0
 
 
-def _number_at_end(text: str, sketch: Sketch, lexicon: Lexicon) -> Span | None:
+def _number_at_end(text: str, sketch: Sketch, said: Sequence[Word], lexicon: Lexicon) -> Span | None:
     """Give where an hour ends what is said that no thing is called by: "milk 10", but "read chapter 4"."""
-    first, end = sketch.part.segment.span
-    found = AT_END.search(text[:end], first)
-    if found is None or (sketch.operation is not None and found["noun"] == sketch.operation.verb):
+    kinds, polite = lexicon.no_times, lexicon.beside.polite_ends
+    asked = [*dropwhile(lambda word: word.text in polite, reversed(said))]
+    found = AT_END.search(text[: asked[0].end], asked[-1].start) if asked else None
+    verb = "" if sketch.operation is None else sketch.operation.verb
+    if found is None or found["noun"] == verb or verb in kinds.versioning:
         return None
     noun = found["noun"].lower()
-    called = noun in lexicon.called_by_number | lexicon.function_words
-    # "Update Windows 11"
-    named = found["noun"] != noun and found.start() > first
+    called = noun in lexicon.called_by_number | lexicon.function_words | kinds.codes
+    # "Update Windows 11"; but "Water The Plants 7.30"
+    named = found["noun"] != noun and found.start() > asked[-1].start
+    named = named and not any(word.capital and word.text in lexicon.function_words for word in asked[:-1])
     return None if called or named else found.span("number")
 
 
