@@ -41,14 +41,8 @@ class Particles:
         if first == "over":
             # "Turn the steaks over every two minutes"
             return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
-        if first in {"round", "around"} and rest[:1] != []:
-            moved = not self.lexicon.circling.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
-            if moved and self.around.is_day_from_now(piece.start + 1):
-                # "Bring the car round tomorrow"
-                return True
-            if rest[0] in self.beside.behind_round:
-                # "Bring the car round at six", "move the ward round to nine"; but "call me around in two hours"
-                return first == "round" or moved or rest[0] not in {"in", "at"}
+        if first in {"round", "around"} and rest[:1] != [] and self._moves_round(piece):
+            return True
         if first == "in" and rest[:1] in (["each"], ["every"]) and piece.start:
             # "Weigh in every monday"
             return True
@@ -69,6 +63,15 @@ class Particles:
         # "Put the washing on first"
         follows = first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
         return follows or self._counts_from_that(piece)
+
+    def _moves_round(self, piece: Piece) -> bool:
+        """Whether "round" says where: "bring the car round tomorrow"; not "call me around in an hour"."""
+        first, then = self.texts[piece.start : piece.start + 2]
+        moved = not self.lexicon.circling.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
+        if then not in self.beside.behind_round:
+            return moved and self.around.is_day_from_now(piece.start + 1)
+        # "Move the ward round to nine"
+        return first == "round" or moved or then not in {"in", "at"}
 
     def _tells_what_is_on(self, piece: Piece) -> bool:
         """Whether "on" says that something is, and what is behind it when: "what's on this weekend"."""
