@@ -105,8 +105,8 @@ def test_a_mistake_among_the_words_is_located(tmp_path: Path, old: str, new: str
         ("  minus: [", "  minos: [", "beside_times.minos: unknown key 'minos' (did you mean 'minus'?)"),
         ("  beginning: [start,", "  beginning: [start, start,", "must differ, got 'start' twice"),
         (
-            "  trying: [go, come, try, hurry]",
-            "  trying: [go, come, try, hurry]\n  future: [go]",
+            "  trying:    [go, come, try, hurry]",
+            "  trying:    [go, come, try, hurry]\n  future: [go]",
             "doing.future: unknown key",
         ),
         (
