@@ -111,6 +111,8 @@ def _others(wish: Wish, here: int, end: int, first: int) -> int:
     acts = node.may_act and not numbered
     acts = acts or node.lower in lexicon.addressing | lexicon.closed.negative_pronouns
     bare = not acts and node.tag.startswith(NOUNS) and nodes[first].lower not in openers
+    # "Call Ana at ten, prep 15 minutes before"
+    bare = bare and node.text[0].isupper() == nodes[first].text[0].isupper()
     if not (somebody or called or bare):
         return 0
     ends = (p for p in range(here + 1, end) if not wish.names(p, p + 1) or nodes[p].lower in openers)
