@@ -104,7 +104,11 @@ def test_a_mistake_among_the_words_is_located(tmp_path: Path, old: str, new: str
         ("  again: [again, then", '  again: ["", then', "beside_times.again: must not be empty"),
         ("  minus: [", "  minos: [", "beside_times.minos: unknown key 'minos' (did you mean 'minus'?)"),
         ("  beginning: [start,", "  beginning: [start, start,", "must differ, got 'start' twice"),
-        ("  past alike: [lay, saw]", "  past alike: [lay, saw]\n  future: [go]", "doing.future: unknown key"),
+        (
+            "  trying:    [go, come, try, hurry]",
+            "  trying:    [go, come, try, hurry]\n  future: [go]",
+            "doing.future: unknown key",
+        ),
         (
             "  keeping: [keep, leave]",
             "  keeping: {keep: leave}",

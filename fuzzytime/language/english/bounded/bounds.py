@@ -174,8 +174,10 @@ def from_then_on_counted(duration: Duration) -> Said:
 
 
 @grammar.rule("said", "from <goal> on|onwards|onward", weight=0.4)
-def from_then_on(goal: Goal) -> Said:
-    """From monday on, from now on; but "from 3 pm onwards" is not before that."""
+def from_then_on(goal: Goal) -> Said | None:
+    """From monday on, from now on; but "from 3 pm onwards" is not before that, and "from school" is where."""
+    if isinstance(goal.time, Wall) and goal.time.part is not None and goal.time.part.place:
+        return None
     of_day = isinstance(goal.time, Wall) and (goal.time.clock is not None or goal.time.days is None)
     return said_of(goal, "not before" if of_day else "from", Constraint.AFTER, Edge.START)
 

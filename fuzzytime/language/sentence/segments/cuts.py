@@ -51,7 +51,7 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
         return [replace(one.segment, span=(one.segment.span[0], onward[0])), onward[1]]
     starts = _further(one, part, lexicon)
     for start in starts:
-        chain = _chain(one, part, start, lexicon)
+        chain = _chain(one, part, start)
         if chain:
             return chain
     denied = _denied_list(one, starts, lexicon)
@@ -226,7 +226,7 @@ def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
     return None
 
 
-def _chain(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> list[Segment]:
+def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
     """Give the segments of verbs alone before one with an object: "wash, peel and slice the apples".
 
     The tree often has the further ones for nouns; what counts is that the first is its root.
@@ -235,9 +235,7 @@ def _chain(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> list[Segme
     places = [place for place in one.source.places(part.offset, start) if place not in covered]
     shape = "".join({",": ",", "and": "&"}.get(words[place].text, "w") for place in places)
     verbs = [place for place, mark in zip(places, shape, strict=True) if mark == "w"]
-    # "Swim and call Ann"
-    shares = all(words[p].is_letters and words[p].text not in lexicon.intransitive for p in verbs)
-    if not CHAIN.fullmatch(shape) or not shares:
+    if not CHAIN.fullmatch(shape) or not all(words[place].is_letters for place in verbs):
         return []
     if places[-1] - verbs[0] >= len(places):
         # "Wait two minutes, and paint it": the first has a time of its own.

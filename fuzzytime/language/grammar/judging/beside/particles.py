@@ -41,7 +41,7 @@ class Particles:
         if first == "over":
             # "Turn the steaks over every two minutes"
             return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
-        if first in {"round", "around"} and rest and self._goes_round(piece):
+        if first in {"round", "around"} and rest[:1] != [] and self._moves_round(piece):
             return True
         if first == "in" and rest[:1] in (["each"], ["every"]) and piece.start:
             # "Weigh in every monday"
@@ -64,15 +64,14 @@ class Particles:
         follows = first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
         return follows or self._counts_from_that(piece)
 
-    def _goes_round(self, piece: Piece) -> bool:
-        """Whether something is moved round, or comes: "bring the car round tomorrow", "… round at six"."""
-        first, behind = self.texts[piece.start : piece.start + 2]
+    def _moves_round(self, piece: Piece) -> bool:
+        """Whether "round" says where: "bring the car round tomorrow"; not "call me around in an hour"."""
+        first, then = self.texts[piece.start : piece.start + 2]
         moved = not self.lexicon.circling.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
-        if moved and self.around.is_day_from_now(piece.start + 1):
-            return True
-        # "Call me around in two hours"
-        around = first == "around" and not moved and behind in {"in", "at"}
-        return behind in self.beside.behind_round and not around
+        if then not in self.beside.behind_round:
+            return moved and self.around.is_day_from_now(piece.start + 1)
+        # "Move the ward round to nine"
+        return first == "round" or moved or then not in {"in", "at"}
 
     def _tells_what_is_on(self, piece: Piece) -> bool:
         """Whether "on" says that something is, and what is behind it when: "what's on this weekend"."""

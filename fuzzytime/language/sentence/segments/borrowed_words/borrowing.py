@@ -18,9 +18,7 @@ from fuzzytime.language.sentence.segments.borrowed_words.frames import (
 from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import Stretch, Wish
 from fuzzytime.language.sentence.segments.borrowed_words.other_things import (
     is_done_elsewhere,
-    is_done_then,
     is_given_too,
-    is_put_too,
 )
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
@@ -40,9 +38,7 @@ KINDS: tuple[Kind, ...] = (
     acts_too,
     is_done_too,
     is_given_too,
-    is_put_too,
     is_done_elsewhere,
-    is_done_then,
 )
 IN_FRONT: tuple[Kind, ...] = (is_reminded_then, is_done_elsewhere)
 """What a wish may be that has its time in front, or stands apart."""

@@ -4,7 +4,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
 
@@ -76,13 +76,3 @@ def ordered(wish: Wish) -> range | None:
     verb = action.place
     bare = tree.nodes[verb].lower == tree.nodes[verb].lemma and tree.nodes[verb].may_act
     return range(verb, end_of(wish, verb)) if bare and tree.children(verb, "dobj", "xcomp") else None
-
-
-def is_opened(wish: Wish) -> bool:
-    """Whether a wish begins with a thing: "the tables", "Bella", not with what may be a verb."""
-    node, behind = wish.tree.nodes[wish.start], wish.tree.nodes[wish.start + 1 : wish.start + 2]
-    numbered = (
-        node.lower in wish.lexicon.machines | wish.lexicon.measure_nouns and behind and behind[0].tag == "CD"
-    )
-    named = node.tag == "NNP" and node.text[0].isupper()
-    return node.tag in {*DETERMINERS, "CD", "NNS", "NNPS"} or named or bool(numbered)

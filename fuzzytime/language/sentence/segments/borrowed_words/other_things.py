@@ -5,7 +5,6 @@ from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import (
     Stretch,
     Wish,
     front_of,
-    is_opened,
     ordered,
 )
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
@@ -29,7 +28,7 @@ def is_done_elsewhere(wish: Wish) -> list[Stretch] | None:
     end = _end_behind(wish, here)
     time = next((p for p in range(verb.stop, here) if p in wish.timed), here)
     in_front = here > wish.start
-    if not wish.apart and ((time < wish.start) is in_front or (end not in wish.timed and not in_front)):
+    if not wish.apart and ((time < wish.start) is in_front or (end == len(tree.nodes) and not in_front)):
         return None
     named = _others(wish, here, end, verb.stop)
     said = range(here + named, end)
@@ -41,29 +40,37 @@ def is_done_elsewhere(wish: Wish) -> list[Stretch] | None:
     front = front_of(wish, verb.start)
     joined = any(tree.nodes[p].lower in closed.joints_of_orders for p in front)
     found = [(here, verb if joined else range(front.start, verb.stop))]
-    carried = next((p for p in range(verb.stop + 1, time) if _is_carried(wish, verb.start, p)), None)
-    if carried is not None and (not said or _leads_alike(wish, carried, said.start)):
-        found.append((said.start, range(carried, carried + 1)))
+    shared = _shared(wish, range(verb.start, time), said)
+    if shared is not None:
+        found.append((said.start, shared))
     return found
 
 
 def _end_behind(wish: Wish, here: int) -> int:
-    """Give where what is said of another ends: at a time, or at a joint before one."""
+    """Give where what is said of another ends: at a time or a clause, or at a joint before one."""
     nodes, joints = wish.tree.nodes, wish.lexicon.closed.joints_of_orders
     behind = range(here + 1, len(nodes))
-    ends = (p for p in behind if p in wish.timed or (nodes[p].lower in joints and p + 1 in wish.timed))
-    return next(ends, len(nodes))
+    ends = (p for p in behind if p in wish.timed or (nodes[p].lower,) in wish.lexicon.clauses)
+    joined = (p for p in behind if nodes[p].lower in joints and p + 1 in wish.timed)
+    return min(next(ends, len(nodes)), next(joined, len(nodes)))
 
 
-def _is_carried(wish: Wish, verb: int, place: int) -> bool:
-    """Whether a word is a verb's particle behind what it is done with: "get gran up", "put the roast in"."""
-    node = wish.tree.nodes[place]
-    return node.tag == "RP" or wish.tree.nodes[verb].lemma in wish.lexicon.particles.get(node.lower, ())
+def _shared(wish: Wish, order: range, said: range) -> range | None:
+    """Give what holds for another, too: a verb's particle, or "in order"; None where nothing does.
 
-
-def _leads_alike(wish: Wish, carried: int, said: int) -> bool:
-    """Whether the same stands behind a particle, and of another: picked "up from" chess, and "from" drums."""
-    return wish.tree.nodes[carried + 1].lower == wish.tree.nodes[said].lower
+    Before what is ``said`` of another, that is a particle with the same behind it: picked "up from" chess,
+    and "from" drums.
+    """
+    nodes, lexicon = wish.tree.nodes, wish.lexicon
+    lemma = nodes[order.start].lemma
+    for place in range(order.start + 2, order.stop):
+        carried = nodes[place].tag == "RP" or lemma in lexicon.particles.get(nodes[place].lower, ())
+        alike = nodes[place + 1].lower == nodes[said.start].lower if said else place + 1 == order.stop
+        if carried and alike:
+            return range(place, place + 1)
+    where = nodes[order.stop - 2]
+    bare = where.lower in lexicon.places | {"to"} and where.tag in WHERE and nodes[order.stop - 1].tag == "NN"
+    return range(order.stop - 2, order.stop) if bare and not said else None
 
 
 def _acting(wish: Wish) -> range | None:
@@ -100,8 +107,12 @@ def _others(wish: Wish, here: int, end: int, first: int) -> int:
     # "And show Bob the flat"; but "and mark the book at nine"
     called = node.lower in lexicon.names_like_words and len(given) == 1
     # "Bring wine to dad at six and cheese to mum at seven"
-    acts = node.may_act or node.lower in lexicon.addressing | lexicon.closed.negative_pronouns
+    numbered = all(nodes[p + 1].tag == "CD" for p in (here, first) if p + 1 < len(nodes))
+    acts = node.may_act and not numbered
+    acts = acts or node.lower in lexicon.addressing | lexicon.closed.negative_pronouns
     bare = not acts and node.tag.startswith(NOUNS) and nodes[first].lower not in openers
+    # "Call Ana at ten, prep 15 minutes before"
+    bare = bare and node.text[0].isupper() == nodes[first].text[0].isupper()
     if not (somebody or called or bare):
         return 0
     ends = (p for p in range(here + 1, end) if not wish.names(p, p + 1) or nodes[p].lower in openers)
@@ -157,23 +168,3 @@ def _kind(tree: Tree, place: int) -> str:
     if node.tag == "CD" or node.lower in {"a", "an", "some"}:
         return "any"
     return "this" if node.tag in DETERMINERS else "named"
-
-
-def is_put_too(wish: Wish) -> list[Stretch] | None:
-    """Give what becomes of another thing too: "put" room 101 "in order" and room 102."""
-    verb, nodes = ordered(wish), wish.tree.nodes
-    if verb is None or not is_opened(wish) or not wish.names(wish.start, wish.end) or wish.end == len(nodes):
-        return None
-    time = next(p for p in range(verb[0], wish.start) if p in wish.timed)
-    where, what = nodes[time - 2], nodes[time - 1]
-    bare = where.tag in WHERE and where.lower in wish.lexicon.places | {"to"} and what.tag == "NN"
-    whole = bare and wish.names(verb[-1] + 1, time - 2)
-    return [(wish.start, verb), (wish.end, range(time - 2, time))] if whole else None
-
-
-def is_done_then(wish: Wish) -> list[Stretch] | None:
-    """Give what is done with another thing when something is so: "start" it and the dryer when it's done."""
-    verb, nodes = ordered(wish), wish.tree.nodes
-    clause = wish.end < len(nodes) and wish.end not in wish.timed
-    opened = nodes[wish.start].tag in DETERMINERS and wish.names(wish.start, wish.end)
-    return [(wish.start, verb)] if verb is not None and clause and opened else None

@@ -81,7 +81,7 @@ def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
             or _is_elsewhere(words, between, lexicon, old, new)
         ):
             found.append(between[1].start)
-    return found + _gaps_in_front(one, part, lexicon) + _behind_first(one, part, own, lexicon)
+    return found + _behind_first(one, part, own, lexicon)
 
 
 def _goes_on_alone(part: Part, between: Sequence[Word], old: Phrase, new: Phrase) -> bool:
@@ -114,30 +114,6 @@ def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase], lexicon: Lexi
 def _is_ordering(phrase: Phrase) -> bool:
     """Whether a time is about what was said before: "after that"."""
     return isinstance(phrase.said.time, TimeWord) and phrase.said.time.word in ORDERING
-
-
-def _gaps_in_front(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
-    """Give where times stand in front of things: "on monday wash the sheets and on tuesday the towels"."""
-    words, nodes, root = one.source.scanned.words, part.tree.nodes, part.tree.root
-    end = one.segment.span[1]
-    own = [p for p in one.source.phrases if one.segment.span[0] <= p.span[0] and p.span[1] <= end]
-    acted = one.segment.verbless or bool(part.tree.children(root, "dobj"))
-    if not own or not acted or own[0].span[0] > nodes[root].start + part.offset:
-        return []
-    found = []
-    for place, new in enumerate(own[1:], start=1):
-        last = own[place + 1].first if place + 1 < len(own) else len(words)
-        behind = [word for word in words[new.end : last] if word.end <= end]
-        while behind and behind[-1].text in lexicon.closed.additions | {"."}:
-            behind.pop()
-        if not behind or words[new.first - 1].text not in lexicon.closed.additions:
-            continue
-        named = part.tree.at(behind[0].start - part.offset, behind[-1].end - part.offset)
-        things = all(_is_of_thing(part, p, ()) for p in named)
-        opened = behind[0].text in lexicon.closed.noun_openers or behind[0].capital
-        if opened and things and _binds_alike(own[place - 1], new, happens=False):
-            found.append(new.span[0])
-    return found
 
 
 def _names_another(

@@ -19,6 +19,9 @@ PERSONS = frozenset({"NNP", "PRP"})
 PARTS = ("det", "poss", "amod", "nummod", "compound", "nmod")
 """Relations of the words before a thing that are said of it."""
 
+BESIDE = frozenset({"advcl", "npadvmod"})
+"""Relations of what a tree has beside what is done."""
+
 DESCRIBING = frozenset({"RB", "JJ"})
 """Tags of words that name nobody."""
 
@@ -28,7 +31,9 @@ def with_whole_things(tree: Tree) -> Tree:
     return _with_level(
         _with_next_one(
             _with_numbered_subject(
-                _with_last_noun(_with_second(_with_somebody(_with_people(_with_apposed(tree)))))
+                _with_last_noun(
+                    _with_second(_with_somebody(_with_people(_with_apposed(_with_surname(tree)))))
+                )
             )
         )
     )
@@ -44,14 +49,36 @@ def _with_people(tree: Tree) -> Tree:
             nodes[place - 1] = replace(nodes[place - 1], head=place - 2)
             nodes[node.head] = replace(nodes[node.head], relation="prep", head=nodes[place - 2].head)
         known = tree.lexicon.persons | tree.lexicon.names_like_words
-        if node.lower in known and node.tag in DESCRIBING:
+        if node.lower in known and (node.tag in DESCRIBING or node.relation in BESIDE):
             # "Pick up bob at the station"
             verb = place - 1 - (nodes[place - 1].tag == "RP")
             behind_verb = node.head == verb and nodes[verb].is_verb
             # "Wake oliver at seven am", where a tree has the last word for what is woken
             relation = "dative" if tree.children(verb, "dobj") else "dobj"
             nodes[place] = replace(node, tag="NNP", relation=relation if behind_verb else node.relation)
+            if nodes[place - 1].relation == "dobj" and nodes[place - 1].head == node.head:
+                # "Wake uncle joe"
+                nodes[place] = replace(node, tag="NNP", relation="dobj")
+                nodes[place - 1] = replace(nodes[place - 1], relation="compound", head=place)
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
+def _with_surname(tree: Tree) -> Tree:
+    """Give "bring mrs tran some soup" her name, which a tree that does not know it takes for a verb."""
+    titles = tree.lexicon.beside.titles_of_persons - tree.lexicon.function_words
+    for place in range(1, len(tree.nodes)):
+        title, node = tree.nodes[place - 1 : place + 1]
+        if title.lower not in titles or place == tree.root or title.head in {place, place - 1}:
+            continue
+        if node.may_act or not node.text.isalpha() or node.lower in tree.lexicon.function_words:
+            continue
+        verb = title.head
+        nodes = [replace(n, head=verb) if n.head == place else n for n in tree.nodes]
+        given = any(n.head == place and n.relation == "dobj" for n in tree.nodes)
+        nodes[place] = replace(node, tag="NNP", relation="dative" if given else title.relation, head=verb)
+        nodes[place - 1] = replace(title, relation="compound", head=place)
+        return tree.with_nodes(nodes)
+    return tree
 
 
 def _with_apposed(tree: Tree) -> Tree:

@@ -32,10 +32,12 @@ def does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     if tree.root != 1 or not tree.nodes[1].is_verb:
         return None
     first, person = tree.nodes[:LET]
-    acts = first.may_act and first.lower == first.lemma and first.tag in NOUNS | {"VB"}
+    acts = first.may_act or first.lower in lexicon.addressing
+    acts = acts and first.lower == first.lemma and first.tag in NOUNS | {"VB"}
     known = person.lower in lexicon.persons | lexicon.animals and not person.may_act
-    # "Ping frank at nine"
-    called = first.lower in lexicon.addressing and person.lower in lexicon.names_like_words
+    # "Ping frank at nine", "show rose the flat"; but "help mark the books"
+    leads = first.lower in lexicon.doing.trying | lexicon.doing.watching | lexicon.letting
+    called = person.lower in lexicon.names_like_words and (person.lower != person.lemma or not leads)
     if not acts or not (known or called):
         return None
     return None if first.lower in lexicon.persons else tree.with_nodes(with_thing_done(tree, 1, 1))

@@ -134,6 +134,10 @@ class _Things:
         if listed:
             # "Put me on the waiting list for saturday"
             return phrase.said.preposition == FOR
+        time, led = phrase.said.time, self.nodes[place + 1].lower
+        if led == FOR and isinstance(time, Wall) and time.part is not None and time.part.meal:
+            # "Invite Tom for tea tonight"
+            return True
         direct = {"invite": {TO}}.get(self.nodes[self.verb].lemma, {TO, FOR})
         if phrase.said.preposition in direct:
             # "Invite Tom to the four pm on thursday"

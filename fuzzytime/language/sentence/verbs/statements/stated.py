@@ -197,15 +197,15 @@ class Stated(Places):
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= closed.future
         if finite and (self._has_frame(verb) or self._has_visitors(verb)):
             return True
-        finite = finite or (
-            self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= closed.present_be
-        )
+        happening = self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= closed.present_be
+        finite = finite or happening
         told = bool(subjects) and subjects[0] not in closed.subject_pronouns - closed.first_and_third_person
         lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))
         goes = self.tree.nodes[verb].lower in doing.timed or (
             lasts and self.tree.nodes[verb].lemma in doing.running
         )
-        told = told or (subjects[:1] == ["it"] and goes)
+        # "Take the bins out tonight, it's recycling tomorrow"
+        told = told or (subjects[:1] == [IT] and (goes or happening))
         if finite and self._is_attended(verb):
             return True
         if self.tree.nodes[verb].lemma in doing.taking and helping <= closed.future | closed.tentative_modals:
