@@ -80,8 +80,9 @@ def _orders_before(tree: Tree, root: int, start: int, joint: str, timed: Abstrac
     # "Get dressed, we start in ten minutes"
     orders += [p for p in before if _is_passive(tree, p)]
     if joint == ",":
-        # "Deglaze with wine, reduce it": a verb that the model does not know.
-        orders += [p for p in tree.children(root, "advmod", "nsubj") if _is_unknown(tree, p, start)]
+        # "Deglaze with wine, reduce it": a verb that the model does not know; "hoover, put the bins out".
+        taken = tree.children(root, "advmod", "nsubj", "npadvmod")
+        orders += [p for p in taken if _is_unknown(tree, p, start) or _names_nothing(tree, p)]
     return orders
 
 
@@ -104,6 +105,11 @@ def _is_unknown(tree: Tree, place: int, end: int) -> bool:
     """Whether the first word of some before a comma is an order that was taken for a thing."""
     said = tree.reach(place)
     return place == 0 and tree.nodes[0].tag == "NN" and 1 < said[1] <= end and bool(tree.children(0, "prep"))
+
+
+def _names_nothing(tree: Tree, place: int) -> bool:
+    """Whether the first word of all is an order that needs no thing: "dust, lock the door"."""
+    return place == 0 and tree.nodes[0].lower in tree.lexicon.doing.naming_nothing and not tree.children(0)
 
 
 def first_of(tree: Tree, place: int) -> int:
