@@ -152,8 +152,10 @@ class BareHours(Standing):
         before = self.texts[place - 1] if place else ""
         kinds = self.lexicon.no_times
         costs = not (kinds.costing | kinds.betting | self.lexicon.rating).isdisjoint(self.texts[: place - 1])
-        counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | self.lexicon.no_times.codes
-        named = before.isalpha() and before not in counted | self.lexicon.function_words
+        counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | kinds.codes | kinds.numbered
+        # "Mark questions ten to twelve"
+        named = before.isalpha() and {before, before.removesuffix("s")}.isdisjoint(counted)
+        named = named and before not in self.lexicon.function_words
         thing = named and not self.measures.is_number(place - 1) and not self.around.opens(place - 1)
         minutes = piece.value.time.clock.minute in QUARTERS or "to" in self.texts[piece.start : piece.end]
         return thing and not costs and minutes
