@@ -22,8 +22,8 @@ def heard_about(said: Said, lexicon: Lexicon, running: Named, waiting: Named) ->
         If it is about what was asked for already, and a run does not take that in words.
     """
     about = about_wishes(said.wish.text, said.wish.given, lexicon)
-    if about is None or about.kind is AboutKind.TAKES:
-        # How long it takes is told as an instruction is.
+    if about is None or about.kind is AboutKind.TAKES or (about.told and about.kind not in WORDS):
+        # How long it takes is told as an instruction is, and so is that it is late.
         return None
     known = _meant(about, running, waiting)
     if not known and not about.certain:
