@@ -8,10 +8,11 @@ import re
 from collections.abc import Iterator, Sequence
 from enum import IntEnum
 from functools import cache
+from itertools import takewhile
 
 from fuzzytime.english import PARTICIPLE, looks_plural, singular
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.timetables import counts_nothing, has_time
+from fuzzytime.language.grammar.timetables import SEPARATORS, counts_nothing, has_time
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.sentence.segments.lists.dividers import LINE
 
@@ -58,8 +59,11 @@ ENDS = r"\s*(?:$|[,;()!]|\.(?!\d)|[-–—]\s)"
 """What ends what is said of when something is."""
 
 
-DIGITS = r"(?:2[0-3]|[01]\d)[0-5]\d(?!\d)"
-"""An hour and its minutes without a mark: "0730"; where one has a zero in front, so are the others hours."""
+DIGITS = r"(?:2[0-3]|[01]\d)[0-5]\d(?!\d|-\d\d-)"
+"""An hour and its minutes without a mark: "0730"; where one has a zero in front, so are the others hours.
+
+"2026-03-05" is a day.
+"""
 
 NAMED = re.compile(r"^\s*[^\W\d][^:;,\n]*(?P<colon>:)[ \t](?=\d)", re.MULTILINE)
 """A name with a colon in front of a number: "Tea: 10.30"."""
@@ -196,6 +200,9 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         typed = found["minutes"] or found["last"] or found["digits"]
         if found["digits"] and timed < Timed.MOST and not found["digits"].startswith("0"):
             continue
+        if _takes(before, lexicon) and not typed:
+            # "Simmer 10"
+            continue
         thing = _thing_of(before, lexicon)
         named = _is_thing(thing, lexicon) if typed else _is_timed(thing, lexicon, timed)
         goes_on = found["until"] is not None and _goes_on(before, lexicon)
@@ -240,6 +247,12 @@ def _costs(before: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether a number is a price, or the new version of something: "buy milk 2.50"."""
     kinds = lexicon.no_times
     return not (kinds.costing | kinds.versioning).isdisjoint(word.text for word in before)
+
+
+def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether an entry begins with what takes so long."""
+    entry = [*takewhile(lambda word: word.text not in SEPARATORS, reversed(before))]
+    return bool(entry) and entry[-1].text in lexicon.timing | lexicon.timing_alone
 
 
 def _thing_of(before: Sequence[Word], lexicon: Lexicon) -> Word:
