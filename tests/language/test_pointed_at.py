@@ -361,7 +361,9 @@ def test_what_may_be_a_date_or_hours_is_pointed_at(text: str, said: str) -> None
     assert f"{said!r} looks like a time and was not understood" in messages
 
 
-@pytest.mark.parametrize("text", ["read pages 3-5", "mix it 1/3", "file invoice 10/2026"])
+@pytest.mark.parametrize(
+    "text", ["read pages 3-5", "mix it 1/3", "file invoice 10/2026", "label each one", "check on every one"]
+)
 def test_numbers_of_things_are_not_pointed_at(text: str) -> None:
     assert language().read(text, now=NOW).remarks == ()
 

@@ -199,7 +199,10 @@ def _is_left_over(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
 def _ones(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
     """Give the places of a number of which nothing says what it counts: "in around one", "every 10"."""
     for piece in scanned.pieces("said"):
+        said = around.texts[piece.start : piece.end]
+        # "Every one of them"
         each = isinstance(piece.value.time, Repeat) and lacks_unit(piece.value)
+        each = each and said[0] == "every" and said[-1] != "one"
         if not each and (around.texts[piece.start] != "in" or not counts_one(piece.value)):
             continue
         known = _meets(explained, scanned.words[piece.start], scanned.words[piece.end - 1])
