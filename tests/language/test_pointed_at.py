@@ -338,8 +338,9 @@ def test_a_number_of_which_nothing_says_what_it_counts_is_pointed_at(text: str, 
     assert text[slice(*remark.span)] == number
 
 
-def test_a_number_that_names_a_thing_is_not_pointed_at() -> None:
-    assert not language().read("play 7", now=NOW).remarks
+@pytest.mark.parametrize("text", ["play 7", "call 911"])
+def test_a_number_that_names_a_thing_is_not_pointed_at(text: str) -> None:
+    assert not language().read(text, now=NOW).remarks
 
 
 @pytest.mark.parametrize(

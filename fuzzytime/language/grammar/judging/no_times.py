@@ -13,6 +13,7 @@ from fuzzytime.language.grammar.judging.look_alikes.proper_names import (
 )
 from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_spoken_of
 from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_of_street
+from fuzzytime.language.grammar.judging.look_alikes.typed_names import is_typed_name
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall
 from fuzzytime.requirement import Unit
@@ -38,6 +39,7 @@ class NoTime(Standing):
         return (
             self._is_of_idiom(piece)
             or is_of_street(piece, self.around)
+            or is_typed_name(piece, self.around)
             or is_spoken_of(piece, self.around)
             or has_surname(piece, self.around)
             or is_called_like_day(piece, self.around)
@@ -53,6 +55,7 @@ class NoTime(Standing):
             or self._is_of_period(piece)
             or self._is_adjective(piece)
             or self._is_name_of_person(piece)
+            or self._is_person(piece)
             or self._is_of_played(piece)
             or self._ends_name(piece)
             or self._ends_in_article(piece)
@@ -175,6 +178,13 @@ class NoTime(Standing):
     def _is_name_of_person(self, piece: Piece) -> bool:
         """Whether it begins with who is called: "ring aunt may on sunday"; but "call me may 5"."""
         return self.around.names_person(piece.start)
+
+    def _is_person(self, piece: Piece) -> bool:
+        """Whether its last word is a person where it has no capitals: "feed the boy"; but "by BOY"."""
+        last = self.words[piece.end - 1]
+        # "For 500 ms"
+        lasts = isinstance(piece.value.time, Duration)
+        return not lasts and last.text in self.lexicon.persons and not last.capital
 
     def _is_of_played(self, piece: Piece) -> bool:
         """Whether it is in the name of what is played: "play three o'clock blues", "watch 28 days later"."""

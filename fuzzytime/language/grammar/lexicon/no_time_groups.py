@@ -45,6 +45,7 @@ class NoTimes:
     costing: Words
     versioning: Words
     screens: Words
+    file_endings: Words
     shapes: Words
     betting: Words
     sizing: Words

@@ -1,1 +1,4 @@
-"""What looks like a time: ``figures``, ``proper_names``, words ``spoken_of``, and ``things_of_times``."""
+"""What looks like a time.
+
+As ``figures``, as ``proper_names`` or ``typed_names``, as words ``spoken_of``, and as ``things_of_times``.
+"""

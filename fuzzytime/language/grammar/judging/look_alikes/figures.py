@@ -15,6 +15,9 @@ FAR = 6
 ALWAYS = ["24", "/", "7"]
 """What is always there: "call 24/7 support", where it says of what."""
 
+OUT_OF = ["out", "of"]
+"""What stands between a part and its whole."""
+
 DECADES = frozenset(map(str, range(20, 100, 10)))
 """Numbers before a glued "s" that are years: "80s music"."""
 
@@ -36,6 +39,7 @@ class Figures(Standing):
             or self._is_odds(piece)
             or self._is_size(piece)
             or self._counts_units(piece)
+            or self._is_share(piece)
             or self._is_of_decade(piece)
             or self._is_code(piece)
             or self._is_year_of_thing(piece)
@@ -101,6 +105,11 @@ class Figures(Standing):
         units = self.texts[second + 1 : second + 2]
         return self.measures.is_number(second) and not self.lexicon.no_times.measured_in.isdisjoint(units)
 
+    def _is_share(self, piece: Piece) -> bool:
+        """Whether it is so many of so many: "3 out of 4"."""
+        numbers = map(self.measures.is_number, (piece.end - 1, piece.end + len(OUT_OF)))
+        return self.texts[piece.end :][: len(OUT_OF)] == OUT_OF and all(numbers)
+
     def _is_of_decade(self, piece: Piece) -> bool:
         """Whether its seconds are years: "in the 70s style", "people in their 40s", "over 60s only"."""
         last = max((p for p in range(piece.start, piece.end) if self.texts[p] == "s"), default=0)
@@ -119,10 +128,7 @@ class Figures(Standing):
         """Whether letters and digits in one are what opens something: "the password is may2020"."""
         if piece.value.preposition is not None or not self._is_glued(piece):
             return False
-        before = self.around.before(piece)
-        if before == "_" and self.words[piece.start].glued:
-            return True
-        named = piece.start - 1 - (before in self.closed.third_person_be | {":"})
+        named = piece.start - 1 - (self.around.before(piece) in self.closed.third_person_be | {":"})
         return named >= 0 and self.texts[named] in self.lexicon.no_times.codes
 
     def _is_glued(self, piece: Piece) -> bool:

@@ -3,6 +3,7 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.look_alikes.proper_names import is_whom
 from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_converted, is_spoken_of
+from fuzzytime.language.grammar.judging.look_alikes.typed_names import is_typed_name
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.meaning.days.relations import Deictic, Relative, Stretch, Which
 from fuzzytime.language.meaning.expressions import UnitWord, Wall
@@ -31,6 +32,7 @@ def is_of_thing(piece: Piece, around: Surroundings) -> bool:
         or (around.before(piece) == "to" and around.names_place(piece))
         or _is_noun(piece, around)
         or is_of_street(piece, around)
+        or is_typed_name(piece, around)
         or is_spoken_of(piece, around)
         or is_whom(piece.start - 1, around)
         or _is_decade(piece, around)
@@ -130,7 +132,8 @@ def _is_compound(piece: Piece, around: Surroundings) -> bool:
 
 def _is_noun(piece: Piece, around: Surroundings) -> bool:
     """Whether it is a unit that is a thing, or a manner: "mark the day", "sort the bills by month"."""
-    if piece.category == "unit" and around.before(piece) == "into":
+    unit = piece.value.unit if isinstance(piece.value, UnitWord) else None
+    if unit and (around.before(piece) == "into" or (around.before(piece) == "in" and unit is Unit.QUARTER)):
         # "Cut it into quarters"
         return True
     if piece.category == "unit" and "by" in around.texts[max(0, piece.start - 3) : piece.start]:

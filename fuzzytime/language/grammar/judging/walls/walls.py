@@ -26,6 +26,9 @@ PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MO
 APART = frozenset({"-", "–", "—", ",", "("})
 """What may stand between what a title names and its day."""
 
+BOUND = 2
+"""Words of a preposition and the one that it binds: "to christmas"."""
+
 ONE = "one"
 """What stands for a thing behind a word for which: "a new one"."""
 
@@ -58,6 +61,8 @@ class Walls(Standing):
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self.hours.accept_pair(piece, said)
+        if self._names_noun(piece, said):
+            return False
         if wall.weak:
             return self.weak.accept(piece, said, wall)
         parted = wall.days is None and wall.clock is None and not self._ends_in_thing(piece)
@@ -210,6 +215,28 @@ class Walls(Standing):
         # "The kettle for the night staff"
         owned = self.texts[piece.end - 2] in self.closed.noun_openers and piece.end - piece.start > 1
         return owned and piece.start > 0 and self.around.before(piece) not in self.beside.sentence_starts
+
+    def _names_noun(self, piece: Piece, said: Said) -> bool:
+        """Whether it describes a noun behind one word: "to christmas island", "put on night light"."""
+        bound = piece.end - piece.start == BOUND and self.texts[piece.start] == said.preposition
+        if not bound or not piece.start or not self._leads_noun(piece):
+            return False
+        if said.preposition == "on":
+            # "Gym on friday evening" is then.
+            switched = self.around.before(piece) in self.lexicon.particles["on"]
+            return switched or self.around.is_part(piece.end - 1)
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        return said.preposition == "to" and not self.given.reschedules(before)
+
+    def _leads_noun(self, piece: Piece) -> bool:
+        """Whether a word behind it is no order and nothing that happens, and only a time goes on behind."""
+        named, behind = self.around.follower(piece), self.texts[piece.end + 1 : piece.end + 2]
+        doing = self.lexicon.doing
+        ordered = named in self.lexicon.orders | self.lexicon.addressing | doing.errands | doing.putting
+        if not named.isalpha() or ordered or has_time(named, self.lexicon) or self.around.may_end(piece):
+            return False
+        joined = behind == [] or not behind[0].isalpha() or behind[0] in self.lexicon.function_words
+        return joined or self.around.timely(piece.end + 1)
 
     def _is_of_event(self, piece: Piece, wall: Wall) -> bool:
         """Whether it is of a day that an event says: "the morning of the party"."""

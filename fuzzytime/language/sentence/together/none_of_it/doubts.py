@@ -154,6 +154,8 @@ def _reasons(tree: Tree, lexicon: Lexicon) -> frozenset[int]:
 def uncounted(text: str, part: Part, operation: Operation, lexicon: Lexicon) -> Iterator[Remark]:
     """Point at a number of which nothing says what it counts: "plank 10"; but "play 7" names one."""
     lasting = lexicon.timing | lexicon.timing_alone | lexicon.intransitive | lexicon.lasting
+    # "Call 911"
+    lasting -= lexicon.addressing
     acts = any(node.lower == operation.verb and node.may_act for node in part.tree.nodes)
     number = (operation.object or "").lower()
     if (number.isdigit() or number in lexicon.numbers) and (operation.lemma in lasting or not acts):
