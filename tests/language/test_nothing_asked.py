@@ -211,6 +211,7 @@ def test_a_number_that_may_be_the_hour_is_said_to_count(text: str, said: list[st
     ("text", "said"),
     [
         ("buy milk 10", ["10"]),
+        ("do it 1830", ["1830"]),
         ("feed cat 8", ["8"]),
         ("cat vaccination 9.45", ["9.45"]),
         ("read chapter 4", []),

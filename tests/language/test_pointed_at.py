@@ -323,6 +323,7 @@ def test_times_of_what_is_told_or_named_are_pointed_at(text: str, verb: str, obj
     [
         ("leave the tray in room twelve at the usual time", "at the usual time"),
         ("ring the gong at the same old time", "at the same old time"),
+        ("get up at silly o'clock", "silly o'clock"),
         ("pick the plums on the first dry day", "day"),
     ],
 )

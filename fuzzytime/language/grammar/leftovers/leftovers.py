@@ -89,6 +89,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     yield from _dates(scanned, explained, around)
     yield from counted_from_zero(scanned, explained, lexicon)
     yield from _halves(scanned, explained, lexicon)
+    yield from _clocks(scanned, explained, around)
     yield from _ones(scanned, explained, around)
     yield from _moments(scanned, explained, around)
     yield from _untold(scanned, explained, around)
@@ -186,6 +187,18 @@ def _halves(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> It
         ends = not behind or behind[0].text in {";", ",", "."}
         if headed or (ends and bool(before) and _is_left_over(words, place, lexicon)):
             yield place
+
+
+def _clocks(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of an hour that is no number: "at silly o'clock"; not of "the o'clock news"."""
+    for place, word in enumerate(scanned.words):
+        hour = word.text in around.beside.of_hours and not around.lexicon.means(word.text, HALF)
+        if not hour or not place or _meets(explained, word, word):
+            continue
+        *behind, _ = (*around.texts[place + 1 : place + 2], "")
+        ends = all(not text.isalnum() or text in around.lexicon.function_words for text in behind)
+        if ends and around.texts[place - 1].isalpha():
+            yield from (place - 1, place)
 
 
 def _is_left_over(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:

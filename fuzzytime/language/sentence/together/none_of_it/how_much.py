@@ -65,7 +65,9 @@ def _number_at_end(text: str, sketch: Sketch, said: Sequence[Word], lexicon: Lex
     if found is None or found["noun"] == verb or verb in kinds.versioning:
         return None
     noun = found["noun"].lower()
-    called = noun in lexicon.called_by_number | lexicon.function_words | kinds.codes
+    # "Do it 1830"
+    plain = lexicon.function_words - lexicon.closed.it_or_them
+    called = noun in lexicon.called_by_number | plain | kinds.codes
     # "Update Windows 11"; but "Water The Plants 7.30"
     named = found["noun"] != noun and found.start() > asked[-1].start
     named = named and not any(word.capital and word.text in lexicon.function_words for word in asked[:-1])
