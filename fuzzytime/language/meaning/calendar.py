@@ -293,6 +293,11 @@ class Weekend(Calendar):
                 yield days
 
 
+def is_weekday(days: Calendar | None) -> bool:
+    """Whether it is a day of the week, of any week."""
+    return isinstance(days, Fields) and days.weekly
+
+
 def is_weekly(calendar: Calendar) -> bool:
     """Whether it comes each week: a weekday, or the weekend."""
     return isinstance(calendar, Weekend) or (isinstance(calendar, Fields) and calendar.weekly)

@@ -222,8 +222,7 @@ def _bounded_mark(repeat: Repeat, said: Said) -> Repeat | None:
 
 def is_of_day(time: object) -> TypeGuard[Wall]:
     """Whether it is a clock time or a part of any day."""
-    said = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
-    return said and isinstance(time, Wall) and time.days is None
+    return isinstance(time, Wall) and time.is_timed and time.days is None
 
 
 def within_hours(repeat: Repeat, first: Wall, last: Wall) -> Repeat | None:

@@ -71,7 +71,7 @@ def counts_from_nothing(
     if requirement.anchor is not None or requirement.constraint is Constraint.FOR:
         return False
     asked = operation is not None and not operation.stated
-    days = said.time.days if isinstance(said.time, Wall) else None
+    days = said.wall.days
     # "Bake it the day before"
     day_before = position == 0 and isinstance(days, Relative) and days.onward and days.days < 0
     return (

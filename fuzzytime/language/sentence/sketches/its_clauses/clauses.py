@@ -87,7 +87,7 @@ def _named_at(event: Clause, named: Phrase, day: Phrase | None) -> Clause:
     both = joined(named.said.time, day.said.time)
     if both is None:
         return replace(event, time=named)
-    dated = replace(named, said=replace(named.said, time=both))
+    dated = named.at(both)
     return replace(event, time=dated, span=(event.span[0], day.span[1]))
 
 
