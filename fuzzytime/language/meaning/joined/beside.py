@@ -7,6 +7,7 @@ from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative, w
 from fuzzytime.language.meaning.days.side_by_side import narrowed, same_day
 from fuzzytime.language.meaning.expressions import Duration, HourMark, Range, Said, Wall
 from fuzzytime.language.meaning.feasts import Feast
+from fuzzytime.language.meaning.joined.distances import said_length
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import Constraint, Unit
 
@@ -167,4 +168,4 @@ def _is_weekday(wall: Wall) -> bool:
 
 def lasts_then(length: Duration) -> Said:
     """Give the new length of what goes on for another: "from ten minutes to fifteen"."""
-    return Said(replace(length, hedges=()), Constraint.FOR, "to", length.hedges)
+    return said_length(length, Constraint.FOR, "to")

@@ -18,6 +18,7 @@ from fuzzytime.language.meaning.expressions import (
     Said,
     Time,
     Wall,
+    wall_of,
 )
 from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.joined.beside import joined
@@ -121,7 +122,7 @@ def _in_hours_of_day(repeat: Repeat, day: Wall, said: Said) -> Repeat | None:
 
 def _of_night(end: Time, day: Time) -> Time:
     """Give an hour of the night that is said: "tonight, every two hours until two"."""
-    part = day.part if isinstance(day, Wall) else None
+    part = wall_of(day).part
     if part is None or part.half is not Half.NIGHT or not isinstance(end, Wall) or end.clock is None:
         return end
     return replace(end, clock=halved(end.clock, part.half))

@@ -23,7 +23,7 @@ def is_one(first: Wall, last: Wall) -> bool:
 
     A number behind a date is a day: "march 10 - 17".
     """
-    if first.days is None and last.days is not None and last.clock is None and last.part is None:
+    if first.days is None and last.days is not None and not last.is_timed:
         # As in "10:00 - march 5".
         return first.clock is not None and last.days.grain is Unit.DAY and not _is_ordinal(first, last)
     if first.days is None or first.clock is not None:

@@ -22,7 +22,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.grounded.range_instants import at_middle, since
-from fuzzytime.language.meaning.joined.distances import LOWER, UPPER, distance_bound
+from fuzzytime.language.meaning.joined.distances import LOWER, UPPER, distance_bound, said_length
 from fuzzytime.language.meaning.recurrences.series import recurrence_that_comes
 from fuzzytime.language.meaning.required.decisions import Deciding
 from fuzzytime.language.meaning.required.denied_times import beside
@@ -67,7 +67,7 @@ def grounded(phrase: Phrase, text: str, moment: Moment) -> tuple[Grounded, ...]:
     if phrase.said.lasting is None:
         return first
     length = phrase.said.lasting
-    said = Said(replace(length, hedges=()), Constraint.FOR, "for", length.hedges)
+    said = said_length(length, Constraint.FOR, "for")
     return *first, _Grounder(replace(phrase, said=said), text, moment).result()
 
 

@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.typed_words import MARKS
 from fuzzytime.language.grammar.understood.denied import denied
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
-from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, wall_of
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.events.in_between import said_apart
@@ -73,7 +73,7 @@ class Heading:
     def is_day(self) -> bool:
         """Whether it says which day is meant."""
         time = None if self.day is None else self.day.said.time
-        return isinstance(time, Repeat) or (isinstance(time, Wall) and time.days is not None)
+        return isinstance(time, Repeat) or wall_of(time).days is not None
 
 
 @dataclass(frozen=True, slots=True)
