@@ -1,7 +1,7 @@
 """Days, weekdays, weeks and stretches of them: "tomorrow", "next tuesday", "the weekend", "in three days"."""
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, is_weekday
 from fuzzytime.language.meaning.days.nested import Share, WeekOf, Within
 from fuzzytime.language.meaning.days.relations import (
     Away,
@@ -107,7 +107,7 @@ def the_present(series: Calendar) -> Calendar | None:
 @grammar.rule("days", "<series> after next", "the <series> after next", weight=0.2)
 def after_next(series: Calendar) -> Calendar:
     """The week after next, wednesday after next."""
-    if isinstance(series, Fields) and series.weekly:
+    if is_weekday(series):
         return Following(2, series, Relative(0))
     return Following(1, series, Deictic(Which.NEXT, series))
 

@@ -7,7 +7,7 @@ from fuzzytime.language.english.clock_times.clocks import number
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Fields, is_day_of_month
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Ending,
@@ -142,8 +142,8 @@ def _is_open(time: Time) -> bool:
 
 def _is_number_of_day(time: Time) -> bool:
     """Whether it is a day of whichever month: "the second"."""
-    days = time.days if isinstance(time, Wall) and time.clock is None else None
-    return isinstance(days, Fields) and days == Fields(day=days.day)
+    wall = wall_of(time)
+    return wall.clock is None and is_day_of_month(wall.days)
 
 
 def _is_day(wall: Wall) -> bool:

@@ -19,7 +19,7 @@ from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.understood.due import tells_when_due
 from fuzzytime.language.grammar.understood.lent import counts_one
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import is_day_of_month
 from fuzzytime.language.meaning.expressions import Wall
 
 SIGNS = frozenset({">", "<"})
@@ -248,7 +248,7 @@ class Borders:
         ordinal = self.texts[piece.start] in self.lexicon.ordinals and self.words[piece.start].is_letters
         wall = piece.value.wall
         days = None if wall.clock is None else wall.days
-        alone = isinstance(days, Fields) and days == Fields(day=days.day)
+        alone = is_day_of_month(days)
         before = self.around.before(piece)
         # "Open it by a third at seven"
         led = before in self.closed.sure_noun_openers - self.closed.indefinite_determiners

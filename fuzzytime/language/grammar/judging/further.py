@@ -11,7 +11,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.measuring import Measures
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Fields, is_day_of_month
 from fuzzytime.language.meaning.expressions import Range, Said, Wall, wall_of
 
 THEN = "then"
@@ -133,9 +133,7 @@ def _is_dated(piece: Piece) -> bool:
 def _is_day_of_month(piece: Piece) -> bool:
     """Whether it is on a day of some month, and no other is said: "15th", "from two to ten on the 14th"."""
     time = piece.value.time
-    wall = time.first if isinstance(time, Range) else time
-    days = wall_of(wall).days
-    return isinstance(days, Fields) and days.is_day_of_month
+    return is_day_of_month(wall_of(time.first if isinstance(time, Range) else time).days)
 
 
 def _has_hours(piece: Piece) -> bool:

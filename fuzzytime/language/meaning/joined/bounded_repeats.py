@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import TypeGuard
 
-from fuzzytime.language.meaning.calendar import Cycle, Fields
+from fuzzytime.language.meaning.calendar import Cycle, Fields, is_weekday
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
     Coming,
@@ -131,7 +131,7 @@ def _of_night(end: Time, day: Time) -> Time:
 def _apart(repeat: Repeat) -> float:
     """Give how far apart in seconds the days of a repetition are, on the whole: weekdays, or all."""
     weekdays = {wall.days.weekday for wall in repeat.walls if isinstance(wall.days, Fields)}
-    weekly = all(isinstance(wall.days, Fields) and wall.days.weekly for wall in repeat.walls)
+    weekly = all(is_weekday(wall.days) for wall in repeat.walls)
     # "On mondays for three days" is as long as that.
     return UNIT_SECONDS[Unit.WEEK] / len(weekdays) if weekly and weekdays else DAY_SECONDS
 

@@ -2,7 +2,7 @@
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Fields, is_weekday
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.requirement import Unit
 
@@ -56,7 +56,7 @@ class Naming(Standing):
             return True
         # "Turn on the ten o'clock news", "the slides for the Monday meeting"
         owned = bool(self.closed.noun_openers & set(self.texts[piece.start + 1 : piece.end][:1]))
-        inside = said.preposition == "in" and isinstance(wall.days, Fields) and wall.days.weekly
+        inside = said.preposition == "in" and is_weekday(wall.days)
         about = self.texts[piece.start] == ABOUT
         if (said.preposition in NAMING or inside or about) and owned and not self.around.may_end(piece):
             return True

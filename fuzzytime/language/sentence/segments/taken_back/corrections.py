@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.understood.lent import is_timed_entry
 from fuzzytime.language.instruction import Remark, RemarkKind
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import is_weekday
 from fuzzytime.language.meaning.expressions import (
     Duration,
     HourMark,
@@ -97,7 +97,7 @@ def _lies_in(inner: Time | Duration | Repeat, outer: Time | Duration | Repeat) -
     if inner.days is None:
         return inner.clock is not None or outer.part is None
     longer = outer.days is not None and outer.days.grain is not Unit.DAY
-    return longer and isinstance(inner.days, Fields) and inner.days.weekly
+    return longer and is_weekday(inner.days)
 
 
 def _is_length(said: Said) -> bool:

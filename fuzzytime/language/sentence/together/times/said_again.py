@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import is_day_of_month, is_weekday
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
 from fuzzytime.language.meaning.times_of_day import Half
@@ -138,7 +138,7 @@ def _is_listed(wall: Wall) -> bool:
     days = wall.days
     if isinstance(days, Relative):
         return days.grain is Unit.DAY
-    return isinstance(days, Fields) and (days.weekly or days.is_day_of_month)
+    return is_weekday(days) or is_day_of_month(days)
 
 
 def _open(phrase: Phrase) -> tuple[int, int, int] | None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields, is_weekday
+from fuzzytime.language.meaning.calendar import Fields, is_day_of_month, is_weekday
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord
 from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
@@ -146,7 +146,7 @@ def _with_month_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
     found = []
     for phrase in phrases:
         days = _days_of(phrase)
-        if days is not None and days.is_day_of_month and days.month is None:
+        if days is not None and is_day_of_month(days):
             dated = replace(days, month=last.month, year=last.year)
             found.append(phrase.at(replace(phrase.said.wall, days=dated)))
         else:
