@@ -27,9 +27,6 @@ from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
-LATER_YEARS = 2000
-"""From here on, four digits behind a bound are a year."""
-
 
 @grammar.rule("said", "before the <days>|<series> is|'s out|over|up|through", weight=0.4)
 def before_it_is_over(days: Calendar) -> Said:
