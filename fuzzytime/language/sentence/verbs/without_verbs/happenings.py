@@ -30,17 +30,7 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
         return True
     if not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
         return False
-    if root == 0 and len(tree.nodes) > 1 and _leads_particle(tree, lexicon):
-        # "Sign in the visitors between nine and ten"
-        return False
-    if root and tree.nodes[0].lower in lexicon.appointing:
-        # "Schedule lunch at noon" asks for it.
-        return False
-    if not root and any(node.tag in {"DT", "PRP$"} for node in tree.nodes[1:2]):
-        # "Book the meeting room from three to four": no noun stands right before an article.
-        return False
-    if tree.nodes[0].lower in lexicon.addressing and any(_is_person(n, lexicon) for n in tree.nodes[1:2]):
-        # "Text Jo Smith at five"
+    if _opens_order(tree, lexicon):
         return False
     if tree.nodes[root].lower in lexicon.happening | lexicon.taken:
         return True
@@ -66,6 +56,22 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     single = tree.nodes[root].tag in NOUN_TAGS and _is_noun(tree, root)
     listed = listed or (repeated and (single or _is_of_nouns(tree, root, lexicon)))
     return listed or (tree.nodes[root].tag in SINGULAR and any(map(is_window, phrases)))
+
+
+def _opens_order(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether the first word is what somebody is to do, whatever noun a tree takes it for."""
+    first, behind = tree.nodes[0], tree.nodes[1:2]
+    if tree.root == 0 and behind and _leads_particle(tree, lexicon):
+        # "Sign in the visitors between nine and ten"
+        return True
+    if tree.root and first.lower in lexicon.appointing:
+        # "Schedule lunch at noon" asks for it.
+        return True
+    if tree.root == 0 and any(node.tag in {"DT", "PRP$"} for node in behind):
+        # "Book the meeting room from three to four": no noun stands right before an article.
+        return True
+    # "Text Jo Smith at five"
+    return first.lower in lexicon.addressing and any(_is_person(node, lexicon) for node in behind)
 
 
 def _is_frame(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
