@@ -151,6 +151,10 @@ class Anchor:
     each: tuple[int, ...] = ()
 
 
+Window = tuple[float, float]
+"""Where an occurrence begins, and where it is over, in seconds; a moment where the two are one."""
+
+
 class Recurrence(Protocol):
     """A repetition: "every twenty minutes", "on weekdays at nine"."""
 
@@ -187,11 +191,11 @@ class Recurrence(Protocol):
         """Give the same for what goes on that many seconds, where gaps are said and not the times."""
         ...
 
-    def windows(self, until: float) -> tuple[tuple[float, float], ...]:
+    def windows(self, until: float) -> tuple[Window, ...]:
         """Give the same with their ends: of "every morning", where each begins and is over."""
         ...
 
-    def coming(self, count: int) -> tuple[tuple[float, float], ...]:
+    def coming(self, count: int) -> tuple[Window, ...]:
         """Give the next occurrences with their ends, however far ahead, at most so many."""
         ...
 

@@ -5,8 +5,8 @@ way.
 
 Understanding (``interpreter``)
     Values: ``request``, ``interpretation``.
-    Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``, ``notes``,
-    ``joining``.
+    Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``, ``notes``.
+    When they are done: ``offered``, ``joining``.
     What was said ``in_other_words``; what happens, ``told_anew``; ``turns`` of what is repeated.
     Who, and how far ahead: ``asked``, ``horizon``.
 

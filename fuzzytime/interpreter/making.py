@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import islice
 
-from fuzzytime.interpreter.horizon import passed
 from fuzzytime.interpreter.how_long import HowLong
 from fuzzytime.interpreter.in_other_words.lasting import with_lasting
 from fuzzytime.interpreter.in_other_words.retold import (
@@ -17,7 +16,8 @@ from fuzzytime.interpreter.in_other_words.retold import (
 )
 from fuzzytime.interpreter.in_other_words.waits import with_waits, without_readings
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.joining import both, either, is_day_of_another, with_alternatives
+from fuzzytime.interpreter.joining import both
+from fuzzytime.interpreter.offered import Offered
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.turns.behind import Behind
 from fuzzytime.interpreter.turns.each_turn import EachTurn
@@ -25,9 +25,9 @@ from fuzzytime.interpreter.turns.inside import GoingOn
 from fuzzytime.interpreter.turns.of_each import OfEach
 from fuzzytime.interpreter.turns.waking_hours import far_ahead, within_hours
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
-from fuzzytime.requirement import Constraint, Reference, TimeRequirement
+from fuzzytime.requirement import Constraint, Recurrence, Reference, TimeRequirement, Window
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
-from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
+from fuzzytime.satisfaction import Rectangle, SatisfactionFunction
 from fuzzytime.scheduling import THRESHOLD
 from fuzzytime.skills import FuzzySkill
 from fuzzytime.times import seconds_between
@@ -98,28 +98,49 @@ class Maker:
         if repeated is None or repeated.recurrence is None:
             return [self._interpreted(wish, reading, instruction, once)]
         recurrence = repeated.recurrence.spaced(self.how_long.of(wish, instruction).hands_on)
-        passed = seconds_between(self.request.now, wish.given)
-        ahead = WITHOUT_END if recurrence.endless else MAX_HORIZON
-        until = (self.request.horizon or ahead) - passed
         if isinstance(inside, EachTurn) or (inside is not None and recurrence.interval is not None):
             rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
-            times = islice(inside.times(repeated, recurrence, until), MAX_OCCURRENCES)
-            return [self._interpreted(wish, reading, instruction, (*time, *rest)) for time in times]
-        windows = tuple(recurrence.windows(until))
+            times = inside.times(repeated, recurrence, self._until(wish, recurrence))
+            return [
+                self._interpreted(wish, reading, instruction, (*time, *rest))
+                for time in islice(times, MAX_OCCURRENCES)
+            ]
+        return self._occurrences(wish, reading, instruction, repeated, recurrence, once)
+
+    def _until(self, wish: SpokenWish, recurrence: Recurrence) -> float:
+        """Give up to when a repetition is planned, in seconds from when the wish was said."""
+        ahead = WITHOUT_END if recurrence.endless else MAX_HORIZON
+        return (self.request.horizon or ahead) - seconds_between(self.request.now, wish.given)
+
+    def _windows(self, wish: SpokenWish, recurrence: Recurrence) -> tuple[Window, ...]:
+        """Give when the occurrences of a repetition are that are planned."""
+        windows = tuple(recurrence.windows(self._until(wish, recurrence)))
         if self.request.horizon is None:
+            passed = seconds_between(self.request.now, wish.given)
             windows = windows if len(windows) > 1 else far_ahead(recurrence, MAX_HORIZON - passed)
             windows = within_hours(windows, recurrence, wish.given, -passed, self.lexicon.policy)
-        windows = windows[:MAX_OCCURRENCES]
+        return windows[:MAX_OCCURRENCES]
+
+    def _occurrences(
+        self,
+        wish: SpokenWish,
+        reading: Reading,
+        instruction: Instruction,
+        repeated: TimeRequirement,
+        recurrence: Recurrence,
+        once: tuple[TimeRequirement, ...],
+    ) -> list[Interpreted]:
+        """Make a skill for each occurrence of a repetition; those that nothing satisfies are left out."""
         operation = instruction.operation
         # "I have a class every day from nine to ten"
-        whole = operation is not None and operation.stated and repeated.recurrence.spans
+        whole = operation is not None and operation.stated and recurrence.spans
 
         def occurring(start: float, end: float) -> Interpreted:
             once_done = replace(instruction, duration=end - start) if whole else instruction
             time = occurrence(repeated, start, start if whole else end)
             return self._interpreted(wish, reading, once_done, (time, *once))
 
-        made = [occurring(start, end) for start, end in windows]
+        made = [occurring(start, end) for start, end in self._windows(wish, recurrence)]
         made = [one for one in made if self._is_near(one)] or made[:1]
         # "Every hour but not at noon" leaves noon out; what none can satisfy is one loss, not a hundred.
         left = [one for one in made if not one.reason]
@@ -145,21 +166,17 @@ class Maker:
         duration = self.how_long.of(wish, instruction)
         own = [part for part in requirements if part.anchor is None or part.anchor.target is None]
         resolutions = [self._resolved(part, operation, duration) for part in own]
-        offered = [
-            [resolutions[place] for place in places]
-            for places in with_alternatives(own)
-            if not is_day_of_another(own, places)
-        ]
-        function, named = self._moved(wish, self._joined(wish, offered), self._named(wish, offered))
-        reason, waits = self._why_never(wish, offered)
+        given = seconds_between(self.request.now, wish.given)
+        offered = Offered.of(own, resolutions, given)
+        function, named = self._moved(wish, offered.satisfaction, offered.named)
+        reason, waits = offered.why_never()
         if not reason and function.support.empty:
             reason = "what is said about its time contradicts itself"
         skill = self._skill(wish, operation.name if operation is not None else wish.text, function, duration)
         ends = until_then(instruction, self.lexicon)
         if ends is not None:
             # How long it takes otherwise, by a table, says nothing then.
-            until = ends + seconds_between(self.request.now, wish.given)
-            skill = replace(skill, until=until, elapsed=skill.duration)
+            skill = replace(skill, until=ends + given, elapsed=skill.duration)
         return Interpreted(
             identifier=wish.identifier,
             wish=wish,
@@ -190,42 +207,6 @@ class Maker:
             horizon=self.request.horizon or WITHOUT_END,
         )
 
-    def _joined(self, wish: Wish, offered: list[list[Resolution]]) -> SatisfactionFunction:
-        """Join ψ of all requirements on the request's timeline: the paper's logical AND, OR of alternatives.
-
-        What the readings tell counts from their now; everything else from when it was said.
-        """
-        joined: SatisfactionFunction = (
-            Rectangle(-math.inf, math.inf)
-            if offered
-            else ALWAYS.shifted(seconds_between(self.request.now, wish.given))
-        )
-        for alternatives in offered:
-            part = either([one.satisfaction.shifted(self._origin(wish, one)) for one in alternatives])
-            joined = both(joined, part)
-        return joined
-
-    def _why_never(self, wish: Wish, offered: list[list[Resolution]]) -> tuple[str, bool]:
-        """Give why no time satisfies, and whether that is only as nobody has told yet what it waits for."""
-        never = [one for one in offered if all(part.reason for part in one)]
-        untold = [part.reason for one in never for part in one if part.untold]
-        for one in never:
-            if not any(part.untold for part in one):
-                return one[0].reason or "", False
-        if not untold:
-            return "", False
-        others = [one for one in offered if not all(part.reason for part in one)]
-        left = self._joined(wish, others).support.high
-        return (passed(-left), False) if left < 0 else (untold[0] or "", True)
-
-    def _named(self, wish: Wish, offered: list[list[Resolution]]) -> tuple[float, ...]:
-        """Give the start that was named, on the request's timeline, with its alternatives."""
-        for alternatives in offered:
-            if alternatives[0].named is not None:
-                named = ((self._origin(wish, one), one.named) for one in alternatives)
-                return tuple(origin + time for origin, time in named if time is not None)
-        return ()
-
     def _moved(
         self, wish: Wish, function: SatisfactionFunction, named: tuple[float, ...]
     ) -> tuple[SatisfactionFunction, tuple[float, ...]]:
@@ -239,10 +220,6 @@ class Maker:
         to = seconds_between(self.request.now, wish.moved.to)
         window = Rectangle(to, math.inf) if by >= 0 else Rectangle(-math.inf, to)
         return both(function, window), (to,)
-
-    def _origin(self, wish: Wish, resolution: Resolution) -> float:
-        """Give the time that a resolution counts from: the readings' now, or when it was said."""
-        return 0.0 if resolution.from_readings else seconds_between(self.request.now, wish.given)
 
     def _skill(
         self, wish: Wish, name: str, function: SatisfactionFunction, duration: OperationDuration

@@ -131,7 +131,7 @@ def words_of_entry(scene: Scene, entry: Entry) -> frozenset[str]:
 
 def _words_of_verb(scene: Scene, verb: str) -> frozenset[str]:
     """Give the forms of a verb, and the nouns for what it does."""
-    forms = verb_forms(verb, scene.conversation.interpreter.language.lexicon)
+    forms = verb_forms(verb, scene.lexicon)
     return frozenset({*forms, *nouns_of(verb), f"{verb}er", f"{verb}y", f"{verb.removesuffix('e')}y"})
 
 
@@ -214,9 +214,8 @@ def all_called(scene: Scene, names: frozenset[str]) -> list[Started]:
 def _words(scene: Scene, one: Started) -> frozenset[str]:
     number = number_of(one.identifier)
     said = (own_words(scene, one) for one in scene.conversation.state.entries if one.number == number)
-    lexicon = scene.conversation.interpreter.language.lexicon
     # "Have I fed the cat?"
-    verb = verb_forms(one.name.partition(" ")[0].lower(), lexicon)
+    verb = verb_forms(one.name.partition(" ")[0].lower(), scene.lexicon)
     return content_words(one.name) | next(said, frozenset()) | verb | {f"s{number}"}
 
 

@@ -53,7 +53,7 @@ def _is_open(question: Question, reading: Reading, policy: Policy) -> bool:
 def asked_late(scene: Scene, words: str) -> Pending | None:
     """Give the question of what was told last again, where somebody says "pm" only later; else None."""
     entries = scene.conversation.state.entries
-    halves = scene.conversation.interpreter.language.lexicon.conversation["half of the day"]
+    halves = scene.lexicon.conversation["half of the day"]
     if (words.lower().replace(".", ""),) not in halves or not entries:
         return None
     number = entries[-1].number if scene.told_last is None else scene.told_last

@@ -9,7 +9,7 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import IN_THE_PLAN, Interpreted, Plan, Problem, ProblemKind
-from fuzzytime.language import About, Lexicon, content_words
+from fuzzytime.language import About, Language, Lexicon, content_words
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.faults import underlined
@@ -70,6 +70,16 @@ class Scene:
     taken: About | None = None
     asked: About | None = None
 
+    @property
+    def language(self) -> Language:
+        """What reads words."""
+        return self.conversation.interpreter.language
+
+    @property
+    def lexicon(self) -> Lexicon:
+        """The words of the language."""
+        return self.language.lexicon
+
 
 class AskedBackError(FuzzytimeError):
     """What is missing of what was said: the next line may say it."""
@@ -82,6 +92,11 @@ class AskedBackError(FuzzytimeError):
 def said(text: str) -> Reply:
     """Answer with one line."""
     return Reply((Text(plain(text)),))
+
+
+def refused(why: str) -> Reply:
+    """Answer with what is wrong, and with nothing else."""
+    return Reply((Text(plain(why), style="red"),))
 
 
 def got(text: str) -> str:
@@ -200,12 +215,11 @@ def waiting(scene: Scene, number: int | None = None) -> list[tuple[int, Interpre
 
 def own_words(scene: Scene, entry: Entry) -> frozenset[str]:
     """Give the words of an entry, without those for other things that it is done beside: "before dinner"."""
-    language = scene.conversation.interpreter.language
     known = (one.reading for one in scene.plan.everything if one.wish.identifier == entry.identifier)
     # What is over is in no plan.
     reading = next((one for one in known if one is not None), None)
-    read = (reading or language.read(entry.text, now=entry.given)).instructions
-    beside = (_words_beside(part, language.lexicon) for one in read for part in one.requirements)
+    read = (reading or scene.language.read(entry.text, now=entry.given)).instructions
+    beside = (_words_beside(part, scene.lexicon) for one in read for part in one.requirements)
     named = (content_words(one.operation.name) for one in read if one.operation is not None)
     return content_words(entry.text) - (frozenset[str]().union(*beside) - frozenset[str]().union(*named))
 

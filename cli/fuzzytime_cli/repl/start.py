@@ -24,7 +24,7 @@ from fuzzytime_cli.places import data_folder
 from fuzzytime_cli.render import Screen, plain, terminal_width
 from fuzzytime_cli.repl.conversation import Conversation
 from fuzzytime_cli.repl.plain_words.retiming import IDLE
-from fuzzytime_cli.repl.scene import Reply
+from fuzzytime_cli.repl.scene import refused
 from fuzzytime_cli.repl.turn import Line, Turns
 from fuzzytime_cli.session import KeptReading, NotKeptError, open_store
 
@@ -94,11 +94,7 @@ def _clock_of(assembly: Assembly) -> Callable[[], datetime]:
     begun, first = datetime.now().astimezone(), assembly.moment()
     if assembly.now is None:
         return assembly.moment
-
-    def shifted() -> datetime:
-        return instant_after(first, (datetime.now().astimezone() - begun).total_seconds())
-
-    return shifted
+    return lambda: instant_after(first, (datetime.now().astimezone() - begun).total_seconds())
 
 
 class Dialogue:
@@ -133,12 +129,12 @@ class Dialogue:
             except NotKeptError as error:
                 if not self.turns.asks:
                     raise
-                reply = Reply((Text(plain(message_of(error)), style="red"),), edit="\n".join(lines))
+                reply = replace(refused(message_of(error)), edit="\n".join(lines))
             except Exception as error:
                 # A defect of this program costs whoever types one turn, and not what they are at.
                 if not self.turns.asks or os.environ.get("FUZZYTIME_DEBUG"):
                     raise
-                reply = Reply((Text(plain(message_of(error)), style="red"),))
+                reply = refused(message_of(error))
             self.screen.write(*reply.lines)
         return not reply.over, reply.edit
 
@@ -178,7 +174,7 @@ class Dialogue:
         except NotKeptError as error:
             if not self.turns.asks:
                 raise
-            lines = [] if self.unkept else [Text(plain(message_of(error)), style="red")]
+            lines = [] if self.unkept else list(refused(message_of(error)).lines)
             self.unkept = True
         else:
             self.unkept = False

@@ -4,10 +4,9 @@ from collections.abc import Sequence
 from datetime import datetime
 
 from fuzzytime.errors import InstructionError
-from fuzzytime.language import Language
+from fuzzytime.language import Language, about_wishes, reported
 from fuzzytime_cli.inputs.lines import is_ticked_off, said_in
 from fuzzytime_cli.repl.commands.by_name import without_colon
-from fuzzytime_cli.repl.plain_words.speaking import are_about
 
 
 def words_of(line: str, language: Language) -> str:
@@ -33,11 +32,15 @@ def parted(lines: Sequence[str], language: Language, now: datetime) -> list[list
 def _are_wishes(lines: Sequence[str], language: Language, now: datetime) -> list[bool]:
     """Tell of each line whether it is neither a command nor about what was said before."""
     try:
-        about = are_about(language, lines, now)
+        readings = language.read_independent([(line, now) for line in lines])
     except InstructionError:
         # Taken alone, each line says what is wrong with it.
         return [False] * len(lines)
+    lexicon = language.lexicon
     return [
-        words_of(line, language) == line and line[0] not in ":/" and not other
-        for line, other in zip(lines, about, strict=True)
+        words_of(line, language) == line
+        and line[0] not in ":/"
+        and about_wishes(line, now, lexicon) is None
+        and not reported(reading, lexicon)
+        for line, reading in zip(lines, readings, strict=True)
     ]

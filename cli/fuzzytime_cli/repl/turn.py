@@ -32,6 +32,7 @@ from fuzzytime_cli.repl.scene import (
     Scene,
     number_of,
     problem_lines,
+    refused,
     running_lines,
     said,
     whole_number,
@@ -111,14 +112,14 @@ class Turns:
                 reply = replace(reply, lines=(*reply.lines, *asked))
         except AskedBackError as error:
             self.asked = error.about
-            return Reply((Text(plain(str(error)), style="red"),))
+            return refused(str(error))
         except FuzzytimeError as error:
             self.asked = None
-            return Reply((Text(plain(str(error)), style="red"),))
+            return refused(str(error))
         except NotKeptError:
             raise  # whether to go on without a memory is not decided here
         except OSError as error:
-            return Reply((Text(plain(message_of(error)), style="red"),))
+            return refused(message_of(error))
         return reply
 
     def _answer_to(self, words: str, pending: Pending | None, now: datetime) -> Reply:
@@ -143,7 +144,7 @@ class Turns:
             try:
                 reply = self._said(part, now)
             except FuzzytimeError as error:
-                lines.append(Text(plain(str(error)), style="red"))
+                lines += refused(str(error)).lines
                 continue
             lines += reply.lines
             changed |= reply.changed

@@ -203,8 +203,7 @@ def with_label(scene: Scene, words: str, span: tuple[int, int], times: frozenset
         label, name = then[0], starts[then[0]][0]
         several = sum(number_of(other) == number_of(label) for other in starts) > 1
         return f"{words[:first]}{name if several else label}{words[end:]}"
-    lexicon = scene.conversation.interpreter.language.lexicon
-    if about_wishes(f"{words[:first]}s1{words[end:]}", scene.now, lexicon) is None:
+    if about_wishes(f"{words[:first]}s1{words[end:]}", scene.now, scene.lexicon) is None:
         return None
     if then:
         raise FuzzytimeError(f"several start then: say which, such as: {', '.join(then)}")
@@ -216,7 +215,7 @@ def which_one(scene: Scene, words: str, asked: About) -> About | None:
     """Give what was asked about with the one that a line names: "the plumber", "the first one", "s2", "2"."""
     found = alike(scene, asked.names)
     number = whole_number(words)
-    lexicon = scene.conversation.interpreter.language.lexicon
+    lexicon = scene.lexicon
     said = about_wishes(f"{AboutKind.DROP} {words if number is None else f's{number}'}", scene.now, lexicon)
     if len(found) <= 1 or said is None or said.kind is not AboutKind.DROP:
         return None

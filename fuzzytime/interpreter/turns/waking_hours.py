@@ -7,10 +7,8 @@ from collections.abc import Iterator, Sequence
 from datetime import datetime, timedelta
 
 from fuzzytime.language import Policy
-from fuzzytime.requirement import Recurrence
+from fuzzytime.requirement import Recurrence, Window
 from fuzzytime.times import DAY, HOUR, instant_after, seconds_between
-
-Window = tuple[float, float]
 
 
 def within_hours(

@@ -190,11 +190,6 @@ class Fields(Calendar):
             self.told or other.told,
         )
 
-    @property
-    def is_day_of_month(self) -> bool:
-        """Whether it is on a day of some month, and says nothing else: "the 15th"."""
-        return self.day is not None and self == Fields(day=self.day)
-
     def filled(self, other: "Fields") -> "Fields":
         """Give this with the year and month that it lacks from another."""
         return replace(
@@ -293,6 +288,16 @@ class Weekend(Calendar):
                 yield days
 
 
+def is_weekday(days: Calendar | None) -> bool:
+    """Whether it is a day of the week, of any week."""
+    return isinstance(days, Fields) and days.weekly
+
+
 def is_weekly(calendar: Calendar) -> bool:
     """Whether it comes each week: a weekday, or the weekend."""
-    return isinstance(calendar, Weekend) or (isinstance(calendar, Fields) and calendar.weekly)
+    return isinstance(calendar, Weekend) or is_weekday(calendar)
+
+
+def is_day_of_month(days: Calendar | None) -> bool:
+    """Whether it is on a day of some month, and says nothing else: "the 15th"."""
+    return isinstance(days, Fields) and days.day is not None and days == Fields(day=days.day)

@@ -107,6 +107,11 @@ class Wall:
         """Whether it is nothing but a number."""
         return self.clock is not None and self.clock.bare and self.days is None and self.part is None
 
+    @property
+    def is_timed(self) -> bool:
+        """Whether it says when on its day: by the clock, or in which part."""
+        return self.clock is not None or self.part is not None
+
 
 @dataclass(frozen=True, slots=True)
 class Ending:
@@ -184,6 +189,11 @@ class Midway:
 Time = Wall | Ending | Offset | Coming | Range | Midway | TimeWord | Rest | SameTime | HourMark
 
 
+def wall_of(time: "Time | Duration | Repeat | None") -> Wall:
+    """Give what of a time is said by calendar and clock: nothing, where it is of another kind."""
+    return time if isinstance(time, Wall) else Wall()
+
+
 @dataclass(frozen=True, slots=True)
 class Repeat:
     """A repetition: every so long, or at each of some days, parts of the day and clock times.
@@ -220,6 +230,11 @@ class Goal:
     time: Time
     hedges: tuple[str, ...] = ()
 
+    @property
+    def wall(self) -> Wall:
+        """What of it is said by calendar and clock: nothing, where it is another kind of time."""
+        return wall_of(self.time)
+
 
 ON = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.EVERY})
 """How a day binds on which something is to be done."""
@@ -251,6 +266,11 @@ class Said:
     denied: bool = False
     clocks: tuple[Clock, ...] | None = None
 
+    @property
+    def wall(self) -> Wall:
+        """What of it is said by calendar and clock: nothing, where it is another kind of time."""
+        return wall_of(self.time)
+
     def borrowing(self, told: "Said") -> "Said":
         """Give what is told here and in other words, with the clock times that are said here."""
         time = self.time
@@ -276,13 +296,13 @@ class Said:
             return False
         if isinstance(time, Repeat):
             timed = any(wall.clock is not None for wall in time.walls)
-            bounds = (bound for bound in (time.starting, time.until) if bound is not None)
             # "Every day this week"
-            whole = all(isinstance(b, Wall) and b.clock is None and b.part is None for b in bounds)
+            bounds = (bound for bound in (time.starting, time.until) if bound is not None)
+            whole = all(isinstance(bound, Wall) and not bound.is_timed for bound in bounds)
             return bool(time.walls) and not timed and whole
         # "On the 12th" is one, where "the 12th" alone may be something else.
         sure = isinstance(time, Wall) and (not time.weak or self.preposition is not None)
-        return isinstance(time, Wall) and time.clock is None and sure and self.constraint in ON
+        return sure and self.wall.clock is None and self.constraint in ON
 
     @property
     def sure(self) -> "Said":
@@ -303,3 +323,7 @@ class Phrase:
     span: tuple[int, int]
     rule: str
     above: str = ""
+
+    def at(self, time: Time | Duration | Repeat) -> "Phrase":
+        """Give the same words for another time, which binds as they say."""
+        return replace(self, said=replace(self.said, time=time))

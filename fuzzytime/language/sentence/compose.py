@@ -20,6 +20,7 @@ from fuzzytime.language.sentence.segments.connectives import (
     led_by_nothing,
 )
 from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.around_events.days_of_events import on_days_of_events
 from fuzzytime.language.sentence.sketches.around_events.prepared import due_of
@@ -52,7 +53,7 @@ from fuzzytime.language.sentence.together.told.lengths import (
 from fuzzytime.language.sentence.together.told.told_beside import due_before
 from fuzzytime.language.sentence.together.told.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
-from fuzzytime.requirement import Anchor, Edge
+from fuzzytime.requirement import Anchor, Edge, TimeRequirement
 
 
 def composed(
@@ -191,13 +192,9 @@ class _Composer:
         times = self._times_of(sketch)
         segment = sketch.part.segment
         before = self._asked_before(position)
-        connected = anchored_by_connective(segment, text, before)
-        if before is None:
-            led = led_by_denial if position else led_by_nothing
-            self.remarks += led(segment, text)
+        connected = self._connected(segment, before, position)
         requirements, remarks = required_of(sketch, times, anchors, connected, self.draft)
         self.remarks += remarks
-        self.explained += [] if connected is None else [connected.span]
         self.explained += [part.span for part in requirements if part.anchor is not None and part.anchor.each]
         said = text[slice(*segment.span)].strip()
         lengths = [one for one in times.found if one.duration is not None]
@@ -231,6 +228,16 @@ class _Composer:
             day_of=event,
             alone=bool(lengths) and any(_leaves(aside, lengths[0]) for aside in self.draft.asides),
         )
+
+    def _connected(self, segment: Segment, before: int | None, position: int) -> TimeRequirement | None:
+        """Give the time that a connective says, "then"; where it follows nothing, that is said."""
+        connected = anchored_by_connective(segment, self.draft.text, before)
+        if before is None:
+            led = led_by_denial if position else led_by_nothing
+            self.remarks += led(segment, self.draft.text)
+        if connected is not None:
+            self.explained.append(connected.span)
+        return connected
 
     def _anchors_at(self, position: int, operations: Sequence[Operation | None]) -> Anchors:
         """Give what finds the instructions that those at a position refer to."""

@@ -132,8 +132,7 @@ def swap(scene: Scene, text: str) -> Reply:
     for entry in (one, other):
         if not waiting(scene, entry.number):
             raise FuzzytimeError(f"nothing of instruction {entry.number} is left to do")
-    language = scene.conversation.interpreter.language
-    times = [_time_of(entry, language) for entry in (one, other)]
+    times = [_time_of(entry, scene.language) for entry in (one, other)]
     if times == [None, None]:
         message = f"neither says a time: say what comes first, such as: do {_name(scene, one)} first"
         raise FuzzytimeError(message)

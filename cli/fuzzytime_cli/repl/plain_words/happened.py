@@ -13,18 +13,16 @@ def happened(scene: Scene, words: str) -> tuple[str, ...]:
     said = words.strip().rstrip(".! ")
     if not waited or said.endswith("?"):
         return ()
-    language = scene.conversation.interpreter.language
-    reading = language.read(said, now=scene.now)
+    reading = scene.language.read(said, now=scene.now)
     if not tells_of_somebody(reading.tokens):
         # "The glue's dry"
-        reading = language.read(written_out(said), now=scene.now)
+        reading = scene.language.read(written_out(said), now=scene.now)
     if not tells_of_somebody(reading.tokens) or any(one.requirements for one in reading.instructions):
         return ()
     found = [
         (one, part)
         for one, part in waited
-        if one.reading is not None
-        and tells_awaited(reading.tokens, one.reading.tokens, part, language.lexicon)
+        if one.reading is not None and tells_awaited(reading.tokens, one.reading.tokens, part, scene.lexicon)
     ]
     lines = (
         f":edit {number_of(one.identifier)} {done_at_once(one.words or '', part)}" for one, part in found

@@ -16,15 +16,14 @@ from fuzzytime_cli.repl.scene import Reply, Scene
 
 def perhaps_done(scene: Scene, reading: Reading, taken: Taken) -> Reply | None:
     """Take as done what words may tell to be, where that is known: "plants watered", "the bins are out"."""
-    lexicon = scene.conversation.interpreter.language.lexicon
-    perhaps = perhaps_reported(reading, lexicon)
+    perhaps = perhaps_reported(reading, scene.lexicon)
     if perhaps is not None and (reply := done(scene, perhaps, taken)) is not None:
         return reply
-    names = told_result(reading, lexicon)
+    names = told_result(reading, scene.lexicon)
     reply = taken(scene, About(kind=AboutKind.DONE, names=names)) if names else None
     if names and reply is None and (entry := entry_of(scene, content_words(reading.text))) is not None:
         # "The wine's in", of putting it there
-        particles = lexicon.particles.keys() & set(reading.text.lower().split())
+        particles = scene.lexicon.particles.keys() & set(reading.text.lower().split())
         said = particles <= set(entry.text.lower().split())
         about = About(kind=AboutKind.DONE, names=frozenset({entry.identifier}))
         reply = taken(scene, about) if particles and said else None
@@ -33,11 +32,10 @@ def perhaps_done(scene: Scene, reading: Reading, taken: Taken) -> Reply | None:
 
 def done(scene: Scene, operation: Operation, taken: Taken) -> Reply | None:
     """Take something as done; None where nothing that is planned, or has begun, is like it."""
-    lexicon = scene.conversation.interpreter.language.lexicon
-    anaphor = (operation.object or "").lower() in lexicon.closed.anaphors
+    anaphor = (operation.object or "").lower() in scene.lexicon.closed.anaphors
     things = frozenset[str]() if anaphor else content_words(operation.object)
     # "Got the milk" is of whatever was to be done with it.
     tried = [things | {operation.lemma}]
-    tried += [things] if things and (operation.lemma,) in lexicon.conversation["done with"] else []
+    tried += [things] if things and (operation.lemma,) in scene.lexicon.conversation["done with"] else []
     replies = (taken(scene, About(kind=AboutKind.DONE, names=names)) for names in tried)
     return next((reply for reply in replies if reply is not None), None)

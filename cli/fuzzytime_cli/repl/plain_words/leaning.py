@@ -44,13 +44,12 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
     FuzzytimeError
         If what it leans on is not there, or cannot be said so.
     """
-    language = scene.conversation.interpreter.language
     last = entry_of(scene, frozenset())
     if last is not None and (reply := _going_on(scene, words, last, taken)) is not None:
         return reply
     ordered = (one.operation for one in reading.instructions)
     orders = any(one is not None and one.is_asked and not is_thing(reading) for one in ordered)
-    about = about_things(words, scene.now, language.lexicon)
+    about = about_things(words, scene.now, scene.lexicon)
     if about is not None and about.time in {AT_FIRST, AT_LAST}:
         return _placed(scene, about, taken)
     if about is None or (orders and not about.certain):
@@ -84,12 +83,11 @@ def _going_on(scene: Scene, words: str, last: Entry, taken: Taken) -> Reply | No
     FuzzytimeError
         If it surely does, and is not understood.
     """
-    lexicon = scene.conversation.interpreter.language.lexicon
-    more = continuing(words, scene.now, lexicon)
+    more = continuing(words, scene.now, scene.lexicon)
     if more is None:
         return None
     names = content_words(more.thing)
-    known = more.thing.partition(" ")[0].lower() in lexicon.closed.noun_openers and bool(more.time)
+    known = more.thing.partition(" ")[0].lower() in scene.lexicon.closed.noun_openers and bool(more.time)
     if known and is_named_itself(scene, names):
         # "Then the post office tomorrow"
         return taken(scene, About(kind=AboutKind.MOVE, names=names, time=more.time))
@@ -103,7 +101,7 @@ def _going_on(scene: Scene, words: str, last: Entry, taken: Taken) -> Reply | No
     if (reply := _continued(words, last, scene)) is not None:
         return reply
     # "And Sam too" is nothing to do at any time.
-    somebody = not more.time and len(more.thing.split()) <= NAME and is_person(more.thing, lexicon)
+    somebody = not more.time and len(more.thing.split()) <= NAME and is_person(more.thing, scene.lexicon)
     if more.certain or somebody:
         raise FuzzytimeError(f"{words!r} leans on {last.text!r}, and is not understood: say it in full")
     return None
@@ -111,7 +109,7 @@ def _going_on(scene: Scene, words: str, last: Entry, taken: Taken) -> Reply | No
 
 def _continued(words: str, last: Entry, scene: Scene) -> Reply | None:
     """Take what goes on with the verb that was said last in full; None where it does not."""
-    anew = continued(words, scene.now, last.text, last.given, scene.conversation.interpreter.language)
+    anew = continued(words, scene.now, last.text, last.given, scene.language)
     return None if anew is None else Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
 
 
@@ -125,7 +123,7 @@ def _placed(scene: Scene, about: About, taken: Taken) -> Reply | None:
     """
     if entry_of(scene, about.names) is not None:
         return taken(scene, about)
-    if names_thing(about.thing, scene.now, scene.conversation.interpreter.language):
+    if names_thing(about.thing, scene.now, scene.language):
         unknown(about.names)
     return None
 
@@ -142,7 +140,7 @@ def _instead(scene: Scene, about: About, taken: Taken) -> Reply | None:
     entry = entry_of(scene, about.names) if about.kind is AboutKind.INSTEAD else entry_of(scene, frozenset())
     if entry is None:
         raise FuzzytimeError("nothing that is planned is about that (:list shows what is)")
-    language = scene.conversation.interpreter.language
+    language = scene.language
     if not may_be_thing(language.read(about.thing, now=scene.now), language.lexicon):
         raise FuzzytimeError(f"{about.thing!r} is not understood of {entry.text!r}: say it anew")
     reading = language.read(entry.text, now=entry.given)

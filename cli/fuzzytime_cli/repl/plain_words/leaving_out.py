@@ -32,8 +32,7 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
     FuzzytimeError
         If nothing is planned then.
     """
-    language = scene.conversation.interpreter.language
-    (time,) = find_times(about.time, scene.now, language.lexicon).requirements[:1]
+    (time,) = find_times(about.time, scene.now, scene.lexicon).requirements[:1]
     if time.recurrence is not None:
         repeated = _repeated(scene, about)
         return _without(scene, about, repeated[-1], about.time) if repeated else None
@@ -112,12 +111,11 @@ def left_out_then(scene: Scene, about: About) -> Reply | None:
     if entry is None or not repeated or repeated[0].instruction is None:
         return None
     every = (p for p in repeated[0].instruction.requirements if p.constraint is Constraint.EVERY)
-    language = scene.conversation.interpreter.language
-    once = language.read(entry.text[: next(every).span[1]], now=entry.given)
-    anew = reworded(once, language.lexicon, time=about.time, now=scene.now)
+    once = scene.language.read(entry.text[: next(every).span[1]], now=entry.given)
+    anew = reworded(once, scene.lexicon, time=about.time, now=scene.now)
     if anew is None or any(
         part.constraint is Constraint.EVERY
-        for one in language.read(anew, now=scene.now).instructions
+        for one in scene.language.read(anew, now=scene.now).instructions
         for part in one.requirements
     ):
         # "Not tomorrow", and then "at eleven", is of all that are left.

@@ -23,7 +23,7 @@ def with_time_of_part(scene: Scene, entry: Entry, time: str, part: str) -> str:
     first, end = _time_of(one, length=length)
     if first < end and not length:
         # "Move the lawn to sunday", which was to be mown at ten, leaves it at ten.
-        lexicon = scene.conversation.interpreter.language.lexicon
+        lexicon = scene.lexicon
         time = merged_time(entry.text[first:end], entry.given, time, scene.now, lexicon)
     text = f"{entry.text[:first].rstrip()} {time}{entry.text[end:]}"
     return _checked(scene, entry, text, _names(scene, entry.text, entry))
@@ -63,7 +63,7 @@ def without_part(scene: Scene, entry: Entry, part: str) -> str:
 
 def _without_joints(scene: Scene, text: str) -> str:
     """Leave out what joined a thing behind it that is not said any more: "call Ann and"."""
-    joints = scene.conversation.interpreter.language.lexicon.conversation["parting"]
+    joints = scene.lexicon.conversation["parting"]
     text = text.rstrip(" ,;")
     while " " in text and (text.rpartition(" ")[2].lower(),) in joints:
         text = text.rpartition(" ")[0].rstrip(" ,;")
@@ -107,7 +107,7 @@ def _time_of(one: Interpreted, *, length: bool) -> tuple[int, int]:
 
 def _names(scene: Scene, text: str, entry: Entry) -> list[str]:
     """Give what words ask for, in their order."""
-    read = scene.conversation.interpreter.language.read(text, now=entry.given)
+    read = scene.language.read(text, now=entry.given)
     return [one.operation.name for one in read.instructions if one.operation is not None]
 
 

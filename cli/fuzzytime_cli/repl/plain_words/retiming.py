@@ -55,8 +55,7 @@ def said_anew(scene: Scene, words: str) -> str | None:
     FuzzytimeError
         If the instruction asks for more than that.
     """
-    language = scene.conversation.interpreter.language
-    anew = restated(words, scene.now, language.lexicon)
+    anew = restated(words, scene.now, scene.lexicon)
     return None if anew is None else same_anew(scene, anew)
 
 
@@ -68,8 +67,7 @@ def same_anew(scene: Scene, anew: str) -> str | None:
     FuzzytimeError
         If the instruction asks for more than that.
     """
-    language = scene.conversation.interpreter.language
-    reading = language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.everything])
+    reading = scene.language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.everything])
     if len(reading.instructions) != 1:
         return None
     operation, times = reading.instructions[0].operation, reading.instructions[0].requirements
@@ -95,8 +93,7 @@ def timed_now(scene: Scene, words: str, reading: Reading) -> str | None:
 
     Who asks to "trim the hedge", and then to "trim the hedge at four", means one and the same.
     """
-    lexicon = scene.conversation.interpreter.language.lexicon
-    forms = lexicon.conversation["closing"] | lexicon.conversation["again"]
+    forms = scene.lexicon.conversation["closing"] | scene.lexicon.conversation["again"]
     more = {form[0] for form in forms if len(form) == 1}
     if len(reading.instructions) != 1 or not more.isdisjoint(words.lower().split()):
         return None
@@ -112,9 +109,8 @@ def timed_now(scene: Scene, words: str, reading: Reading) -> str | None:
     begun = {
         number_of(one.identifier) for one in scene.conversation.running(scene.now) if one.end > scene.now
     }
-    language = scene.conversation.interpreter.language
     for entry in (entry for entry in scene.conversation.state.entries if entry.number in begun):
-        read = language.read(entry.text, now=entry.given).instructions
+        read = scene.language.read(entry.text, now=entry.given).instructions
         untimed = len(read) == 1 and not read[0].requirements
         if not same and untimed and _is_same(read[0].operation, operation):
             return f":edit {entry.number} {words}"
@@ -131,7 +127,7 @@ def wished_instead(scene: Scene, words: str) -> str | None:
     FuzzytimeError
         If several, or so many as there are not, are to be let be.
     """
-    language = scene.conversation.interpreter.language
+    language = scene.language
     found = in_its_place(words, scene.now, language.lexicon)
     if found is None:
         return None
@@ -154,7 +150,7 @@ def wished_instead(scene: Scene, words: str) -> str | None:
 
 def without_thing(scene: Scene, entry: Entry, names: frozenset[str]) -> str:
     """Give an entry's words without one of several things that it is about; empty where it is about one."""
-    read = scene.conversation.interpreter.language.read(entry.text, now=entry.given)
+    read = scene.language.read(entry.text, now=entry.given)
     for operation in (one.operation for one in read.instructions):
         said = "" if operation is None else operation.object or ""
         verb = frozenset() if operation is None else {operation.lemma}
@@ -199,7 +195,7 @@ def with_time(
     if len(mine) == 1 and mine[0].told_by:
         # "They are ten minutes late" has no time of its own to be replaced.
         return f"{mine[0].skill.name} {about.time} instead"
-    reading = scene.conversation.interpreter.language.read(entry.text, now=entry.given)
+    reading = scene.language.read(entry.text, now=entry.given)
     every = [part for one in reading.instructions for part in one.requirements]
     parts = every if own is None else own
     if about.number and len(parts) == 1:
@@ -213,7 +209,7 @@ def with_time(
     if not times:
         return f"{entry.text.rstrip('.! ')} {about.time}"
     first, end = times[0].span
-    lexicon = scene.conversation.interpreter.language.lexicon
+    lexicon = scene.lexicon
     time = merged_time(*_time_before(scene, entry, entry.text[first:end]), about.time, scene.now, lexicon)
     repeated = times[0].constraint is Constraint.EVERY and time == about.time
     if about.bare and times[0].constraint in BOUNDS and times[0].preposition:
@@ -275,15 +271,14 @@ def _recounted(scene: Scene, entry: Entry, time: TimeRequirement, number: str) -
     """Give an entry's words with another number of units in its time; empty where it counts none."""
     if time.number is None or time.unit is None:
         return ""
-    lexicon = scene.conversation.interpreter.language.lexicon
     start, end = time.span
     breaks = [at for at in range(start, end + 1) if at in {start, end} or entry.text[at] == " "]
     # The shortest words that say the length: without a preposition, or a hedge.
     for first, last in sorted(combinations(breaks, 2), key=lambda pair: pair[1] - pair[0]):
         said = f"for {entry.text[first:last].strip()}"
-        found = find_times(said, entry.given, lexicon).requirements
+        found = find_times(said, entry.given, scene.lexicon).requirements
         if len(found) == 1 and found[0].span == (0, len(said)) and _counts_alike(found[0], time):
-            unit = time.unit.value + ("" if (number.lower(),) in lexicon.conversation["one"] else "s")
+            unit = time.unit.value + ("" if (number.lower(),) in scene.lexicon.conversation["one"] else "s")
             gap = " " if first > start else ""
             return f"{entry.text[:first]}{gap}{number} {unit}{entry.text[last:]}"
     return ""

@@ -1,8 +1,7 @@
 """Plain words about what was asked for already, taken as the commands that they mean."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
-from datetime import datetime
 
 from rich.text import Text
 
@@ -10,7 +9,6 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import (
     About,
     AboutKind,
-    Language,
     Reading,
     about_things,
     about_wishes,
@@ -63,21 +61,6 @@ ASKED_BACK = {
 """What is answered to a protest."""
 
 
-def are_about(language: Language, lines: Sequence[str], now: datetime) -> list[bool]:
-    """Tell of each line whether it is, or may be, about wishes that were said before.
-
-    Raises
-    ------
-    InstructionError
-        If a line is too long.
-    """
-    readings = language.read_independent([(line, now) for line in lines])
-    return [
-        about_wishes(line, now, language.lexicon) is not None or bool(reported(reading, language.lexicon))
-        for line, reading in zip(lines, readings, strict=True)
-    ]
-
-
 def reply_about(scene: Scene, words: str) -> Reply | None:
     """Answer what is said about wishes that were said before; None where the words are a wish themselves.
 
@@ -86,13 +69,12 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
     FuzzytimeError
         If nothing that is known can be meant, or which of several is not said.
     """
-    lexicon = scene.conversation.interpreter.language.lexicon
-    called = called_by_time(words, scene.now, lexicon)
+    called = called_by_time(words, scene.now, scene.lexicon)
     labelled = None if called is None else with_label(scene, words, *called)
     reply = _reply_about(scene, words if labelled is None else labelled)
     if reply is not None:
         return reply
-    anew = respelled(words, scene.now, lexicon, is_verb)
+    anew = respelled(words, scene.now, scene.lexicon, is_verb)
     reply = None if anew is None else _reply_about(scene, anew)
     if reply is None or reply.anew:
         return None
@@ -100,23 +82,22 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
 
 
 def _reply_about(scene: Scene, words: str) -> Reply | None:
-    lexicon = scene.conversation.interpreter.language.lexicon
     asked = scene.asked
     if asked is not None and (
-        answer := by_how_much(words, asked, scene.now, lexicon) or which_one(scene, words, asked)
+        answer := by_how_much(words, asked, scene.now, scene.lexicon) or which_one(scene, words, asked)
     ):
         return _taken(scene, answer)
-    if asked is not None and lets_be(words, scene.now, lexicon):
+    if asked is not None and lets_be(words, scene.now, scene.lexicon):
         return Reply(("nothing is changed",))
     if waited := happened(scene, words):
-        reading = scene.conversation.interpreter.language.read(words, now=scene.now)
+        reading = scene.language.read(words, now=scene.now)
         return told_state(scene, words, reading) or run_each(scene, waited)
     instead = wished_instead(scene, words)
     if instead is not None:
         return run(scene, About(kind=AboutKind.MOVE), instead)
     if (reply := _with_reason(scene, words)) is not None:
         return reply
-    about = about_wishes(words, scene.now, lexicon) or _behind_what_is_told(scene, words)
+    about = about_wishes(words, scene.now, scene.lexicon) or _behind_what_is_told(scene, words)
     asks = about is not None and about.kind is AboutKind.DELAY and about.by is None and not about.text
     if about is not None and about.told and (reply := told_anew(scene, about, words, _taken)) is not None:
         return reply
@@ -133,8 +114,7 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
 
 def _behind_what_is_told(scene: Scene, words: str) -> About | None:
     """Read what is said of wishes behind what asks for nothing: "he is tired, cancel the walk"."""
-    language = scene.conversation.interpreter.language
-    found = behind_what_is_told(words, scene.now, language.lexicon)
+    found = behind_what_is_told(words, scene.now, scene.lexicon)
     if found is None:
         return None
     told, about = found
@@ -145,7 +125,7 @@ def _behind_what_is_told(scene: Scene, words: str) -> About | None:
         return None
     if not told:
         return about
-    reading = language.read(told, now=scene.now)
+    reading = scene.language.read(told, now=scene.now)
     return None if _asks(scene, reading) else about
 
 
@@ -161,7 +141,7 @@ def _of_what_is_told(scene: Scene, told: str, about: About) -> About:
 def _asks(scene: Scene, reading: Reading) -> bool:
     """Whether words ask for something, or say a time."""
     asked = any(one.operation is not None and one.operation.is_asked for one in reading.instructions)
-    asked = asked and not tells_what_is(reading, scene.conversation.interpreter.language.lexicon)
+    asked = asked and not tells_what_is(reading, scene.lexicon)
     # "They rang to say monday" says when nothing is to be done.
     told = tells_of_somebody(reading.tokens)
     return asked or (not told and any(one.requirements for one in reading.instructions))
@@ -169,7 +149,7 @@ def _asks(scene: Scene, reading: Reading) -> bool:
 
 def _with_reason(scene: Scene, words: str) -> Reply | None:
     """Take what is said of wishes in front of what asks for nothing: "skip it, I'm too tired"."""
-    language = scene.conversation.interpreter.language
+    language = scene.language
     front, mark, why = words.partition(",")
     about = about_wishes(front, scene.now, language.lexicon) if mark and why.strip() else None
     anaphors = language.lexicon.closed.anaphors
@@ -199,7 +179,7 @@ def _told(scene: Scene, words: str) -> Reply | None:
     FuzzytimeError
         If nothing that is known was done.
     """
-    language = scene.conversation.interpreter.language
+    language = scene.language
     reading = language.read(words, now=scene.now)
     # "I meant the cat" tells of nothing that was done.
     means = about_things(words, scene.now, language.lexicon)
@@ -288,7 +268,7 @@ def _when_then(scene: Scene, about: About) -> Reply | None:
 
 def _supposed(scene: Scene, text: str) -> Reply:
     """Show what would come of it: a wish, or what is said of those there are."""
-    about = about_wishes(text, scene.now, scene.conversation.interpreter.language.lexicon)
+    about = about_wishes(text, scene.now, scene.lexicon)
     line = None if about is None or about.text else _supposable(scene, about)
     # "What if I start the rice at six?", which was to be started at five
     return what_if(scene, line or same_anew(scene, text) or text)

@@ -57,21 +57,19 @@ def _is_event(signal: str, said: str, condition: Condition) -> bool:
 
 def _tells(scene: Scene, said: str, reading: Reading) -> bool:
     """Whether words tell what is so, and are no news of what was told."""
-    lexicon = scene.conversation.interpreter.language.lexicon
-    if not reading.instructions or not tells_a_state(said, reading, lexicon):
+    if not reading.instructions or not tells_a_state(said, reading, scene.lexicon):
         return False
     return not is_news(scene, said)
 
 
 def behind_how_a_day_is(scene: Scene, words: str, taken: Taken) -> Reply | None:
     """Take what is said of wishes behind how some day is: "the bank's closed today, do it tomorrow"."""
-    language = scene.conversation.interpreter.language
-    told, about = behind_what_is_told(words, scene.now, language.lexicon) or ("", None)
+    told, about = behind_what_is_told(words, scene.now, scene.lexicon) or ("", None)
     if about is None or about.kind not in CHANGED or about.names or not told:
         return None
-    reading = language.read(told, now=scene.now)
+    reading = scene.language.read(told, now=scene.now)
     times = [part for one in reading.instructions for part in one.requirements]
-    lexicon, forms = language.lexicon, told.lower().replace("\u2019", "'").split()
+    lexicon, forms = scene.lexicon, told.lower().replace("\u2019", "'").split()
     being = any(form in lexicon.closed.present_be or form.endswith(("'s", "'m", "'re")) for form in forms)
     event = not (lexicon.events | lexicon.happening).isdisjoint(content_words(told))
     days = bool(times) and all(part.constraint is Constraint.BETWEEN for part in times)
@@ -84,12 +82,11 @@ def behind_how_a_day_is(scene: Scene, words: str, taken: Taken) -> Reply | None:
 
 def behind_a_fact(scene: Scene, words: str, answered: Callable[[Scene, str], Reply | None]) -> Reply | None:
     """Take what is asked for behind what tells how something is: "Tom's out, call Bob at two"; else None."""
-    language = scene.conversation.interpreter.language
     told, mark, rest = words.partition(",")
-    reading = language.read(told, now=scene.now) if mark and rest.strip() else None
-    if reading is None or not tells_what_is(reading, language.lexicon) or is_news(scene, told):
+    reading = scene.language.read(told, now=scene.now) if mark and rest.strip() else None
+    if reading is None or not tells_what_is(reading, scene.lexicon) or is_news(scene, told):
         return None
-    asked = language.read(rest, now=scene.now).instructions
+    asked = scene.language.read(rest, now=scene.now).instructions
     if not any(one.operation is not None and one.operation.is_asked for one in asked):
         return None
     state = told_state(scene, told, reading)
@@ -113,19 +110,18 @@ def told_anew(scene: Scene, about: About, words: str, taken: Taken) -> Reply | N
 
 def is_news(scene: Scene, said: str) -> bool:
     """Whether words tell anew of what was said to happen."""
-    lexicon = scene.conversation.interpreter.language.lexicon
+    lexicon = scene.lexicon
     happening = [one.operation for one in scene.plan.everything if one.stated and one.operation is not None]
     return any(news.is_of(one, lexicon) for news in news_in(said, scene.now, lexicon) for one in happening)
 
 
 def _condition(scene: Scene, said: str) -> Condition | None:
     """Give what is told as what somebody may wait for; of "it" what is waited for."""
-    language = scene.conversation.interpreter.language
-    read = language.read(f"{IDLE} when {said}", now=scene.now)
+    read = scene.language.read(f"{IDLE} when {said}", now=scene.now)
     found = [part.condition for one in read.instructions for part in one.requirements]
     if len(found) != 1 or found[0] is None:
         return None
-    if found[0].subject not in told_of(language.lexicon):
+    if found[0].subject not in told_of(scene.lexicon):
         return found[0]
     alike = (one for one in _awaited(scene) if one.word is not None and one.word == found[0].word)
     return next(alike, found[0])

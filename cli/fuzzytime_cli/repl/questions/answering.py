@@ -58,7 +58,7 @@ def when(scene: Scene, about: About) -> Reply:
     """Say when that is planned which all of some words name, or when all is over."""
     if about.everything:
         return _over(scene)
-    small = frozenset(scene.conversation.interpreter.language.lexicon.particles)
+    small = frozenset(scene.lexicon.particles)
     # "When's the roast out?"
     positions = _positions(scene, about.names) or _positions(scene, about.names - small or about.names)
     schedule = scene.plan.schedule
@@ -74,10 +74,9 @@ def when(scene: Scene, about: About) -> Reply:
 
 def asked_of(scene: Scene, words: str) -> Reply | None:
     """Answer a question that is not understood, but names what is planned, with when that is; else None."""
-    lexicon = scene.conversation.interpreter.language.lexicon
     tables = ("asking", "placing", "stating", "helping")
-    asking = {word for table in tables for form in lexicon.questions[table] for word in form}
-    filling = {word for form in lexicon.conversation["filling"] for word in form}
+    asking = {word for table in tables for form in scene.lexicon.questions[table] for word in form}
+    filling = {word for form in scene.lexicon.conversation["filling"] for word in form}
     names = content_words(words) - asking - filling
     asks = words.rstrip().endswith("?") or not asking.isdisjoint(words.lower().split()[:1])
     entry = entry_of(scene, names) if asks and names else None
@@ -196,9 +195,8 @@ def _focus(scene: Scene, positions: list[int]) -> int | None:
 
 def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
     """Give the places of waiting skills that all of some words name; without words of what was spoken of."""
-    lexicon = scene.conversation.interpreter.language.lexicon
-    leaving = lexicon.doing.leaving
-    if names and names <= leaving.union(*lexicon.conversation["going"]):
+    leaving = scene.lexicon.doing.leaving
+    if names and names <= leaving.union(*scene.lexicon.conversation["going"]):
         # "When do I have to leave?"
         going = ((place, one.operation) for place, one in waiting(scene))
         return [place for place, operation in going if operation is not None and operation.lemma in leaving]
@@ -214,8 +212,7 @@ def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
 
 def _words_of(scene: Scene, one: Interpreted) -> frozenset[str]:
     """Give the words that name a skill: those of its name, and its verb in all its forms."""
-    lexicon = scene.conversation.interpreter.language.lexicon
-    verb = frozenset() if one.operation is None else verb_forms(one.operation.lemma, lexicon)
+    verb = frozenset() if one.operation is None else verb_forms(one.operation.lemma, scene.lexicon)
     return content_words(one.skill.name) | verb
 
 

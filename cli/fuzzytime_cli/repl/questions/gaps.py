@@ -198,7 +198,7 @@ def _all(scene: Scene) -> Iterator[Taken]:
 
 def _length_of(scene: Scene, thing: str) -> tuple[timedelta, bool]:
     """Give how long something takes, and whether that is assumed: "a nap", "call mum"."""
-    words = without_article(thing, scene.conversation.interpreter.language.lexicon)
+    words = without_article(thing, scene.lexicon)
     for text in (words, f"have {words}"):
         trial = scene.conversation.state.with_entries([text], scene.now)
         made = scene.conversation.understood(scene.now, trial)

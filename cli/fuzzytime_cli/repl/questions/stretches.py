@@ -26,7 +26,7 @@ def time_of(scene: Scene, words: str) -> TimeRequirement:
     FuzzytimeError
         If it is none.
     """
-    found = find_times(words, scene.now, scene.conversation.interpreter.language.lexicon).requirements
+    found = find_times(words, scene.now, scene.lexicon).requirements
     if not found:
         raise FuzzytimeError(f"{words!r} is no time")
     return found[0]

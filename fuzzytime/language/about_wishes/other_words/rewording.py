@@ -1,6 +1,6 @@
 """What was asked for in other words: another thing in it, or another time."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from datetime import datetime
 
 from fuzzytime.english import EMPTY
@@ -68,20 +68,26 @@ def reworded(
         spans = list(dict.fromkeys(part.span for part in told))
         if len(spans) > 1 and time:
             return None
-        if spans:
-            first, end = spans[0]
-            moment = reading.now or now
-            merged = time
-            if time and moment is not None:
-                merged = merged_time(reading.text[first:end], moment, time, now or moment, lexicon)
-            changes += [((first, end), merged), *((span, "") for span in spans[1:])]
-        elif time:
-            end = len(reading.text.rstrip(".!? "))
-            changes.append(((end, end), f" {time}"))
+        changes += _with_time(reading, spans, time, now, lexicon)
     text = reading.text
     for (first, end), words in sorted(changes, reverse=True):
         text = f"{text[:first]}{words}{text[end:]}"
     return " ".join(text.split()).rstrip(" ,")
+
+
+def _with_time(
+    reading: Reading, spans: Sequence[Span], time: str, now: datetime | None, lexicon: Lexicon
+) -> Iterator[tuple[Span, str]]:
+    """Give what a new time changes, of the times that stand somewhere or where there is none."""
+    if spans:
+        moment = reading.now or now
+        if time and moment is not None:
+            time = merged_time(reading.text[slice(*spans[0])], moment, time, now or moment, lexicon)
+        yield spans[0], time
+        yield from ((span, "") for span in spans[1:])
+    elif time:
+        end = len(reading.text.rstrip(".!? "))
+        yield (end, end), f" {time}"
 
 
 def is_thing(text_reading: Reading) -> bool:

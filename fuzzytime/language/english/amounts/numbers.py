@@ -8,8 +8,9 @@ grammar = Grammar()
 
 
 @grammar.rule("quantity", "<integer>")
+@grammar.rule("quantity", "a|an full|further|extra|additional|mere|whole <integer>", weight=0.1)
 def whole(number: Integer) -> Quantity:
-    """Eight, 8."""
+    """Eight, 8; a full ten (minutes), a further five."""
     return Quantity(number.value)
 
 
@@ -116,15 +117,9 @@ def added(quantity: Quantity) -> Quantity:
     return quantity
 
 
-@grammar.rule("quantity", "<integer> and a bit|little", weight=0.1)
+@grammar.rule("quantity", "<integer> and a bit|little", "<integer> -? odd", weight=0.1)
 def and_a_bit(number: Integer) -> Quantity:
-    """Three and a bit (hours)."""
-    return Quantity(number.value, ("about",))
-
-
-@grammar.rule("quantity", "<integer> -? odd", weight=0.1)
-def odd(number: Integer) -> Quantity:
-    """Twenty-odd (minutes)."""
+    """Three and a bit (hours), twenty-odd (minutes)."""
     return Quantity(number.value, ("about",))
 
 
@@ -132,12 +127,6 @@ def odd(number: Integer) -> Quantity:
 def a_good(number: Integer) -> Quantity:
     """A good ten (minutes): that many, or more."""
     return Quantity(number.value, ("at least",))
-
-
-@grammar.rule("quantity", "a|an full|further|extra|additional|mere|whole <integer>", weight=0.1)
-def a_full(number: Integer) -> Quantity:
-    """A full ten (minutes), a further five."""
-    return Quantity(number.value)
 
 
 @grammar.rule("quantity", "another <integer>?")

@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     Time,
     TimeWord,
     Wall,
+    wall_of,
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.joined.distances import LOWER, UPPER
@@ -46,8 +47,7 @@ def goal(time: Time) -> Goal:
 @grammar.rule("goal", "<hedge> the? <goal>", weight=0.05)
 def hedged(hedge: str, goal: Goal) -> Goal | None:
     """About noon, almost six."""
-    clock = goal.time.clock if isinstance(goal.time, Wall) else None
-    part = goal.time.part if isinstance(goal.time, Wall) else None
+    clock, part = goal.wall.clock, goal.wall.part
     if clock is not None and clock.apart and hedge in LOWER | UPPER:
         # "At least ten minutes before noon": how far, at least.
         return None
@@ -84,7 +84,7 @@ def _distance(time: Time) -> Offset | None:
     """Give a time that is so far off another as that: "ten minutes before noon" is one with minutes, too."""
     if isinstance(time, Offset) and time.anchor is not None:
         return time
-    clock = time.clock if isinstance(time, Wall) else None
+    clock = wall_of(time).clock
     if clock is None or not clock.apart or not isinstance(time, Wall):
         return None
     whole = replace(clock, shift=0, apart=False, grain=Unit.MINUTE if clock.minute else Unit.HOUR)
@@ -143,7 +143,7 @@ def stretch_after(duration: Duration, goal: Goal) -> Goal | None:
 )
 def soon_after(duration: Duration, goal: Goal) -> Goal | None:
     """Less than three days after tomorrow: from then to then."""
-    whole = isinstance(goal.time, Wall) and goal.time.clock is None and goal.time.part is None
+    whole = isinstance(goal.time, Wall) and not goal.wall.is_timed
     if whole and all(unit in SUB_DAY for _, unit in duration.terms):
         # "Within an hour of the fall"
         return None
@@ -188,7 +188,7 @@ def at_most_before(hedge: str, duration: Duration, goal: Goal) -> Goal | None:
 
 def _days_off(goal: Goal, duration: Duration, direction: int) -> Calendar | None:
     """Give the day so far off another; None off longer periods, and for hours."""
-    day = goal.time.days if isinstance(goal.time, Wall) else None
+    day = goal.wall.days
     return None if day is None or day.grain is not Unit.DAY else days_away(duration, day, direction)
 
 
@@ -222,8 +222,7 @@ def give_or_take(goal: Goal, width: Duration | Integer) -> Goal | None:
     """Ten, give or take five (minutes): on either side."""
     if isinstance(width, Integer):
         width = Duration(((width.value, Unit.MINUTE),))
-    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
-    return near(width, _as_hour(goal)) if clocked else None
+    return near(width, _as_hour(goal)) if goal.wall.clock is not None else None
 
 
 def _as_hour(goal: Goal) -> Goal:
@@ -235,13 +234,12 @@ def _as_hour(goal: Goal) -> Goal:
 
 def _is_quarter_hour(duration: Duration, goal: Goal) -> bool:
     """Whether a quarter beside a clock time is no quarter of a year: "up to a quarter past three"."""
-    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
-    return duration.unit is Unit.QUARTER and clocked
+    return duration.unit is Unit.QUARTER and goal.wall.clock is not None
 
 
 def _is_day(goal: Goal) -> bool:
     """Whether it is a day, or a longer period, and no time of it."""
-    return isinstance(goal.time, Wall) and goal.time.clock is None and goal.time.part is None
+    return isinstance(goal.time, Wall) and not goal.wall.is_timed
 
 
 def _counts_from(goal: Goal) -> bool:

@@ -36,7 +36,7 @@ def beside(preposition: Preposition, goal: Goal) -> Said | None:
     """At six, on friday, around noon, sometime tomorrow; but "for an hour beforehand" says how long."""
     if preposition.name == "for" and isinstance(goal.time, Offset) and goal.time.anchor is None:
         return None
-    wall = goal.time if isinstance(goal.time, Wall) else Wall()
+    wall = goal.wall
     clock = wall.clock if wall.days is None and wall.part is None else None
     if preposition.name == "in" and clock is not None and clock.half is None and not clock.full_day:
         # "In six forty minutes"
@@ -173,8 +173,7 @@ def at_clock_after_days(clock: Clock, duration: Duration) -> Said | None:
 @grammar.rule("said", "starting|beginning|commencing at? the? <goal>", weight=0.3)
 def starting_at(goal: Goal) -> Said | None:
     """Starting at three pm: then, not some time after it; but "starting tomorrow" is from then on."""
-    clock = isinstance(goal.time, Wall) and goal.time.clock is not None
-    return said_of(goal, "starting") if clock else None
+    return None if goal.wall.clock is None else said_of(goal, "starting")
 
 
 @grammar.rule("said", "<beside> the? <goal>", "at <beside> the? <goal>", weight=0.4)
@@ -244,7 +243,7 @@ def hedged_said(hedge: str, said: Said) -> Said | None:
     """Exactly at six, roughly in ten minutes."""
     if said.preposition is None or len(said.hedges) > 1 or hedge in {"less than", "more than", "some"}:
         return None
-    if hedge == "at most" and isinstance(said.time, Wall) and said.time.days is not None:
+    if hedge == "at most" and said.wall.days is not None:
         # "Up to tomorrow at seven": "up to" binds it.
         return None
     return replace(said, hedges=(hedge, *said.hedges))

@@ -13,9 +13,6 @@ from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
-ROUND_MINUTES = 15
-"""Minutes past an hour that two numbers side by side surely say are multiples of it."""
-
 ROUND = 5
 """Hours whose numbers may as well be minutes to the hour behind them are multiples of it."""
 

@@ -21,13 +21,11 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.joined.distances import said_length
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
-
-LATER_YEARS = 2000
-"""From here on, four digits behind a bound are a year."""
 
 
 @grammar.rule("said", "before the <days>|<series> is|'s out|over|up|through", weight=0.4)
@@ -152,11 +150,9 @@ def ending_on(wall: Wall) -> Said | None:
 @grammar.rule("said", "past the? <goal>", weight=0.15)
 def past_goal(goal: Goal) -> Said | None:
     """Past the weekend, past tomorrow evening, past the 15th; but "past tuesday" is the last one."""
-    time = goal.time
-    days = time.days if isinstance(time, Wall) else None
-    timed = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
-    timed = timed or (isinstance(days, Fields) and days.day is not None)
-    if not (isinstance(time, Ending) or timed or isinstance(days, (Deictic, Relative))):
+    days = goal.wall.days
+    timed = goal.wall.is_timed or (isinstance(days, Fields) and days.day is not None)
+    if not (isinstance(goal.time, Ending) or timed or isinstance(days, (Deictic, Relative))):
         return None
     return said_of(goal, "after", Constraint.AFTER, Edge.END)
 
@@ -170,13 +166,13 @@ def by_or_later(goal: Goal) -> Said:
 @grammar.rule("said", "<duration> from now on|onwards|onward", weight=0.6)
 def from_then_on_counted(duration: Duration) -> Said:
     """An hour from now on."""
-    return Said(replace(duration, hedges=()), Constraint.AFTER, "from now", duration.hedges)
+    return said_length(duration, Constraint.AFTER, "from now")
 
 
 @grammar.rule("said", "from <goal> on|onwards|onward", weight=0.4)
 def from_then_on(goal: Goal) -> Said | None:
     """From monday on, from now on; but "from 3 pm onwards" is not before that, and "from school" is where."""
-    if isinstance(goal.time, Wall) and goal.time.part is not None and goal.time.part.place:
+    if goal.wall.part is not None and goal.wall.part.place:
         return None
     of_day = isinstance(goal.time, Wall) and (goal.time.clock is not None or goal.time.days is None)
     return said_of(goal, "not before" if of_day else "from", Constraint.AFTER, Edge.START)

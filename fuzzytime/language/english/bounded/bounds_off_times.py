@@ -43,7 +43,7 @@ def _edge_of(goal: Goal) -> Edge:
 @grammar.rule("said", "for <preposition_before>|<preposition_after> <goal>", weight=0.3)
 def for_bound(preposition: Preposition, goal: Goal) -> Said | None:
     """(an alarm) for no later than eight: made for a time that is a bound; but "for after lunch"."""
-    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
+    clocked = goal.wall.clock is not None
     if not clocked or preposition.name in UNBOUND:
         return None
     side = deadline if preposition.constraint is Constraint.BEFORE else release
@@ -53,14 +53,14 @@ def for_bound(preposition: Preposition, goal: Goal) -> Said | None:
 @grammar.rule("said", "for between <goal> and <goal>", weight=1.2)
 def for_between(first: Goal, last: Goal) -> Said | None:
     """(a table) for between seven and eight."""
-    clocked = all(isinstance(goal.time, Wall) and goal.time.clock is not None for goal in (first, last))
+    clocked = first.wall.clock is not None and last.wall.clock is not None
     return between(first, last) if clocked else None
 
 
 @grammar.rule("said", "for <goal off>", weight=0.3)
 def for_off(goal: Goal) -> Said | None:
     """(an alarm) for just before eight."""
-    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
+    clocked = goal.wall.clock is not None
     return Said(goal.time, None, None, goal.hedges, _edge_of(goal), beside=True) if clocked else None
 
 

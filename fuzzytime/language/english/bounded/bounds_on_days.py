@@ -23,7 +23,7 @@ def range_on_day(said: Said, wall: Wall) -> Said | None:
 
 def _is_from_place(said: Said) -> bool:
     """Whether it says where, and not since when: "from school"."""
-    part = said.time.part if isinstance(said.time, Wall) else None
+    part = said.wall.part
     return said.preposition == FROM and part is not None and part.place
 
 
@@ -36,7 +36,7 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
     wall, said = (first, second) if third is None else (second, third)
     if not isinstance(wall, Wall) or not isinstance(said, Said):
         return None
-    dated = isinstance(said.time, Wall) and said.time.days is not None
+    dated = said.wall.days is not None
     if isinstance(first, Preposition) and first.name == "for" and dated:
         # "The rota for next week by thursday": what it is for, and a deadline.
         return None
@@ -91,7 +91,7 @@ def before_but_after(said: Said, after: Preposition, goal: Goal) -> Said | None:
     """Tomorrow before noon, but not before ten: from the second to the first."""
     if said.constraint is not Constraint.BEFORE or not isinstance(said.time, Wall) or said.time.clock is None:
         return None
-    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
+    clocked = goal.wall.clock is not None
     return between(goal, Goal(said.time, said.hedges)) if clocked and after.name != "since" else None
 
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.amounts import durations
 from fuzzytime.language.english.at_times import goals
 from fuzzytime.language.english.at_times.prepositions import beside
 from fuzzytime.language.english.bounded.bounds import deadline, release
@@ -13,12 +14,6 @@ from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.expressions import Duration, Goal, Repeat, Said
 
 grammar = Grammar()
-
-
-@grammar.rule("duration aside", ", <hedge> , <duration>")
-def duration_aside(hedge: str, duration: Duration) -> Duration:
-    """(in), say, ten minutes."""
-    return duration.hedged(hedge)
 
 
 @grammar.rule("goal aside", ", <hedge> , the? <goal>")
@@ -33,7 +28,8 @@ def duration_and_aside(duration: Duration, hedge: str) -> Duration:
     return duration.hedged(hedge)
 
 
-# They bind as they do without commas.
+# They hedge and bind as they do without commas.
+grammar.rule("duration aside", ", <hedge> , <duration>")(durations.hedged)
 grammar.rule("said", "in <duration aside>", weight=0.6)(counted.in_duration)
 grammar.rule("said", "for <duration aside>", weight=0.6)(how_long.for_duration)
 grammar.rule("said", "after <duration aside>", weight=0.6)(counted.after_duration)

@@ -131,5 +131,5 @@ def unless_it_is_past(said: Said) -> Said | None:
 
 def _bounds(said: Said) -> bool:
     """Whether it is before or after a clock time."""
-    clock = said.time.clock if isinstance(said.time, Wall) else None
+    clock = said.wall.clock
     return clock is not None and said.constraint in TURNED

@@ -228,12 +228,6 @@ def the_year(number: int) -> Fields:
 # -- as times ------------------------------------------------------------------------------------------
 
 
-@grammar.rule("wall", "<date>")
-def wall(days: Calendar) -> Wall:
-    """A date alone."""
-    return Wall(days)
-
-
 @grammar.rule("wall", "<weak date>")
 def weak_wall(days: Calendar) -> Wall:
     """A date that is none without a preposition."""

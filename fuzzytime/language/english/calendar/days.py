@@ -1,7 +1,7 @@
 """Days, weekdays, weeks and stretches of them: "tomorrow", "next tuesday", "the weekend", "in three days"."""
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, is_weekday
 from fuzzytime.language.meaning.days.nested import Share, WeekOf, Within
 from fuzzytime.language.meaning.days.relations import (
     Away,
@@ -15,7 +15,6 @@ from fuzzytime.language.meaning.days.relations import (
 )
 from fuzzytime.language.meaning.days.workdays import Workday
 from fuzzytime.language.meaning.expressions import Coming, Duration, Quantity, UnitWord, Wall
-from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.requirement import Unit
 
@@ -31,21 +30,19 @@ MIDDLE = (0.25, 0.75)
 # -- days by name ---------------------------------------------------------------------------------------
 
 
-@grammar.rule("days", "<day>")
-def day(relative: Relative) -> Calendar:
-    """Today, tomorrow, the day after tomorrow."""
-    return relative
+@grammar.rule("days", "<day>", "the? <feast>")
+@grammar.rule("series", "<season>", "<feast>")
+def named(found: Calendar) -> Calendar:
+    """Today, tomorrow, christmas; summer and easter, in "last easter"."""
+    return found
 
 
 @grammar.rule("days", "the? <weekday>", "this? <weekday> coming", "<weekday> next")
-def weekday(number: int) -> Calendar:
-    """Monday, this monday coming, monday next."""
-    return Fields(weekday=number)
-
-
 @grammar.rule("days", "a|any|some <weekday>", weight=0.5)
-def any_weekday(number: int) -> Calendar:
-    """A monday: the next."""
+@grammar.rule("series", "<weekday>")
+@grammar.rule("weekday series", "<weekday>")
+def weekday(number: int) -> Calendar:
+    """Monday, in "next monday" too; this monday coming; a monday: the next."""
     return Fields(weekday=number)
 
 
@@ -53,12 +50,6 @@ def any_weekday(number: int) -> Calendar:
 def any_weekend() -> Calendar:
     """A weekend: the next."""
     return Deictic(Which.THIS, Weekend())
-
-
-@grammar.rule("days", "the? <feast>")
-def feast(found: Feast) -> Calendar:
-    """Christmas, thanksgiving."""
-    return found
 
 
 @grammar.rule("series", "weekend|weekends|wkend", "week end", "week - end")
@@ -73,12 +64,6 @@ def working_week() -> Calendar:
     return Weekend(working=True)
 
 
-@grammar.rule("series", "<season>")
-def season(found: Season) -> Calendar:
-    """Summer, fall."""
-    return found
-
-
 @grammar.rule("series", "calendar? <unit>")
 def cycle(unit: UnitWord) -> Calendar | None:
     """Week, month, fortnight; but "minute" is no day."""
@@ -87,23 +72,10 @@ def cycle(unit: UnitWord) -> Calendar | None:
     return None if unit.unit in SUB_DAY or len(unit.form) == 1 or several else Cycle(unit.unit, unit.count)
 
 
-@grammar.rule("series", "<weekday>")
-@grammar.rule("weekday series", "<weekday>")
-def weekday_series(number: int) -> Calendar:
-    """Monday, in "next monday"."""
-    return Fields(weekday=number)
-
-
 @grammar.rule("series", "<month>")
 def month_series(number: int) -> Calendar:
     """March, in "next march"."""
     return Fields(month=number)
-
-
-@grammar.rule("series", "<feast>")
-def feast_series(found: Feast) -> Calendar:
-    """Easter, in "last easter"."""
-    return found
 
 
 @grammar.rule("days", "<deictic> <series>", weight=0.1)
@@ -135,7 +107,7 @@ def the_present(series: Calendar) -> Calendar | None:
 @grammar.rule("days", "<series> after next", "the <series> after next", weight=0.2)
 def after_next(series: Calendar) -> Calendar:
     """The week after next, wednesday after next."""
-    if isinstance(series, Fields) and series.weekly:
+    if is_weekday(series):
         return Following(2, series, Relative(0))
     return Following(1, series, Deictic(Which.NEXT, series))
 
@@ -233,10 +205,15 @@ def days_into(duration: Duration, period: Calendar) -> Calendar | None:
     return None if period.grain is Unit.DAY or duration.hedges else days_away(duration, period, 1)
 
 
-@grammar.rule("days", "<duration> before <days>|<date>|<day of month>", weight=0.2)
-@grammar.rule("days", "<duration> prior to <days>|<date>|<day of month>", weight=0.2)
+@grammar.rule(
+    "days",
+    "<duration> before <days>|<date>|<day of month>",
+    "<duration> prior to <days>|<date>|<day of month>",
+    weight=0.2,
+)
+@grammar.rule("days", "<duration> ago <day>", weight=0.6)
 def days_before(duration: Duration, anchor: Calendar) -> Calendar | None:
-    """Two weeks before christmas."""
+    """Two weeks before christmas, a month ago today."""
     return days_away(duration, anchor, -1) if not duration.hedges else None
 
 
@@ -286,7 +263,7 @@ def stretch_of_one(which: Which, unit: UnitWord, more: Duration | None = None) -
     return Coming(Duration(terms), -1 if which in PAST_WORDS else 1)
 
 
-@grammar.rule("wall", "<days>")
+@grammar.rule("wall", "<days>", "<date>")
 def wall(days: Calendar) -> Wall:
-    """A day alone."""
+    """A day, or a date, alone."""
     return Wall(days)

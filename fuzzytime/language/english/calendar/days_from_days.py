@@ -84,12 +84,6 @@ def weeks_from(duration: Duration, day: Relative) -> Calendar | None:
     return days_away(duration, day, 1) if whole else None
 
 
-@grammar.rule("days", "<duration> ago <day>", weight=0.6)
-def ago_from(duration: Duration, day: Relative) -> Calendar | None:
-    """A month ago today, a week ago yesterday."""
-    return days_away(duration, day, -1) if not duration.hedges else None
-
-
 @grammar.rule("days", "<unit> from <days>|<date>", weight=-0.5)
 def a_unit_from(unit: UnitWord, anchor: Calendar) -> Calendar | None:
     """Week from tuesday, month from tomorrow: one of it."""

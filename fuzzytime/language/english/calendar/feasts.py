@@ -93,7 +93,7 @@ def _part_of(number: int, part: Part, days: Calendar) -> Wall | None:
 @grammar.rule("repeat", "<repeat> of|during|throughout the? <wall>", weight=0.25)
 def repeat_during(repeat: Repeat, wall: Wall) -> Repeat | None:
     """Every evening of passover, every day during next week; but "every second friday of the month"."""
-    whole = wall.days is not None and wall.clock is None and wall.part is None
+    whole = wall.days is not None and not wall.is_timed
     # "Every day of the week": of any week.
     days = wall.days if isinstance(wall.days, Deictic) else None
     any_of_them = days is not None and days.which is Which.THIS and isinstance(days.of, Cycle)

@@ -58,9 +58,11 @@ def stroke(clock: Clock) -> Clock:
     return replace(clock, bare=False)
 
 
-@grammar.rule("clock", "<minutes of clock> past <clock>", weight=0.2)
+@grammar.rule(
+    "clock", "<minutes of clock> past <clock>", "<bare minutes of clock> past|after <clock>", weight=0.2
+)
 def past(minutes: float, clock: Clock) -> Clock | None:
-    """A quarter past three, ten minutes past six pm."""
+    """A quarter past three, ten minutes past six pm, ten after three."""
     return moved(clock, minutes)
 
 
@@ -82,12 +84,6 @@ def before(minutes: float, clock: Clock) -> Clock | None:
     """Ten minutes before eleven."""
     found = moved(clock, -minutes)
     return None if found is None else replace(found, apart=True)
-
-
-@grammar.rule("clock", "<bare minutes of clock> past|after <clock>", weight=0.2)
-def bare_past(minutes: float, clock: Clock) -> Clock | None:
-    """Ten past three."""
-    return moved(clock, minutes)
 
 
 @grammar.rule("clock", "<bare minutes of clock> to|till|before|of|til <clock>", weight=0.15)

@@ -12,27 +12,21 @@ from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
     Goal,
-    Offset,
     Quantity,
     Said,
     UnitWord,
 )
-from fuzzytime.language.meaning.joined.distances import UPPER
+from fuzzytime.language.meaning.joined.distances import LATER, UPPER, said_length, said_offset
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
-
-
-def said_length(duration: Duration, constraint: Constraint, preposition: str) -> Said:
-    """Give a length with what it is hedged by, as a preposition binds it: "in about ten minutes"."""
-    return Said(replace(duration, hedges=()), constraint, preposition, duration.hedges)
 
 
 def coming_deadline(goal: Goal) -> Said:
     """Give "the next ten minutes" as a deadline: ten minutes from now."""
     time = goal.time
     duration = time.duration if isinstance(time, Coming) else Duration(())
-    return Said(replace(duration, hedges=()), Constraint.BEFORE, "before", (*goal.hedges, *duration.hedges))
+    return said_length(duration.hedged(*goal.hedges), Constraint.BEFORE, "before")
 
 
 @grammar.rule(
@@ -43,8 +37,10 @@ def coming_deadline(goal: Goal) -> Said:
     "in <duration> from now",
     weight=0.3,
 )
+@grammar.rule("said", "starting|beginning|commencing in <duration>", weight=0.4)
+@grammar.rule("said", "today in <duration>", weight=0.5)
 def in_duration(duration: Duration) -> Said:
-    """In ten minutes, in half an hour's time."""
+    """In ten minutes, in half an hour's time, starting in an hour."""
     return said_length(duration, Constraint.AT, "in")
 
 
@@ -55,18 +51,6 @@ def in_duration(duration: Duration) -> Said:
 def in_like(duration: Duration) -> Said:
     """In like ten minutes, in ten minutes about; but "write in ten minutes about the flat" is refused."""
     return said_length(duration.hedged("about"), Constraint.AT, "in")
-
-
-@grammar.rule("said", "starting|beginning|commencing in <duration>", weight=0.4)
-def starting_in(duration: Duration) -> Said:
-    """Starting in a quarter of an hour."""
-    return said_length(duration, Constraint.AT, "in")
-
-
-@grammar.rule("said", "today in <duration>", weight=0.5)
-def today_in(duration: Duration) -> Said:
-    """Today in one hour."""
-    return said_length(duration, Constraint.AT, "in")
 
 
 @grammar.rule("said", "in <quantity>", weight=-0.1)
@@ -146,8 +130,9 @@ def within_the_hour(unit: UnitWord) -> Said | None:
 
 
 @grammar.rule("said", "<preposition_before> in <duration>", weight=0.5)
-def not_later_than_in(preposition: Preposition, duration: Duration) -> Said:
-    """No later than in ten minutes."""
+@grammar.rule("said", "<preposition_before>|<within> <duration> <forward>", weight=0.3)
+def deadline_in(preposition: Preposition, duration: Duration, _forward: Preposition | None = None) -> Said:
+    """No later than in ten minutes, before ten minutes from now."""
     return said_length(duration, Constraint.BEFORE, preposition.name)
 
 
@@ -179,7 +164,7 @@ def _is_late_clock(duration: Duration) -> bool:
 @grammar.rule("said", "<duration> <forward>", "<duration> '|'s <forward>", weight=0.3)
 def from_now(duration: Duration, preposition: Preposition) -> Said:
     """Ten minutes from now, half an hour later."""
-    return Said(Offset(replace(duration, hedges=())), None, preposition.name, duration.hedges)
+    return said_offset(duration, preposition.name)
 
 
 @grammar.rule("said", "<duration> in", weight=0.2)
@@ -191,13 +176,13 @@ def from_now(duration: Duration, preposition: Preposition) -> Said:
 )
 def so_far_in(duration: Duration) -> Said:
     """Ten minutes in, when it's been ten minutes: counted from what was begun."""
-    return Said(Offset(replace(duration, hedges=())), None, "later", duration.hedges)
+    return said_offset(duration, LATER)
 
 
 @grammar.rule("said", "<duration> <back>", weight=0.3)
 def ago(duration: Duration, preposition: Preposition) -> Said:
     """Two days ago."""
-    return Said(Offset(replace(duration, hedges=()), -1), None, preposition.name, duration.hedges)
+    return said_offset(duration, preposition.name, -1)
 
 
 @grammar.rule(
@@ -205,20 +190,10 @@ def ago(duration: Duration, preposition: Preposition) -> Said:
 )
 def at_offset(first: Preposition, duration: Duration, second: Preposition) -> Said | None:
     """For five minutes from now."""
-    return (
-        Said(Offset(replace(duration, hedges=())), None, first.name, duration.hedges)
-        if second.name == "from now"
-        else None
-    )
+    return said_offset(duration, first.name) if second.name == "from now" else None
 
 
 @grammar.rule("said", "past <duration> from now|hence", weight=0.5)
 def past_offset(duration: Duration) -> Said:
     """Past ten minutes from now: not before that."""
     return said_length(duration, Constraint.AFTER, "after")
-
-
-@grammar.rule("said", "<preposition_before>|<within> <duration> <forward>", weight=0.3)
-def deadline_offset(first: Preposition, duration: Duration, second: Preposition) -> Said:
-    """Before ten minutes from now."""
-    return said_length(duration, Constraint.BEFORE, first.name)

@@ -1,9 +1,8 @@
 """How long it has been: "until ten minutes have passed", "once an hour is up"."""
 
-from dataclasses import replace
-
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.expressions import Duration, Said
+from fuzzytime.language.meaning.joined.distances import said_length
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -27,7 +26,7 @@ def elapsed(duration: Duration) -> Duration | None:
 @grammar.rule("said", "until|till <elapsed>", "or until|till <elapsed>", weight=0.4)
 def until_elapsed(length: Duration) -> Said:
     """(stir) until ten minutes have passed: so long."""
-    return Said(replace(length, hedges=()), Constraint.FOR, "for", length.hedges)
+    return said_length(length, Constraint.FOR, "for")
 
 
 @grammar.rule("said", "or once|when|after? <elapsed>", weight=0.4)
@@ -39,10 +38,10 @@ def or_elapsed(length: Duration) -> Said:
 @grammar.rule("said", "once|when|after <elapsed>", "as soon as <elapsed>", weight=0.4)
 def once_elapsed(length: Duration) -> Said:
     """(stir) once ten minutes have passed: in ten minutes."""
-    return Said(replace(length, hedges=()), Constraint.AT, "in", length.hedges)
+    return said_length(length, Constraint.AT, "in")
 
 
 @grammar.rule("said", "before <elapsed>", weight=0.6)
 def before_elapsed(length: Duration) -> Said:
     """Before an hour is up: within it."""
-    return Said(replace(length, hedges=()), Constraint.BEFORE, "before", length.hedges)
+    return said_length(length, Constraint.BEFORE, "before")

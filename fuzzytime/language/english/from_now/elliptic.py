@@ -7,9 +7,9 @@ from fuzzytime.language.english.from_now.how_long import for_another
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.expressions import Duration, Offset, Repeat, Said, TimeWord, UnitWord
+from fuzzytime.language.meaning.expressions import Duration, Repeat, Said, TimeWord, UnitWord
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.meaning.joined.distances import EARLIER, HALFWAY, LAST, LEFT, far_off
+from fuzzytime.language.meaning.joined.distances import EARLIER, HALFWAY, LAST, LEFT, far_off, said_offset
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
 
@@ -84,7 +84,7 @@ def halfway() -> Said:
 )
 def left_of_it(duration: Duration) -> Said:
     """(add the peas) when there are ten minutes left: of what goes on."""
-    return Said(Offset(replace(duration, hedges=()), -1), None, LEFT, duration.hedges)
+    return said_offset(duration, LEFT, -1)
 
 
 @grammar.rule("last of it", "the? last|final <duration>")
@@ -120,13 +120,13 @@ def after_it(duration: Duration) -> Said | None:
 @grammar.rule("said", "<duration> before|early", weight=0.05)
 def before_it(duration: Duration) -> Said | None:
     """(be there) ten minutes before: counted from what was said before; but "the night before"."""
-    return Said(Offset(replace(duration, hedges=()), -1), None, "earlier", duration.hedges)
+    return said_offset(duration, "earlier", -1)
 
 
 @grammar.rule("so far off", "<hedge>? <duration> before|early|earlier|beforehand")
 def so_long_before(hedge: str | None, duration: Duration) -> Said:
     """(before you go,) at least ten minutes before: counted from what was just named."""
-    told = Said(Offset(replace(duration, hedges=()), -1), None, EARLIER, duration.hedges)
+    told = said_offset(duration, EARLIER, -1)
     return replace(told, hedges=(*((hedge,) if hedge else ()), *told.hedges))
 
 

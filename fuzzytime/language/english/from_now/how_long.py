@@ -3,11 +3,11 @@
 from dataclasses import replace
 
 from fuzzytime.language.english.clock_times.clocks import minutes_of
-from fuzzytime.language.english.from_now.counted import said_length
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.expressions import Coming, Duration, Quantity, Said, UnitWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.joined.distances import said_length
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -79,4 +79,4 @@ def for_stretch(stretch: Wall | Coming) -> Said | None:
 @grammar.rule("said", "<duration>", weight=-0.2)
 def duration_alone(duration: Duration) -> Said:
     """Ten minutes: how long."""
-    return Said(replace(duration, hedges=()), Constraint.FOR, None, duration.hedges)
+    return said_length(duration, Constraint.FOR, None)

@@ -3,9 +3,9 @@
 from dataclasses import replace
 
 from fuzzytime.language.english.clock_times.minutes_past import NOON_HOUR, moved
-from fuzzytime.language.english.intervals.ranges import between
+from fuzzytime.language.english.intervals.ranges import sometime_from
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.expressions import Goal, Said, Wall
+from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.joined.beside import joined, refined
 from fuzzytime.language.meaning.times_of_day import Clock
 
@@ -30,16 +30,13 @@ def spoken_to_hour_on_day(day: Wall, minutes: float, hour: Wall) -> Said | None:
 # Of what goes on for hours, and only there, these are from when to when.
 
 
-@grammar.rule("hours open", "<clock> to|till|til|until|- <clock>", weight=1.0)
-def open_between(first: Clock, last: Clock) -> Said | None:
-    """(open) ten to six."""
-    return between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
+grammar.rule("hours open", "<clock> to|till|til|until|- <clock>", weight=1.0)(sometime_from)
 
 
 @grammar.rule("hours open", "<clock> to|till|til|until|- <clock> ,? on? <wall>", weight=1.0)
 def open_between_on(first: Clock, last: Clock, day: Wall) -> Said | None:
     """(work) ten to six tomorrow."""
-    hours = open_between(first, last)
+    hours = sometime_from(first, last)
     return None if hours is None or day.days is None else refined(hours, day)
 
 

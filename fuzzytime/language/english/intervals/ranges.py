@@ -7,7 +7,7 @@ from fuzzytime.language.english.clock_times.clocks import number
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Fields, is_day_of_month
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Ending,
@@ -20,6 +20,7 @@ from fuzzytime.language.meaning.expressions import (
     Time,
     TimeWord,
     Wall,
+    wall_of,
 )
 from fuzzytime.language.meaning.joined.beside import in_hour_of, lasts_then, refined
 from fuzzytime.language.meaning.joined.range_ends import closes, comparable, is_meal, is_one, lent
@@ -36,7 +37,7 @@ TO_THE_HOUR = frozenset({5, 10, 20, 25})
 def range_of(first: Goal, last: Goal, *, minutes: bool = False) -> Said | None:
     """Give a stretch; ``minutes`` where its first number may be some to its last: "today five to eight"."""
     last = _in_hour(first, last)
-    clock = first.time.clock if isinstance(first.time, Wall) else None
+    clock = first.wall.clock
     if isinstance(first.time, Wall) and clock is not None and clock.hours and not minutes:
         first = replace(first, time=replace(first.time, clock=replace(clock, hours=False)))
     for time in (first.time, last.time):
@@ -121,7 +122,7 @@ def _side_by_side(first: Goal, last: Goal, *, minutes: bool = False) -> Said | N
         return None
     if minutes and (_is_minutes(first.time, last.time) or _is_open(last.time)):
         return None
-    if isinstance(first.time, Wall) and first.time.clock is not None and _is_number_of_day(last.time):
+    if first.wall.clock is not None and _is_number_of_day(last.time):
         # "6 pm to the second" is exact.
         return None
     if isinstance(first.time, Wall) and is_meal(first.time):
@@ -141,8 +142,8 @@ def _is_open(time: Time) -> bool:
 
 def _is_number_of_day(time: Time) -> bool:
     """Whether it is a day of whichever month: "the second"."""
-    days = time.days if isinstance(time, Wall) and time.clock is None else None
-    return isinstance(days, Fields) and days == Fields(day=days.day)
+    wall = wall_of(time)
+    return wall.clock is None and is_day_of_month(wall.days)
 
 
 def _is_day(wall: Wall) -> bool:
@@ -153,7 +154,7 @@ def _is_day(wall: Wall) -> bool:
 
 def _is_minutes(first: Time, last: Time) -> bool:
     """Whether a number in words is no hour before the one behind it: "about ten to six pm"."""
-    start, end = (time.clock if isinstance(time, Wall) else None for time in (first, last))
+    start, end = (wall_of(time).clock for time in (first, last))
     return (
         start is not None
         and end is not None
@@ -230,7 +231,7 @@ def hours_of_date(wall: Wall, first: Integer, last: Integer) -> Said | None:
 @grammar.rule("said", "the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def then_until(first: Goal, last: Goal) -> Said | None:
     """9:30 until 11; but who is "at work until five" is somewhere."""
-    part = first.time.part if isinstance(first.time, Wall) else None
+    part = first.wall.part
     return None if part is not None and part.place else range_of(first, last)
 
 

@@ -22,12 +22,6 @@ def with_meal(meal: Part) -> Said | None:
     return None if meal.place else Said(Wall(part=meal), None, "at")
 
 
-@grammar.rule("wall", "for <meal>", weight=0.1)
-def for_meal(meal: Part) -> Wall | None:
-    """For lunch: a time of what is done at the table, as "meet Sam for lunch"."""
-    return None if meal.place else Wall(part=meal)
-
-
 @grammar.rule("wall", "for|at|over <meal> <day_part>", weight=0.45)
 def meal_tonight(meal: Part, found: tuple[Relative, Part]) -> Wall | None:
     """For dinner tonight: when that is, on this day."""

@@ -107,8 +107,9 @@ def all_day(days: Calendar) -> Wall | None:
 
 
 @grammar.rule("wall", "at|during|over the? <meal>")
+@grammar.rule("wall", "for <meal>", weight=0.1)
 def at_meal(found: Part) -> Wall | None:
-    """At lunch, during dinner; "at school" is where."""
+    """At lunch, during dinner, (meet Sam) for lunch; "at school" is where."""
     return None if found.place else Wall(part=found)
 
 

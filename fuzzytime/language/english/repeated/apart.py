@@ -6,6 +6,7 @@ from fuzzytime.language.english.repeated.bounded_repetitions import from_first_t
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.expressions import Duration, Offset, Repeat, Said
+from fuzzytime.language.meaning.joined.distances import said_length
 from fuzzytime.language.meaning.joined.first_times import beginning, first_time
 from fuzzytime.requirement import Constraint
 
@@ -71,7 +72,7 @@ def times_each(times: int, length: Duration) -> Said | None:
 @grammar.rule("said", "<each>", weight=0.3)
 def each_alone(length: Duration) -> Said:
     """(Three walks a day,) twenty minutes each: how long every one takes."""
-    return Said(replace(length, hedges=()), Constraint.FOR, "for", length.hedges)
+    return said_length(length, Constraint.FOR, "for")
 
 
 @grammar.rule(

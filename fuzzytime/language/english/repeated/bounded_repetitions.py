@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.repeated.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.calendar import Cycle, Fields
+from fuzzytime.language.meaning.calendar import Cycle, is_weekday
 from fuzzytime.language.meaning.expressions import Goal, HourMark, Range, Repeat, Said, SameTime, Wall
 from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat, is_of_day
 from fuzzytime.language.meaning.joined.first_times import ending_with
@@ -19,7 +19,7 @@ grammar = Grammar()
 @grammar.rule("repeat", "<repeat> ,? on? <repeat>", weight=0.4)
 def weeks_on_weekdays(weeks: Repeat, weekdays: Repeat) -> Repeat | None:
     """Every other week on mondays, once a week on saturday mornings."""
-    weekly = all(isinstance(wall.days, Fields) and wall.days.weekly for wall in weekdays.walls)
+    weekly = all(is_weekday(wall.days) for wall in weekdays.walls)
     if [wall.days for wall in weeks.walls] != [Cycle(Unit.WEEK)] or not weekly or weekdays.skip != 1:
         return None
     return replace(weekdays, skip=weeks.skip) if _is_unbounded(weeks) and _is_unbounded(weekdays) else None

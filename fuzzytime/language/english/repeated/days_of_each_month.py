@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.english.repeated.repeated_days import LONGEST_MONTH
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, is_day_of_month
 from fuzzytime.language.meaning.days.nested import Nth
 from fuzzytime.language.meaning.expressions import Repeat, UnitWord, Wall
 from fuzzytime.language.meaning.joined.repeats_beside import on_named_days
@@ -95,7 +95,7 @@ def more_days_of_month(repeat: Repeat, number: int) -> Repeat | None:
     """Every month on the fifth and the twentieth."""
     walls = repeat.walls
     days = [wall.days.day or 0 for wall in walls if isinstance(wall.days, Fields) and wall == Wall(wall.days)]
-    monthly = all(isinstance(wall.days, Fields) and wall.days.is_day_of_month for wall in walls)
+    monthly = all(is_day_of_month(wall.days) for wall in walls)
     if not days or not monthly or len(days) < len(walls) or not days[-1] < number <= LONGEST_MONTH:
         return None
     return replace(repeat, walls=(*walls, Wall(Fields(day=number))))
@@ -108,7 +108,7 @@ def more_days_of_every(number: int, repeat: Repeat) -> Repeat | None:
     if days and isinstance(days[0], Nth) and (0 < number < days[0].number or days[0].number == LAST):
         first = replace(repeat.walls[0], days=replace(days[0], number=number))
         return replace(repeat, walls=(first, *repeat.walls))
-    monthly = all(isinstance(day, Fields) and day.is_day_of_month for day in days)
+    monthly = all(is_day_of_month(day) for day in days)
     if not days or not monthly or not 1 <= number <= LONGEST_MONTH:
         return None
     return replace(repeat, walls=(replace(repeat.walls[0], days=Fields(day=number)), *repeat.walls))

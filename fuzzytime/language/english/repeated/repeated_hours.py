@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.calendar import Cycle, Fields
+from fuzzytime.language.meaning.calendar import Cycle, is_weekday
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat, timed_as
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
@@ -146,5 +146,5 @@ def both(first: Repeat, second: Wall | Repeat, third: Repeat | None = None) -> R
 def _is_plain(repeat: Repeat) -> bool:
     """Whether it is nothing but days with times of day, or weekdays."""
     timed = all(wall.clock is not None or wall.part is not None for wall in repeat.walls)
-    timed = timed or all(isinstance(wall.days, Fields) and wall.days.weekly for wall in repeat.walls)
+    timed = timed or all(is_weekday(wall.days) for wall in repeat.walls)
     return bool(repeat.walls) and timed and repeat.skip == 1 and not (repeat.starting or repeat.until)

@@ -19,7 +19,7 @@ from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.understood.due import tells_when_due
 from fuzzytime.language.grammar.understood.lent import counts_one
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import is_day_of_month
 from fuzzytime.language.meaning.expressions import Wall
 
 SIGNS = frozenset({">", "<"})
@@ -104,10 +104,10 @@ class Borders:
 
     def _is_state(self, piece: Piece) -> bool:
         """Whether its first word is what a thing is then, and no preposition: "heating on | 6 am"."""
-        time, first = piece.value.time, piece.start
+        wall, first = piece.value.wall, piece.start
         if self.texts[first] != "on" or first == 0 or piece.end - first == 1:
             return False
-        clock = isinstance(time, Wall) and time.clock is not None and time.days is None and time.part is None
+        clock = wall.clock is not None and wall.days is None and wall.part is None
         return clock and self.words[first + 1].is_digits and self.words[first - 1].is_letters
 
     def _counts_nothing(self, piece: Piece) -> bool:
@@ -246,9 +246,9 @@ class Borders:
     def _says_order(self, piece: Piece) -> bool:
         """Whether it begins with where something comes among others: "feed the cat first at six"."""
         ordinal = self.texts[piece.start] in self.lexicon.ordinals and self.words[piece.start].is_letters
-        wall = piece.value.time
-        days = wall.days if isinstance(wall, Wall) and wall.clock is not None else None
-        alone = isinstance(days, Fields) and days == Fields(day=days.day)
+        wall = piece.value.wall
+        days = None if wall.clock is None else wall.days
+        alone = is_day_of_month(days)
         before = self.around.before(piece)
         # "Open it by a third at seven"
         led = before in self.closed.sure_noun_openers - self.closed.indefinite_determiners
@@ -274,8 +274,8 @@ class Borders:
 
         What is done to something "the evening of the 6th" is done then.
         """
-        time = piece.value.time
-        dated = isinstance(time, Wall) and time.days is not None and time.part is not None
+        wall = piece.value.wall
+        dated = wall.days is not None and wall.part is not None
         if (
             dated
             and piece.start > 1

@@ -11,8 +11,8 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.measuring import Measures
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Range, Said, Wall
+from fuzzytime.language.meaning.calendar import Fields, is_day_of_month
+from fuzzytime.language.meaning.expressions import Range, Said, Wall, wall_of
 
 THEN = "then"
 JOINTS = frozenset({"and", "&", "or", ",", THEN})
@@ -126,25 +126,23 @@ def _is_open(piece: Piece) -> bool:
 
 def _is_dated(piece: Piece) -> bool:
     """Whether it is on a day of a month: "26th july"."""
-    days = piece.value.time.days if isinstance(piece.value.time, Wall) else None
+    days = piece.value.wall.days
     return isinstance(days, Fields) and days.day is not None
 
 
 def _is_day_of_month(piece: Piece) -> bool:
     """Whether it is on a day of some month, and no other is said: "15th", "from two to ten on the 14th"."""
     time = piece.value.time
-    wall = time.first if isinstance(time, Range) else time
-    days = wall.days if isinstance(wall, Wall) else None
-    return isinstance(days, Fields) and days.is_day_of_month
+    return is_day_of_month(wall_of(time.first if isinstance(time, Range) else time).days)
 
 
 def _has_hours(piece: Piece) -> bool:
     """Whether it is from one time of day to another."""
     time = piece.value.time
     ends = (time.first, time.last) if isinstance(time, Range) else ()
-    return bool(ends) and all(isinstance(end, Wall) and end.clock is not None for end in ends)
+    return bool(ends) and all(wall_of(end).clock is not None for end in ends)
 
 
 def _is_clocked(piece: Piece) -> bool:
     """Whether it is a time of day."""
-    return isinstance(piece.value.time, Wall) and piece.value.time.clock is not None
+    return piece.value.wall.clock is not None

@@ -129,29 +129,12 @@ class Judge:
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
             # "Ten minutes in, add the garlic", "hand them out ten minutes in and collect them"
             return self.around.follower(piece) in {"", ",", ".", "and"}
-        if self.texts[piece.end - 1] in {"before", "after"} and (isinstance(time, (Offset, TimeWord))):
-            # "Call me ten minutes after"; but "after lunch call me", and "the night before".
-            looks = self.around.before(piece) in self.beside.looking_after and isinstance(time, TimeWord)
-            # "Put the pie in ten minutes before", "turn the telly on five minutes before"
-            behind_particle = self.around.before(piece) in {"in", "on"} and isinstance(time, Offset)
-            apart = behind_particle or not self.around.timely(piece.start - 1)
-            led = piece.start > 0 and not looks and apart
-            # "Mow the front before and the back after"; but "before and after lunch"
-            behind = self.texts[piece.end : piece.end + 2]
-            joined = behind[:1] == ["and"] and behind != ["and", "after"]
-            # "…, muck out straight after, and let them out"
-            joined = joined or (behind[:1] == [","] and behind[1:] in (["and"], ["then"], ["but"]))
-            return led and (joined or self.around.follower(piece) in {"", ".", "!", ";"})
+        if self.texts[piece.end - 1] in {"before", "after"} and isinstance(time, (Offset, TimeWord)):
+            return self._ends_order(piece, time)
         if isinstance(time, Range):
             return self.ranges.accept(piece, said, time)
         if isinstance(time, HourMark) and time.open:
-            # "Walk at ten to the gate", "half past the volume"
-            follower = self.around.follower(piece)
-            # "Take the cake out ten past"
-            ends = follower in {""} | self.beside.polite_ends and self.around.before(piece).isalpha()
-            sure = said.preposition in OF_HOURS or bool(said.hedges) or ends
-            counts = follower in self.closed.noun_openers or self.measures.is_number(piece.end)
-            return sure and not counts and self.around.may_end(piece)
+            return self._is_of_unsaid_hour(piece, said)
         if self._is_past(piece, said):
             return False
         if isinstance(time, Repeat) and (self.ranges.are_amounts(piece) or not self.repeats.accept(piece)):
@@ -159,6 +142,29 @@ class Judge:
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self.around.describes(piece)
         return True
+
+    def _ends_order(self, piece: Piece, time: Offset | TimeWord) -> bool:
+        """Whether "after" ends what is said: "call me ten minutes after"; but "after lunch call me"."""
+        looks = self.around.before(piece) in self.beside.looking_after and isinstance(time, TimeWord)
+        # "Put the pie in ten minutes before", "turn the telly on five minutes before"; but "the night before"
+        behind_particle = self.around.before(piece) in {"in", "on"} and isinstance(time, Offset)
+        apart = behind_particle or not self.around.timely(piece.start - 1)
+        # "Mow the front before and the back after"; but "before and after lunch"
+        behind = self.texts[piece.end : piece.end + 2]
+        joined = behind[:1] == ["and"] and behind != ["and", "after"]
+        # "…, muck out straight after, and let them out"
+        joined = joined or (behind[:1] == [","] and behind[1:] in (["and"], ["then"], ["but"]))
+        ends = joined or self.around.follower(piece) in {"", ".", "!", ";"}
+        return piece.start > 0 and not looks and apart and ends
+
+    def _is_of_unsaid_hour(self, piece: Piece, said: Said) -> bool:
+        """Whether minutes of whichever hour are a time: not "walk at ten to the gate"."""
+        follower = self.around.follower(piece)
+        # "Take the cake out ten past"
+        ends = follower in {""} | self.beside.polite_ends and self.around.before(piece).isalpha()
+        sure = said.preposition in OF_HOURS or bool(said.hedges) or ends
+        counts = follower in self.closed.noun_openers or self.measures.is_number(piece.end)
+        return sure and not counts and self.around.may_end(piece)
 
     def _is_more(self, piece: Piece) -> bool:
         """Whether a time word is part of more: of a clause, or of what says which time is meant."""

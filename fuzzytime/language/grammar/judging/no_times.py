@@ -15,7 +15,7 @@ from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_spoken_o
 from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_of_street
 from fuzzytime.language.grammar.judging.look_alikes.typed_names import is_typed_name
 from fuzzytime.language.grammar.judging.standing import Standing
-from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall
+from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall, wall_of
 from fuzzytime.requirement import Unit
 
 OF = "of"
@@ -155,8 +155,8 @@ class NoTime(Standing):
 
     def _is_of_period(self, piece: Piece) -> bool:
         """Whether it is the period that something is of: "the rent for may", "the third quarter numbers"."""
-        wall = piece.value.time
-        days = wall.days if isinstance(wall, Wall) and wall.clock is None and wall.part is None else None
+        wall = piece.value.wall
+        days = None if wall.is_timed else wall.days
         if days is None or days.grain in {Unit.DAY, Unit.WEEK}:
             return False
         if piece.value.preposition == OF and days.grain is Unit.YEAR:
@@ -195,7 +195,7 @@ class NoTime(Standing):
             return days and self.texts[begin - 1] in self.lexicon.playing and self.around.opens(begin - 1)
         if verb < 0 or self.texts[verb] not in self.lexicon.playing or not self.around.opens(verb):
             return False
-        clocked = isinstance(time, Wall) and time.clock is not None and piece.value.preposition is None
+        clocked = wall_of(time).clock is not None and piece.value.preposition is None
         return clocked and follower.isalpha() and not self.around.may_end(piece)
 
     def _ends_name(self, piece: Piece) -> bool:

@@ -6,7 +6,7 @@ from fuzzytime.english import singular
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, Time, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, Time, Wall, wall_of
 
 EARLY = 3600
 """Seconds before the hour of a meal within which it may begin: a stretch until it is longer."""
@@ -49,23 +49,22 @@ class Ranges(Standing):
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
         if self._are_levels(piece, ends):
             return False
-        clocked = isinstance(time.last, Wall) and time.last.clock is not None
-        if (
-            isinstance(time.first, Wall)
-            and time.first.bare
-            and not clocked
-            and self.texts[piece.start] not in self.beside.binding_ranges
-        ):
+        number = wall_of(time.first).bare and wall_of(time.last).clock is None
+        if number and self.texts[piece.start] not in self.beside.binding_ranges:
             # "Keep it above 15 until the end of april"
             return False
         if ends and all(end.bare or end.weak for end in ends):
-            # "Book a room from the 10th to the 12th", "let the flat from may to august"
-            dated = all(isinstance(end.days, Fields) for end in ends)
-            bound = said.denied or self._binds(piece) or (dated and self._has_dash(piece))
-            # "Book a room from lunch to dinner"
-            sure = not any(end.bare for end in ends) or not self.measures.measured(piece)
-            return said.preposition == "between" and bound and sure and self.around.may_end(piece)
+            return self._accepts_doubtful(piece, said, ends)
         return True
+
+    def _accepts_doubtful(self, piece: Piece, said: Said, ends: Sequence[Wall]) -> bool:
+        """Whether two numbers, days of a month, months or meals are from when to when something is."""
+        # "Book a room from the 10th to the 12th", "let the flat from may to august"
+        dated = all(isinstance(end.days, Fields) for end in ends)
+        bound = said.denied or self._binds(piece) or (dated and self._has_dash(piece))
+        # "Book a room from lunch to dinner"
+        sure = not any(end.bare for end in ends) or not self.measures.measured(piece)
+        return said.preposition == "between" and bound and sure and self.around.may_end(piece)
 
     def are_amounts(self, piece: Piece) -> bool:
         """Whether two numbers before a repetition are none of its hours: "take 1 to 2 every day".

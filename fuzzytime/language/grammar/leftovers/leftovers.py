@@ -30,7 +30,6 @@ WEEKEND, IN = "weekend", "in"
 LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
 
-
 SHORTEST_MOMENT, LONGEST_MOMENT = 3, 4
 """Words from a preposition to the time that is described, at least and at most: "at the same old time"."""
 
@@ -39,7 +38,6 @@ HALF = "day_half"
 
 BOTH = frozenset({"&", "/", "+"})
 """Marks between two halves of the day that are both meant."""
-
 
 TYPED = ("n/n", "n/y", "y/n")
 """Shapes of two numbers that may be a date, or two hours."""
@@ -85,16 +83,10 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     around = Surroundings(scanned.words, lexicon)
     figures = _Figures(scanned, around)
     named = {place for start, end in names_in(scanned.words, lexicon) for place in range(start, end)}
-    yield from _weekends(scanned, explained, around)
-    yield from _dates(scanned, explained, around)
     yield from counted_from_zero(scanned, explained, lexicon)
-    yield from _halves(scanned, explained, lexicon)
-    yield from _clocks(scanned, explained, around)
-    yield from _ones(scanned, explained, around)
-    yield from _moments(scanned, explained, around)
-    yield from _untold(scanned, explained, around)
-    yield from _typed(scanned, explained, around)
-    yield from _left_out(scanned, explained, around)
+    kinds = (_weekends, _other_feasts, _dates, _halves, _clocks, _ones, _moments, _untold, _typed, _left_out)
+    for kind in kinds:
+        yield from kind(scanned, explained, around)
     for start, cell in enumerate(scanned.cells):
         for category in TELLING & cell.keys():
             for piece in cell[category].values():
@@ -114,12 +106,6 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                 if around.describes(piece) and around.follower(piece) not in lexicon.beside.ahead:
                     continue
                 yield from range(start, piece.end)
-        for piece in cell.get("feast", {}).values():
-            # "On orthodox easter"
-            other = start > 0 and around.texts[start - 1] in lexicon.other_calendars
-            word = scanned.words[piece.start]
-            if other and around.may_end(piece) and not _meets(explained, word, word):
-                yield from range(start - 1, piece.end)
 
 
 class _Figures:
@@ -154,11 +140,19 @@ def _weekends(scanned: Scanned, explained: Sequence[Span], around: Surroundings)
     for place, word in enumerate(scanned.words):
         if word.text != WEEKEND or _meets(explained, word, word):
             continue
-        led = next(
-            (p for p in range(place - 2, max(-1, place - LONGEST_WEEKEND), -1) if _binds(around, p)), None
-        )
+        near = range(place - 2, max(-1, place - LONGEST_WEEKEND), -1)
+        led = next((p for p in near if _binds(around, p)), None)
         if led is not None:
             yield from range(led + 2, place + 1)
+
+
+def _other_feasts(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of feasts of calendars that are not known: "on orthodox easter"."""
+    for piece in scanned.pieces("feast"):
+        word = scanned.words[piece.start]
+        other = around.before(piece) in around.lexicon.other_calendars
+        if other and around.may_end(piece) and not _meets(explained, word, word):
+            yield from range(piece.start - 1, piece.end)
 
 
 def _dates(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
@@ -175,9 +169,9 @@ def _dates(scanned: Scanned, explained: Sequence[Span], around: Surroundings) ->
             yield from range(place, place + 2 + typed)
 
 
-def _halves(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:
+def _halves(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
     """Give the places of halves of the day that stand alone: "am: laundry, pm: cook", "iron pm"."""
-    words = scanned.words
+    words, lexicon = scanned.words, around.lexicon
     for place, word in enumerate(words):
         if not lexicon.means(word.text, HALF) or _meets(explained, word, word):
             continue

@@ -265,7 +265,7 @@ class Measures:
 
 def _is_near_hour(said: Said) -> bool:
     """Whether it is near a number that can be an hour: "around ten"."""
-    clock = said.time.clock if isinstance(said.time, Wall) else None
+    clock = said.wall.clock
     near = said.constraint in {None, Constraint.AT} and (
         said.preposition in NEARLY or (said.preposition is None and bool(said.hedges))
     )

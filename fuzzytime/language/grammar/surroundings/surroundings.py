@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.surroundings.behind_times import BehindTimes
-from fuzzytime.language.meaning.calendar import Fields, Weekend
+from fuzzytime.language.meaning.calendar import Weekend, is_weekday
 from fuzzytime.language.meaning.days.relations import Deictic
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
@@ -191,5 +191,5 @@ class Surroundings(BehindTimes):
             # "The weekend market"
             return True
         return isinstance(days, (Feast, Season)) or (
-            owned and isinstance(days, Fields) and days.weekly and not isinstance(wall.days, Deictic)
+            owned and is_weekday(days) and not isinstance(wall.days, Deictic)
         )

@@ -7,7 +7,7 @@ from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Edge, Phrase, Wall
+from fuzzytime.language.meaning.expressions import Edge, Phrase
 from fuzzytime.requirement import Constraint
 
 FOR, BY, GET = "for", "by", "get"
@@ -63,7 +63,7 @@ def tells_when_due(piece: Piece, texts: Sequence[str], lexicon: Lexicon) -> bool
 def due_then(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     """Read "for" before a clock time as "by", behind what must be there, or ready, then."""
     said = phrase.said
-    clocked = isinstance(said.time, Wall) and said.time.clock is not None
+    clocked = said.wall.clock is not None
     at = said.constraint in {None, Constraint.AT} and said.preposition == FOR
     if not clocked or not at or not is_due([word.text for word in words], phrase.first, lexicon):
         return phrase

@@ -78,7 +78,7 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
 
 def _further_after(phrase: Phrase, length: Duration, unit: Unit, *, near: bool) -> Phrase:
     """Lend a number behind "after" the unit of a smaller one: "after 3 minutes this, after 5 that"."""
-    clock = phrase.said.time.clock if isinstance(phrase.said.time, Wall) else None
+    clock = phrase.said.wall.clock
     hour = clock is not None and clock.grain is Unit.HOUR and clock.half is None
     if clock is None or not hour or not near or len(length.terms) > 1 or clock.hour <= length.terms[0][0]:
         return phrase
@@ -96,7 +96,7 @@ def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phras
     taken = _as_taken(phrase, words, lexicon)
     if taken is not None:
         return replace(phrase, said=taken)
-    clock = said.time.clock if isinstance(said.time, Wall) else None
+    clock = said.wall.clock
     hour = clock is not None and clock.grain is Unit.HOUR and clock.half is None
     inside = words[phrase.first : phrase.end]
     number = any(word.is_digits or word.text in lexicon.numbers for word in inside)

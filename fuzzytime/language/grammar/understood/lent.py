@@ -6,7 +6,15 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Duration, Range, Repeat, Said, Time, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Range,
+    Repeat,
+    Said,
+    Time,
+    TimeWord,
+    wall_of,
+)
 from fuzzytime.language.meaning.joined.distances import HALFWAY
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
@@ -114,7 +122,7 @@ def _goes_on_for(entry: Sequence[str], lexicon: Lexicon) -> bool:
 def is_heated(before: Sequence[str], time: Time | Duration | Repeat) -> bool:
     """Whether so many minutes are said behind a temperature: "bake it at 180 for ten"; but not "for four"."""
     at, degrees = before[-2:] if len(before) > 1 else ("", "")
-    clock = time.clock if isinstance(time, Wall) else None
+    clock = wall_of(time).clock
     number = time.terms[0][0] if isinstance(time, Duration) and time.terms else clock.hour if clock else 0
     return at == "at" and degrees.isdecimal() and len(degrees) == DEGREES_DIGITS and number >= FEWEST_MINUTES
 
@@ -163,7 +171,7 @@ class Lent:
         if isinstance(time, Repeat):
             time = next(iter(time.walls), time)
         first = time.first if isinstance(time, Range) else time
-        clock = first.clock if isinstance(first, Wall) else None
+        clock = wall_of(first).clock
         hour = clock is not None and clock.half is None and clock.grain is Unit.HOUR
         worded = not self.beside.of_clocks & set(self.texts[piece.start : piece.end])
         begin = piece.start + (self.texts[piece.start] == "for")

@@ -1,6 +1,6 @@
 """What two days mean that are said side by side: "monday next week", "tomorrow, the 13th"."""
 
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, is_weekday
 from fuzzytime.language.meaning.days.nested import Within
 from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative
 from fuzzytime.requirement import Unit
@@ -28,6 +28,6 @@ def same_day(first: Calendar, second: Calendar) -> bool:
     """Whether one may say again which day another means: "tomorrow, the 13th", "in three days on friday"."""
     if isinstance(first, Deictic):
         # "Next friday, 5/12": the date is believed.
-        weekly = isinstance(first.of, Fields) and first.of.weekly
+        weekly = is_weekday(first.of)
         return weekly and isinstance(second, Fields) and second.month is not None and second.day is not None
     return isinstance(first, (Relative, Away)) and isinstance(second, Fields) and second.grain is Unit.DAY

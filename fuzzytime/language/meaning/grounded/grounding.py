@@ -5,7 +5,7 @@ from dataclasses import replace
 from datetime import date, datetime, timedelta
 from itertools import islice
 
-from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today, moved
+from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today, is_weekday, moved
 from fuzzytime.language.meaning.days.nested import thirds
 from fuzzytime.language.meaning.days.relations import Following, Relative, days_onward
 from fuzzytime.language.meaning.expressions import (
@@ -170,7 +170,7 @@ class Grounding(Standpoint):
         if self.opens and part is None and not calendar.fixed and midnight(first.first) <= self.now:
             # "Before winter", said in winter: the next.
             return next((days for days in candidates if midnight(days.first) > self.now), first)
-        if isinstance(calendar, Fields) and calendar.weekly and first.first == self.now.date():
+        if is_weekday(calendar) and first.first == self.now.date():
             over = part is not None and midnight(first.first) + timedelta(seconds=part.end) <= self.now
             if over or (part is None and self.policy.same_weekday is SameWeekday.NEXT):
                 return next(candidates, first)
@@ -209,7 +209,7 @@ class Grounding(Standpoint):
             ahead = [moment for moment in moments if moment >= self.now]
             dated = isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None
             goes_on = days.first == self.now.date() and (days.end - days.first).days > 1
-            weekly = isinstance(calendar, Fields) and calendar.weekly
+            weekly = is_weekday(calendar)
             if (goes_on or weekly) and days.first == self.now.date() and is_unusual(self, ahead):
                 # "Wake me at six on wednesday", said on a wednesday at nine: who wakes does in the morning.
                 continue

@@ -5,50 +5,19 @@ from datetime import UTC, datetime, timedelta, timezone, tzinfo
 
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.grounded.grounding import Grounding
+from fuzzytime.language.meaning.grounded.standpoint import Clues
 from fuzzytime.language.meaning.instants import CALENDAR_UNITS, SUB_DAY, shifted
-from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.language.policy import Policy
 from fuzzytime.times import parse_clock, parse_zone, seconds_between
 
 
 @dataclass(frozen=True, slots=True)
-class Moment:
-    """When an instruction was given: with a zone, without, or not known.
-
-    ``since`` is the time in seconds that was said before in the same text, ``day`` the day, ``listed``
-    whether for the same thing to be done: "at eight and nine", ``follows`` whether what is asked for comes
-    after it, ``carried`` whether another text said it, given at the same time: the line before;
-    ``in_order`` whether the lines so far go through a day in its order, ``opened`` the earliest time that
-    several of them said. ``due`` is
-    when in seconds that happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
-    ``leads`` is the clock time of what follows in the same sentence with the same thing, and ``onto`` says
-    that this is what follows: "open it at eight and close it at six". ``overnight`` says that it is
-    the evening, or the morning that follows, of what is so overnight: "close it at eight, open it at seven".
-    ``past`` says that it is over: "her last turn was at six"; ``night`` is from when to when, in seconds, a
-    line said that a shift goes on over midnight, ``window`` from when to when a line above says that all is.
-    ``usual`` says that the hours of the policy are those at which people do what is asked for, ``early`` that
-    this is so of those on days to come.
-    """
+class Moment(Clues[float]):
+    """When an instruction was given: with a zone, without, or not known."""
 
     now: datetime | None
     policy: Policy
-    since: float | None = None
-    day: float | None = None
-    listed: bool = False
-    follows: bool = False
-    carried: bool = False
-    in_order: bool = False
-    opened: float | None = None
-    due: float | None = None
-    usual: bool = False
-    early: bool = False
-    leads: Clock | None = None
-    onto: bool = False
-    overnight: Half | None = None
-    past: bool = False
-    night: tuple[float, float] | None = None
-    window: tuple[float, float] | None = None
 
     def grounding(self, zone: str | None = None) -> Grounding:
         """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
@@ -63,18 +32,17 @@ class Moment:
         if zone is not None and self.now.tzinfo is not None:
             return Grounding(self.now.astimezone(zone_of(zone)).replace(tzinfo=None), self.policy)
         here = self.now.replace(tzinfo=None)
-        since = None if self.since is None else here + timedelta(seconds=self.since)
         return Grounding(
             here,
             self.policy,
-            since=since,
-            day=None if self.day is None else here + timedelta(seconds=self.day),
+            since=_at(here, self.since),
+            day=_at(here, self.day),
             listed=self.listed,
             follows=self.follows,
             carried=self.carried,
             in_order=self.in_order,
-            opened=None if self.opened is None else here + timedelta(seconds=self.opened),
-            due=None if self.due is None else here + timedelta(seconds=self.due),
+            opened=_at(here, self.opened),
+            due=_at(here, self.due),
             usual=self.usual,
             early=self.early,
             leads=self.leads,
@@ -128,13 +96,14 @@ class Moment:
             raise UngroundedError("a time must lie in the years 1 to 9999") from error
 
 
+def _at(here: datetime, seconds: float | None) -> datetime | None:
+    """Give a time on the wall clock."""
+    return None if seconds is None else here + timedelta(seconds=seconds)
+
+
 def _from_to(here: datetime, seconds: tuple[float, float] | None) -> tuple[datetime, datetime] | None:
     """Give the ends of a stretch of time on the wall clock."""
-    return (
-        None
-        if seconds is None
-        else (here + timedelta(seconds=seconds[0]), here + timedelta(seconds=seconds[1]))
-    )
+    return seconds and (here + timedelta(seconds=seconds[0]), here + timedelta(seconds=seconds[1]))
 
 
 def zone_of(name: str) -> tzinfo:

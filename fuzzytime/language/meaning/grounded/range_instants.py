@@ -6,7 +6,7 @@ from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.days.nested import Share
-from fuzzytime.language.meaning.expressions import HourMark, Range, Time, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import HourMark, Range, Time, TimeWord, Wall, wall_of
 from fuzzytime.language.meaning.grounded.standpoint import Standpoint
 from fuzzytime.language.meaning.instants import Instants, halved, midnight
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
@@ -58,7 +58,7 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
 
 def at_middle(said: Time) -> Time:
     """Give the middle day of what is said as a bound: "from mid may to the middle of june", "by mid may"."""
-    share = said.days if isinstance(said, Wall) else None
+    share = wall_of(said).days
     if not isinstance(said, Wall) or not isinstance(share, Share) or not 0 < share.low < share.high < 1:
         return said
     return replace(said, days=replace(share, low=MIDDLE, high=MIDDLE))

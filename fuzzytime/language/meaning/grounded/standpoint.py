@@ -3,6 +3,7 @@
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from datetime import datetime
+from typing import Generic, TypeVar
 
 from fuzzytime.language.meaning.calendar import Today
 from fuzzytime.language.meaning.expressions import Time, Wall
@@ -10,9 +11,70 @@ from fuzzytime.language.meaning.instants import Instants
 from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.language.policy import Policy
 
+At = TypeVar("At", float, datetime)
+"""How a clue says when: in seconds from when the instruction was given, or on the wall clock."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Clues(Generic[At]):
+    """What the words around a time tell of which of several is meant, as far as they do.
+
+    Parameters
+    ----------
+    since, day
+        The clock time, and the day, that was said before in the same text.
+    listed
+        Whether it was said for the same thing to be done: "at eight and nine".
+    follows
+        Whether what is asked for comes after it.
+    carried
+        Whether another text said it, given at the same time: the line before.
+    in_order
+        Whether the lines so far go through a day in its order.
+    opened
+        The earliest clock time that several lines so far said.
+    due
+        When that happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
+    usual
+        Whether the hours of the policy are those at which people do what is asked for.
+    early
+        Whether this is so of those on days to come.
+    leads
+        The clock time of what follows in the same sentence with the same thing: "open it at eight and close
+        it at six".
+    onto
+        Whether this is what follows.
+    overnight
+        Whether it is the evening, or the morning that follows, of what is so overnight: "close it at eight,
+        open it at seven".
+    past
+        Whether it is over: "her last turn was at six".
+    night
+        From when to when a line said that a shift goes on over midnight.
+    window
+        From when to when a line above says that all is, at most a day.
+    """
+
+    since: At | None = None
+    day: At | None = None
+    listed: bool = False
+    follows: bool = False
+    carried: bool = False
+    in_order: bool = False
+    opened: At | None = None
+    due: At | None = None
+    usual: bool = False
+    early: bool = False
+    leads: Clock | None = None
+    onto: bool = False
+    overnight: Half | None = None
+    past: bool = False
+    night: tuple[At, At] | None = None
+    window: tuple[At, At] | None = None
+
 
 @dataclass(frozen=True, slots=True)
-class Standpoint(ABC):
+class Standpoint(Clues[datetime], ABC):
     """The moment of an instruction, on the wall clock, the policy, and what was said before.
 
     Parameters
@@ -23,65 +85,17 @@ class Standpoint(ABC):
         What decides.
     lasting : float
         Seconds that what is asked for was said to last, 0 where nothing was said.
-    day : datetime, optional
-        The day that was said before.
-    since : datetime, optional
-        The clock time that was said before in the same text.
-    listed : bool
-        Whether it was said for the same thing to be done.
-    follows : bool
-        Whether what is asked for comes after it.
-    carried : bool
-        Whether another text said it.
-    in_order : bool
-        Whether the texts so far go through a day in its order.
-    opened : datetime, optional
-        The earliest clock time of several texts so far.
     ends : bool
         Whether it is a deadline, which is not now: nothing can be done by then.
     opens : bool
         Whether it is a deadline where what it names begins, which is to come: "before winter".
-    due : datetime, optional
-        When that happens which is to be prepared.
-    usual : bool
-        Whether the plausible hours are those at which people do what is asked for.
-    early : bool
-        Whether the hours on days to come that are named are plausible on those that are not, too.
-    leads : Clock, optional
-        The clock time of what follows with the same thing.
-    onto : bool
-        Whether this is what follows.
-    overnight : Half, optional
-        Whether it is the evening, or the morning behind it, of what is so overnight.
-    past : bool
-        Whether it is over: the time is the last before now.
-    night : tuple of datetime, optional
-        From when to when what was said before goes on over midnight, which begins soon or goes on now.
-    window : tuple of datetime, optional
-        From when to when all is that a line above holds for, at most a day.
     """
 
     now: datetime
     policy: Policy
     lasting: float = 0.0
-    since: datetime | None = None
-    day: datetime | None = None
-    listed: bool = False
-    follows: bool = False
-    carried: bool = False
-    in_order: bool = False
-    opened: datetime | None = None
     ends: bool = False
     opens: bool = False
-    due: datetime | None = None
-    usual: bool = False
-    early: bool = False
-    leads: Clock | None = None
-    onto: bool = False
-    overnight: Half | None = None
-    past: bool = False
-    night: tuple[datetime, datetime] | None = None
-    window: tuple[datetime, datetime] | None = None
 
     @property
     def today(self) -> Today:

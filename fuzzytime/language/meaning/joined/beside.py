@@ -2,11 +2,12 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Fields, is_day_of_month, is_weekday
 from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative, weekday_at
 from fuzzytime.language.meaning.days.side_by_side import narrowed, same_day
 from fuzzytime.language.meaning.expressions import Duration, HourMark, Range, Said, Wall
 from fuzzytime.language.meaning.feasts import Feast
+from fuzzytime.language.meaning.joined.distances import said_length
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import Constraint, Unit
 
@@ -19,8 +20,7 @@ LONG = frozenset({Unit.MONTH, Unit.QUARTER, Unit.YEAR})
 
 def _is_ordinal(wall: Wall) -> bool:
     """Whether it is a day of the month alone, which may be an ordinal of anything."""
-    days = wall.days
-    return wall.weak and isinstance(days, Fields) and days == Fields(day=days.day) and wall.clock is None
+    return wall.weak and is_day_of_month(wall.days) and wall.clock is None
 
 
 def _is_number(clock: Clock | None) -> bool:
@@ -82,7 +82,7 @@ def joined(first: Wall, second: Wall) -> Wall | None:
         # "Gym at noon, lunch at one"
         return None
     # "The second on friday" is another thing's; "friday the second" is a day.
-    if _is_ordinal(first) and isinstance(second.days, Fields) and second.days.weekly:
+    if _is_ordinal(first) and is_weekday(second.days):
         return None
     if first.days is not None and _is_month(second) and _is_number(first.clock):
         # "Tue 10 march" is on the tenth.
@@ -162,9 +162,9 @@ def _as_clock(wall: Wall) -> Wall:
 
 def _is_weekday(wall: Wall) -> bool:
     """Whether it is a day of any week, and no time of it."""
-    return isinstance(wall.days, Fields) and wall.days.weekly and wall.clock is None and wall.part is None
+    return is_weekday(wall.days) and wall.clock is None and wall.part is None
 
 
 def lasts_then(length: Duration) -> Said:
     """Give the new length of what goes on for another: "from ten minutes to fifteen"."""
-    return Said(replace(length, hedges=()), Constraint.FOR, "to", length.hedges)
+    return said_length(length, Constraint.FOR, "to")

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import TypeGuard
 
-from fuzzytime.language.meaning.calendar import Cycle, Fields
+from fuzzytime.language.meaning.calendar import Cycle, Fields, is_weekday
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
     Coming,
@@ -18,6 +18,7 @@ from fuzzytime.language.meaning.expressions import (
     Said,
     Time,
     Wall,
+    wall_of,
 )
 from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.joined.beside import joined
@@ -121,7 +122,7 @@ def _in_hours_of_day(repeat: Repeat, day: Wall, said: Said) -> Repeat | None:
 
 def _of_night(end: Time, day: Time) -> Time:
     """Give an hour of the night that is said: "tonight, every two hours until two"."""
-    part = day.part if isinstance(day, Wall) else None
+    part = wall_of(day).part
     if part is None or part.half is not Half.NIGHT or not isinstance(end, Wall) or end.clock is None:
         return end
     return replace(end, clock=halved(end.clock, part.half))
@@ -130,7 +131,7 @@ def _of_night(end: Time, day: Time) -> Time:
 def _apart(repeat: Repeat) -> float:
     """Give how far apart in seconds the days of a repetition are, on the whole: weekdays, or all."""
     weekdays = {wall.days.weekday for wall in repeat.walls if isinstance(wall.days, Fields)}
-    weekly = all(isinstance(wall.days, Fields) and wall.days.weekly for wall in repeat.walls)
+    weekly = all(is_weekday(wall.days) for wall in repeat.walls)
     # "On mondays for three days" is as long as that.
     return UNIT_SECONDS[Unit.WEEK] / len(weekdays) if weekly and weekdays else DAY_SECONDS
 
@@ -222,8 +223,7 @@ def _bounded_mark(repeat: Repeat, said: Said) -> Repeat | None:
 
 def is_of_day(time: object) -> TypeGuard[Wall]:
     """Whether it is a clock time or a part of any day."""
-    said = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
-    return said and isinstance(time, Wall) and time.days is None
+    return isinstance(time, Wall) and time.is_timed and time.days is None
 
 
 def within_hours(repeat: Repeat, first: Wall, last: Wall) -> Repeat | None:

@@ -30,9 +30,19 @@ SIDES = {EARLIER: Constraint.BEFORE, LATER: Constraint.AFTER}
 """The prepositions of distances from what was just named, and the side of it that they are on."""
 
 
+def said_length(duration: Duration, constraint: Constraint, preposition: str | None) -> Said:
+    """Give a length with what it is hedged by, as a preposition binds it: "in about ten minutes"."""
+    return Said(replace(duration, hedges=()), constraint, preposition, duration.hedges)
+
+
+def said_offset(duration: Duration, preposition: str, direction: int = 1) -> Said:
+    """Give what is so far off, with what the length is hedged by: "about ten minutes ago"."""
+    return Said(Offset(replace(duration, hedges=()), direction), None, preposition, duration.hedges)
+
+
 def later_by(length: Duration, hedges: tuple[str, ...] = ()) -> Said:
     """Give so long after what was said before, with the hedges of the length behind others."""
-    return Said(Offset(replace(length, hedges=())), None, LATER, (*hedges, *length.hedges))
+    return said_offset(length.hedged(*hedges), LATER)
 
 
 def far_off(named: Said, distance: Said) -> Said | None:

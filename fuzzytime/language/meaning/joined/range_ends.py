@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Fields, is_weekday
 from fuzzytime.language.meaning.days.relations import Deictic
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.requirement import Unit
@@ -23,14 +23,14 @@ def is_one(first: Wall, last: Wall) -> bool:
 
     A number behind a date is a day: "march 10 - 17".
     """
-    if first.days is None and last.days is not None and last.clock is None and last.part is None:
+    if first.days is None and last.days is not None and not last.is_timed:
         # As in "10:00 - march 5".
         return first.clock is not None and last.days.grain is Unit.DAY and not _is_ordinal(first, last)
     if first.days is None or first.clock is not None:
         return False
     if first.days.grain is not Unit.DAY:
         # "Next week - friday 5 pm"
-        return first.days.grain is Unit.WEEK and isinstance(last.days, Fields) and last.days.weekly
+        return first.days.grain is Unit.WEEK and is_weekday(last.days)
     if last.days is None:
         return not _is_ordinal(last, first)
     if first.part is not None or last.part is not None or last.clock is not None:
@@ -47,7 +47,7 @@ def _says_again(weekday: Calendar, day: Calendar) -> bool:
     """Whether one is a weekday, and the other a date without one."""
     named = weekday.of if isinstance(weekday, Deictic) else weekday
     dated = isinstance(day, Fields) and day.day is not None and day.weekday is None
-    return isinstance(named, Fields) and named.weekly and dated
+    return is_weekday(named) and dated
 
 
 def comparable(first: Wall, last: Wall) -> bool:

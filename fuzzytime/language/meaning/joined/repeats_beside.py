@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, is_day_of_month, is_weekday
 from fuzzytime.language.meaning.days.nested import EachDay, Nth, Share
 from fuzzytime.language.meaning.expressions import Repeat, Time, Wall
 from fuzzytime.language.meaning.feasts import Season
@@ -23,7 +23,7 @@ def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
     if len(repeat.walls) != 1 or not isinstance(days, Fields) or days.fixed:
         return None
     period = repeat.walls[0].days
-    if wall.weak and not (period == Cycle(Unit.MONTH) and days.is_day_of_month):
+    if wall.weak and not (period == Cycle(Unit.MONTH) and is_day_of_month(days)):
         return None
     if period == Cycle(Unit.YEAR) and days.month is not None:
         return days
@@ -86,7 +86,7 @@ def _is_within_turn(repeat: Repeat, days: Calendar) -> bool:
     """Whether days are too short to hold a repetition: "every monday" is none of a wednesday's."""
     longer = (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR)
     grains = [wall.days.grain for wall in repeat.walls if isinstance(wall.days, Cycle)]
-    weekly = any(isinstance(wall.days, Fields) and wall.days.weekly for wall in repeat.walls)
+    weekly = any(is_weekday(wall.days) for wall in repeat.walls)
     return days.grain is Unit.DAY and (weekly or any(grain in longer for grain in grains))
 
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from fuzzytime.language.meaning.recurrences.recurrence import PlainRecurrence
+from fuzzytime.requirement import Window
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,14 +32,10 @@ class ClosingRecurrence(PlainRecurrence):
         """Seconds between occurrences."""
         return self.step
 
-    def occurrences(self, until: float) -> tuple[float, ...]:  # noqa: ARG002 - nothing tells when it is
+    def windows(self, until: float) -> tuple[Window, ...]:  # noqa: ARG002 - nothing tells when it is
         """Give no times: they count from what goes on."""
         return ()
 
-    def windows(self, until: float) -> tuple[tuple[float, float], ...]:  # noqa: ARG002 - as above
-        """Give no times either."""
-        return ()
-
-    def coming(self, count: int) -> tuple[tuple[float, float], ...]:  # noqa: ARG002 - as above
+    def coming(self, count: int) -> tuple[Window, ...]:  # noqa: ARG002 - as above
         """Give no times either."""
         return ()

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import Self
 
-from fuzzytime.requirement import Recurrence
+from fuzzytime.requirement import Recurrence, Window
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,13 +51,13 @@ class DelayedRecurrence:
         """Give the same for what goes on that many seconds."""
         return replace(self, of=self.of.spaced(length))
 
-    def windows(self, until: float) -> tuple[tuple[float, float], ...]:
+    def windows(self, until: float) -> tuple[Window, ...]:
         """Give the same with their ends."""
         return self._delayed(self.of.windows(until - self.by))
 
-    def coming(self, count: int) -> tuple[tuple[float, float], ...]:
+    def coming(self, count: int) -> tuple[Window, ...]:
         """Give the next occurrences, at most so many."""
         return self._delayed(self.of.coming(count))
 
-    def _delayed(self, windows: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
+    def _delayed(self, windows: tuple[Window, ...]) -> tuple[Window, ...]:
         return tuple((begin + self.by, end + self.by) for begin, end in windows)

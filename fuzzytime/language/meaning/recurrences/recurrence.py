@@ -5,18 +5,19 @@ An occurrence is a moment ("at nine"), or a stretch of time within which what is
 """
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from itertools import islice
 from typing import TYPE_CHECKING, Self
 
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today, is_weekday
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.instants import halved, midnight, over_at_midnight
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.language.meaning.ungrounded import UngroundedError
-from fuzzytime.requirement import Unit
+from fuzzytime.requirement import Unit, Window
 
 if TYPE_CHECKING:
     from fuzzytime.language.meaning.grounded.moment import Moment
@@ -30,11 +31,8 @@ MOST = 10_000
 WORKDAYS = frozenset(Fields(weekday=day) for day in range(5))
 """The days of "on weekdays"."""
 
-Window = tuple[float, float]
-"""Where an occurrence begins, and where it is over, in seconds; a moment where the two are one."""
 
-
-class PlainRecurrence:
+class PlainRecurrence(ABC):
     """What most repetitions have in common: they lie in nothing else that goes on, and stay as said."""
 
     __slots__ = ()
@@ -53,6 +51,17 @@ class PlainRecurrence:
     def all_day(self) -> bool:
         """Whether nothing but a day bounds it."""
         return False
+
+    @abstractmethod
+    def windows(self, until: float) -> tuple[Window, ...]:
+        """Give the occurrences from 0 to ``until``, with their ends."""
+
+    def occurrences(self, until: float) -> tuple[float, ...]:
+        """Give the times from 0 to ``until``, in seconds from when the instruction was given.
+
+        Without a time of day an occurrence is when its day begins, or now where that day is today.
+        """
+        return tuple(dict.fromkeys(start for start, _ in self.windows(until)))
 
     def spaced(self, length: float) -> Self:  # noqa: ARG002 - how often is said
         """Give the same."""
@@ -144,17 +153,10 @@ class CalendarRecurrence(PlainRecurrence):
         days = self.walls[0].days
         if isinstance(days, Cycle) and days.unit in {Unit.DAY, Unit.WEEK}:
             return float(DAY_SECONDS * (7 if days.unit is Unit.WEEK else 1) * self.skip * days.count)
-        return 7.0 * DAY_SECONDS * self.skip if isinstance(days, Fields) and days.weekly else None
-
-    def occurrences(self, until: float) -> tuple[float, ...]:
-        """Give the times from 0 to ``until``, in seconds from when the instruction was given.
-
-        Without a time of day an occurrence is when its day begins, or now where that day is today.
-        """
-        return tuple(dict.fromkeys(start for start, _ in self.windows(until)))
+        return 7.0 * DAY_SECONDS * self.skip if is_weekday(days) else None
 
     def windows(self, until: float) -> tuple[Window, ...]:
-        """Give the same with their ends."""
+        """Give the occurrences from 0 to ``until``, with their ends."""
         end = min(until, self.last)
         found: set[Window] = set()
         for wall in self.walls:

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration
 from fuzzytime.language.meaning.instants import CALENDAR_UNITS, shifted
-from fuzzytime.language.meaning.recurrences.recurrence import JUST_BEFORE, MOST, PlainRecurrence, Window
+from fuzzytime.language.meaning.recurrences.recurrence import JUST_BEFORE, MOST, PlainRecurrence
 from fuzzytime.language.meaning.ungrounded import UngroundedError
-from fuzzytime.requirement import Unit
+from fuzzytime.requirement import Unit, Window
 
 if TYPE_CHECKING:
     from fuzzytime.language.meaning.grounded.moment import Moment
@@ -40,12 +40,8 @@ class RecurrenceByMonths(PlainRecurrence):
         """Seconds between occurrences, a month of 30 days."""
         return self.amount * UNIT_SECONDS[self.unit]
 
-    def occurrences(self, until: float) -> tuple[float, ...]:
-        """Give the times from 0 to ``until``, in seconds from when the instruction was given."""
-        return tuple(start for start, _ in self.windows(until))
-
     def windows(self, until: float) -> tuple[Window, ...]:
-        """Give the same with their ends."""
+        """Give the occurrences from 0 to ``until``, with their ends."""
         end = min(until, self.last - JUST_BEFORE)
         return tuple(takewhile(lambda window: window[0] <= end, self._windows()))
 

@@ -10,8 +10,8 @@ from fuzzytime.language.meaning.recurrences.recurrence import (
     MOST,
     CalendarRecurrence,
     PlainRecurrence,
-    Window,
 )
+from fuzzytime.requirement import Window
 
 MORE = 3
 """How many stretches tell how long one is that has begun."""
@@ -39,17 +39,10 @@ class RecurrenceOnDays(PlainRecurrence):
         """Seconds between occurrences of one day."""
         return self.step
 
-    def occurrences(self, until: float) -> tuple[float, ...]:
-        """Give the times from 0 to ``until``, in seconds from when the instruction was given."""
-        return tuple(start for start, _ in self.windows(until))
-
     def windows(self, until: float) -> tuple[Window, ...]:
-        """Give the same with their ends."""
-        return tuple(
-            islice(
-                (turn for stretch in self.days.windows(until) for turn in self._turns(stretch, until)), MOST
-            )
-        )
+        """Give the occurrences from 0 to ``until``, with their ends."""
+        stretches = self.days.windows(until)
+        return tuple(islice((turn for one in stretches for turn in self._turns(one, until)), MOST))
 
     def coming(self, count: int) -> tuple[Window, ...]:
         """Give the next occurrences, at most so many."""

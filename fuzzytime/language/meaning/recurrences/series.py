@@ -57,25 +57,8 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> Series:
     first, last = _bounds(repeat, moment)
     if repeat.apart:
         raise UngroundedError("how many times is not said")
-    if repeat.times is not None and repeat.every is not None:
-        # "Twice, an hour apart"
-        step = repeat.every.seconds
-        opens = moment.policy.plausible_from
-        wakes = opens.hour * 3600.0 + opens.minute * 60.0 if begins_by_policy(repeat) else 0.0
-        start = max(0.0, (first or 0.0) + wakes)
-        over = start + (repeat.times - 1) * step
-        return EvenRecurrence(
-            step=step,
-            first=start,
-            last=over if last is None else min(over, last),
-            length=DAY_SECONDS if _begins_on_day(repeat.starting) and step >= DAY_SECONDS else 0.0,
-            counted=last is None,
-        )
-    if repeat.times is not None and last is not None:
-        # "Twice today": once in each half of what is left of it.
-        start = max(0.0, first or 0.0)
-        step = (last - start) / repeat.times
-        return EvenRecurrence(step=step, first=start, last=last - JUST_BEFORE, length=step)
+    if repeat.times is not None and (repeat.every is not None or last is not None):
+        return _counted(repeat, repeat.times, first or 0.0, last, moment)
     if repeat.every is None:
         raise UngroundedError("a repetition must say how often")
     if repeat.walls and moment.now is not None and is_by_months(repeat.every):
@@ -92,6 +75,28 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> Series:
         # None begins when the day is over.
         return EvenRecurrence(step=step, first=start, last=last - JUST_BEFORE, length=length, all_day=True)
     return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last, length=length)
+
+
+def _counted(repeat: Repeat, times: int, first: float, last: float | None, moment: Moment) -> EvenRecurrence:
+    """Ground a repetition that is done so many times."""
+    if repeat.every is None:
+        # "Twice today": once in each half of what is left of it.
+        start, end = max(0.0, first), math.inf if last is None else last
+        step = (end - start) / times
+        return EvenRecurrence(step=step, first=start, last=end - JUST_BEFORE, length=step)
+    # "Twice, an hour apart"
+    step = repeat.every.seconds
+    opens = moment.policy.plausible_from
+    wakes = opens.hour * 3600.0 + opens.minute * 60.0 if begins_by_policy(repeat) else 0.0
+    start = max(0.0, first + wakes)
+    over = start + (times - 1) * step
+    return EvenRecurrence(
+        step=step,
+        first=start,
+        last=over if last is None else min(over, last),
+        length=DAY_SECONDS if _begins_on_day(repeat.starting) and step >= DAY_SECONDS else 0.0,
+        counted=last is None,
+    )
 
 
 def recurrence_that_comes(repeat: Repeat, moment: Moment) -> Series:

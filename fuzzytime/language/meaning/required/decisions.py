@@ -8,7 +8,7 @@ from datetime import UTC, date, datetime, timedelta
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.days.relations import Relative
-from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, Time, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, Time, Wall, wall_of
 from fuzzytime.language.meaning.grounded.moment import Moment, zone_of
 from fuzzytime.language.meaning.instants import Instants, is_eve
 from fuzzytime.language.meaning.recurrences.hours_of_turns import hours_of_turns
@@ -152,7 +152,7 @@ class Deciding:
         """Say which day was chosen, where a weekday does not fit its date, or today's time has passed."""
         ends = ((time.first, found.start), (time.last, found.end)) if isinstance(time, Range) else ()
         for said, moment in ends or ((time, found.start),):
-            days = said.days if isinstance(said, Wall) else None
+            days = wall_of(said).days
             fits = (
                 not isinstance(days, Fields) or days.day is None or days.weekday in {None, moment.weekday()}
             )

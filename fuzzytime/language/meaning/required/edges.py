@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from datetime import timedelta
 
-from fuzzytime.language.meaning.expressions import Edge, Ending, Range, Rest, Said, Time, Wall
+from fuzzytime.language.meaning.expressions import Edge, Ending, Range, Rest, Said, Time, Wall, wall_of
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.instants import Instants
 from fuzzytime.language.meaning.joined.distances import is_farther
@@ -70,6 +70,6 @@ class Edges:
             return False
         if self.said.edge is Edge.START:
             return not isinstance(time, (Ending, Range, Rest))
-        part = time.part if isinstance(time, Wall) else None
+        part = wall_of(time).part
         # A meal is something that begins: "no later than lunch".
         return part is not None and (self.said.edge is Edge.DUE or part.meal)

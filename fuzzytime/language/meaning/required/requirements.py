@@ -1,5 +1,6 @@
 """From a phrase to the time requirement that the rest of the program works with."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
@@ -22,7 +23,8 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.grounded.range_instants import at_middle, since
-from fuzzytime.language.meaning.joined.distances import LOWER, UPPER, distance_bound
+from fuzzytime.language.meaning.instants import Instants
+from fuzzytime.language.meaning.joined.distances import LOWER, UPPER, distance_bound, said_length
 from fuzzytime.language.meaning.recurrences.series import recurrence_that_comes
 from fuzzytime.language.meaning.required.decisions import Deciding
 from fuzzytime.language.meaning.required.denied_times import beside
@@ -67,7 +69,7 @@ def grounded(phrase: Phrase, text: str, moment: Moment) -> tuple[Grounded, ...]:
     if phrase.said.lasting is None:
         return first
     length = phrase.said.lasting
-    said = Said(replace(length, hedges=()), Constraint.FOR, "for", length.hedges)
+    said = said_length(length, Constraint.FOR, "for")
     return *first, _Grounder(replace(phrase, said=said), text, moment).result()
 
 
@@ -229,20 +231,21 @@ class _Grounder:
             constraint, earliest, latest, hedges=hedges, duration=duration, grain=grain
         )
         remarks, questions = self._deciding.of_instants(found, zone)
-        remarks = (
-            *remarks,
-            *self._deciding.of_midnight(time, found),
-            *self._deciding.of_hours(self.said, found),
-            *self._deciding.of_weekday(time, found),
-        )
-        if isinstance(time, HourMark) and time.open:
-            remarks = (*remarks, self._deciding.of_hour(found))
+        remarks = (*remarks, *self._remarks_on(time, found))
         if edges.has_begun(time, found):
             message = (
                 f"{self.text!r} is taken as before {found.end:%H:%M}, as it began at {found.start:%H:%M}"
             )
             remarks = (*remarks, Remark(RemarkKind.POLICY, self.phrase.span, message))
         return Grounded(requirement=requirement, remarks=remarks, questions=questions)
+
+    def _remarks_on(self, time: Time, found: Instants) -> Iterator[Remark]:
+        """Say what was chosen for a time beside its half of the day."""
+        yield from self._deciding.of_midnight(time, found)
+        yield from self._deciding.of_hours(self.said, found)
+        yield from self._deciding.of_weekday(time, found)
+        if isinstance(time, HourMark) and time.open:
+            yield self._deciding.of_hour(found)
 
 
 def _is_at_place(wall: Wall) -> bool:

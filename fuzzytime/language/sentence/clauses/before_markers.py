@@ -127,7 +127,7 @@ def _before_now(phrase: Phrase) -> Phrase | None:
     if not isinstance(time, Wall) or not isinstance(time.days, Fields) or not time.days.weekly:
         return None
     last = replace(time, days=Deictic(Which.PAST, time.days))
-    return replace(phrase, said=replace(phrase.said, time=last))
+    return phrase.at(last)
 
 
 def _counts_within(phrase: Phrase) -> bool:

@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Edge as Bound
-from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat, Said, TimeWord, Wall, wall_of
 from fuzzytime.language.meaning.joined.distances import EARLIER, HALFWAY, INTO, LAST, LATER, LEFT
 from fuzzytime.language.meaning.joined.first_times import closing_of, opening_of
 from fuzzytime.language.meaning.times_of_day import Part
@@ -71,7 +71,7 @@ def counts_from_nothing(
     if requirement.anchor is not None or requirement.constraint is Constraint.FOR:
         return False
     asked = operation is not None and not operation.stated
-    days = said.time.days if isinstance(said.time, Wall) else None
+    days = said.wall.days
     # "Bake it the day before"
     day_before = position == 0 and isinstance(days, Relative) and days.onward and days.days < 0
     return (
@@ -133,7 +133,7 @@ def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Tim
     if isinstance(time, Offset) and time.anchor is not None:
         lag = time.direction * time.duration.seconds
         time, constraint = time.anchor, Constraint.BEFORE if lag < 0 else Constraint.AFTER
-    part = time.part if isinstance(time, Wall) else None
+    part = wall_of(time).part
     dated = isinstance(time, Wall) and time.days not in {None, anchors.day}
     if part is not None and not part.meal and part.name.endswith(HOUR):
         # "Call her at lunchtime"

@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.typed_words import MARKS
 from fuzzytime.language.grammar.understood.denied import denied
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
-from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, wall_of
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.events.in_between import said_apart
@@ -73,7 +73,7 @@ class Heading:
     def is_day(self) -> bool:
         """Whether it says which day is meant."""
         time = None if self.day is None else self.day.said.time
-        return isinstance(time, Repeat) or (isinstance(time, Wall) and time.days is not None)
+        return isinstance(time, Repeat) or wall_of(time).days is not None
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,55 +135,64 @@ def drafted(
     together: bool,
 ) -> list[Draft]:
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
-    sources, steps, asides, several, messages, tags, listed = [], [], [], [], [], [], []
     timed = how_timed([text for text, _ in texts], lexicon) if together else Timed.NO
-    for text, now in texts:
-        marks = list_marks(text, lexicon)
-        steps.append(marks[0].number if marks else None)
-        tags.append(leading_tags(text))
-        own = max(timed, how_timed([text], lexicon))
-        listed.append(own)
-        plain = blanked(without_marks(text, marks), tags[-1])
-        plain = without_colons(plain, lexicon, own) if own else plain
-        plain = blanked(plain, leading_labels(plain, lexicon))
-        hours = hours_in(plain, lexicon, own)
-        scanned = _in_entries(plain, hours, grammar, lexicon, listed=own >= Timed.MOST)
-        messages.append(messages_of(scanned, lexicon))
-        told = (message.span for message in messages[-1])
-        scanned = _again(scanned, blanked(scanned.text, told), grammar)
-        lengths = beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon))
-        asides.append(beside_each_other(lengths, asides_of_hours(scanned, lexicon)))
-        scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides[-1])), grammar)
-        for said in (with_gaps, said_apart):
-            scanned = _again(scanned, said(scanned, lexicon), grammar)
-        scanned, instances = instances_of(scanned, grammar, lexicon)
-        several.append(instances)
-        phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
-        phrases = denied(scanned.words, phrases, lexicon)
-        apart = tuple(orders_beside(scanned.text, messages[-1]))
-        source = Source(now, scanned, tuple(phrases), tuple(remarks), apart=apart)
-        orders = tuple(order_words(scanned.words, source.covered, lexicon))
-        sources.append(replace(source, orders=orders))
-    parts = parted(sources, lexicon, trees)
+    drafts = [_without_parts(text, now, timed, grammar, lexicon) for text, now in texts]
+    sources = [_source_of(draft, lexicon) for draft in drafts]
     return [
-        Draft(
-            text,
-            s.now,
-            s.scanned,
-            s.phrases,
-            tuple(own),
-            (*s.remarks, *remarks_of(text, told), *remarks_of_tags(text, tagged)),
-            step,
-            aside,
-            told,
-            instances=each,
-            orders=s.orders,
-            listed=many >= Timed.MOST,
+        replace(
+            draft,
+            parts=tuple(parts),
+            remarks=(
+                *draft.remarks,
+                *remarks_of(draft.text, draft.messages),
+                *remarks_of_tags(draft.text, leading_tags(draft.text)),
+            ),
+            orders=source.orders,
         )
-        for (text, _), s, own, step, aside, told, each, tagged, many in zip(
-            texts, sources, parts, steps, asides, messages, several, tags, listed, strict=True
-        )
+        for draft, source, parts in zip(drafts, sources, parted(sources, lexicon, trees), strict=True)
     ]
+
+
+def _source_of(draft: Draft, lexicon: Lexicon) -> Source:
+    """Give what a draft is cut into parts by."""
+    apart = tuple(orders_beside(draft.scanned.text, draft.messages))
+    source = Source(draft.now, draft.scanned, draft.phrases, draft.remarks, apart=apart)
+    return replace(source, orders=tuple(order_words(draft.scanned.words, source.covered, lexicon)))
+
+
+def _without_parts(
+    text: str, now: datetime | None, timed: Timed, grammar: Grammar, lexicon: Lexicon
+) -> Draft:
+    """Draft a text up to its parts, which need trees; its remarks are what is corrected in it."""
+    marks, tags = list_marks(text, lexicon), leading_tags(text)
+    timed = max(timed, how_timed([text], lexicon))
+    plain = blanked(without_marks(text, marks), tags)
+    plain = without_colons(plain, lexicon, timed) if timed else plain
+    plain = blanked(plain, leading_labels(plain, lexicon))
+    hours, listed = hours_in(plain, lexicon, timed), timed >= Timed.MOST
+    scanned = _in_entries(plain, hours, grammar, lexicon, listed=listed)
+    messages = messages_of(scanned, lexicon)
+    scanned = _again(scanned, blanked(scanned.text, (message.span for message in messages)), grammar)
+    lengths = beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon))
+    asides = beside_each_other(lengths, asides_of_hours(scanned, lexicon))
+    scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides)), grammar)
+    for said in (with_gaps, said_apart):
+        scanned = _again(scanned, said(scanned, lexicon), grammar)
+    scanned, instances = instances_of(scanned, grammar, lexicon)
+    phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
+    return Draft(
+        text,
+        now,
+        scanned,
+        tuple(denied(scanned.words, phrases, lexicon)),
+        (),
+        tuple(remarks),
+        step=marks[0].number if marks else None,
+        asides=asides,
+        messages=messages,
+        instances=instances,
+        listed=listed,
+    )
 
 
 def _in_entries(

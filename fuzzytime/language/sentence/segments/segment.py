@@ -67,17 +67,9 @@ def segments_of(
     cuts: list[tuple[int, int, str]] = []
     place = 0
     vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
-    timed = {phrase.first for phrase in phrases} - vague
-    following = {phrase.first for phrase in phrases if _follows(phrase, words)}
-    following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
-    following |= set(listed(phrases, words, lexicon))
-    following |= set(behind_happening(phrases, words, lexicon))
-    following |= set(behind_statements(phrases, words, lexicon, ENDS))
-    following |= set(beside(phrases, words, lexicon))
-    following |= {phrase.end for phrase in phrases[:1] if heads(phrase, words)}
     corrections = list(corrected_things(words, phrases, lexicon))
     instead = {thing.pause: thing.start for thing in corrections}
-    following |= {thing.end for thing in corrections if thing.further}
+    following = _following(words, phrases, lexicon) | {thing.end for thing in corrections if thing.further}
     following |= {end for let in retractions(words, lexicon, taken_back) for end in (let.start, let.stop)}
     while place < len(words):
         if place in following:
@@ -90,23 +82,10 @@ def segments_of(
             place += 1
             continue
         opens = _opens(words, place, vague, lexicon) and not counts_event(words, place, phrases, lexicon)
-        found = longest_match(words, place, lexicon.connectives) if opens else None
-        other = longest_match(words, place, lexicon.clauses)
-        if found is not None and (
-            len(other or ()) > len(found) or timed & {*range(place, place + len(found))}
-        ):
-            # "Next time I'm at the shop", "and next friday"
-            found = None
-        end = 0 if found is None else _end_of(words, place, len(found))
-        if found is not None and lexicon.connectives[found] == MEANWHILE and end < len(words):
-            # "At the same time every evening"
-            found = None if words[end].text in lexicon.closed.distributives else found
-        if found is not None and words[place].text in lexicon.closed.distributives:
-            found = found if _is_order(words, end, lexicon) else None
-        # "Do it when you're done": nothing follows.
-        if found is not None and end < len(words) and words[end].text not in {*ENDS, "as"}:
-            cuts.append((place, end, lexicon.connectives[found]))
-            place = end
+        cut = _connective_at(words, place, phrases, lexicon) if opens else None
+        if cut is not None:
+            cuts.append(cut)
+            place = cut[1]
             continue
         ends = words[place].text in ENDS and _is_end(text, words, place, lexicon)
         begun = any(p not in inside for p in range(cuts[-1][1] if cuts else 0, place))
@@ -114,6 +93,44 @@ def segments_of(
             cuts.append((place, place + 1, ""))
         place += 1
     return list(_between(text, words, cuts, {phrase.first: phrase.end for phrase in phrases}, lexicon))
+
+
+def _following(words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon) -> set[int]:
+    """Give the places at which what follows times, or has one, begins without a connective."""
+    found = {phrase.first for phrase in phrases if _follows(phrase, words)}
+    found |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
+    found |= {phrase.end for phrase in phrases[:1] if heads(phrase, words)}
+    return found.union(
+        listed(phrases, words, lexicon),
+        behind_happening(phrases, words, lexicon),
+        behind_statements(phrases, words, lexicon, ENDS),
+        beside(phrases, words, lexicon),
+    )
+
+
+def _connective_at(
+    words: Sequence[Word], place: int, phrases: Sequence[Phrase], lexicon: Lexicon
+) -> tuple[int, int, str] | None:
+    """Give the connective at a place, from where to where it stands, and its name; None without one."""
+    found = longest_match(words, place, lexicon.connectives)
+    if found is None or len(longest_match(words, place, lexicon.clauses) or ()) > len(found):
+        # "Next time I'm at the shop"
+        return None
+    timed = {phrase.first for phrase in phrases if not isinstance(phrase.said.time, TimeWord)}
+    if not timed.isdisjoint(range(place, place + len(found))):
+        # "And next friday"
+        return None
+    end = _end_of(words, place, len(found))
+    if end >= len(words) or words[end].text in {*ENDS, "as"}:
+        # "Do it when you're done": nothing follows.
+        return None
+    each, name = lexicon.closed.distributives, lexicon.connectives[found]
+    if name == MEANWHILE and words[end].text in each:
+        # "At the same time every evening"
+        return None
+    if words[place].text in each and not _is_order(words, end, lexicon):
+        return None
+    return place, end, name
 
 
 def _parts_what_is_told(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:

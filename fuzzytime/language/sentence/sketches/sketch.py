@@ -1,12 +1,12 @@
 """One instruction before it is grounded: its part of a draft, its times and clauses, what is to be done."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, Span
-from fuzzytime.language.meaning.expressions import Duration, Phrase
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, Said
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.further.same_doers import tells_more
@@ -65,6 +65,35 @@ class Sketch:
     def asks(self) -> bool:
         """Whether something is to be done, and is not only told or denied."""
         return self.operation is not None and self.operation.is_asked
+
+    @property
+    def repeats(self) -> bool:
+        """Whether one of its times is a repetition."""
+        return any(isinstance(phrase.said.time, Repeat) for phrase in self.phrases)
+
+    def keeping(self, keeps: Callable[[Phrase], bool]) -> "Sketch":
+        """Give the same with some of its times."""
+        kept = [place for place, phrase in enumerate(self.phrases) if keeps(phrase)]
+        return replace(
+            self,
+            phrases=tuple(self.phrases[place] for place in kept),
+            references=tuple(self.references[place] for place in kept),
+        )
+
+    def also(self, *phrases: Phrase, about: Reference | None = None) -> "Sketch":
+        """Give the same with further times behind its own."""
+        references = (*self.references, *(about for _ in phrases))
+        return replace(self, phrases=(*self.phrases, *phrases), references=references)
+
+    def telling(self, phrases: Collection[Phrase], told: Said) -> "Sketch":
+        """Give the same, where some of its times say together what is told."""
+        return replace(
+            self,
+            phrases=tuple(
+                replace(phrase, said=phrase.said.borrowing(told)) if phrase in phrases else phrase
+                for phrase in self.phrases
+            ),
+        )
 
     def under(self, phrases: Sequence[Phrase], clauses: Sequence[Clause] = ()) -> "Sketch":
         """Give the same with times and clauses from elsewhere before its own."""

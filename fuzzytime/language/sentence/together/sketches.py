@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark
-from fuzzytime.language.meaning.expressions import Duration, Repeat
+from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import BECOMING
@@ -86,7 +86,7 @@ def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:
     found = list(sketches)
     for aside in draft.asides:
         before = [sketch.part for sketch in found if sketch.part.segment.span[0] < aside.span[0]]
-        if len(before) > 1 and _is_repeated(found[len(before) - 1]):
+        if len(before) > 1 and found[len(before) - 1].repeats:
             # "Put the sausages on, turn them every 4 minutes, they take 15 minutes"
             before.pop()
         for place, sketch in enumerate(found):
@@ -98,14 +98,9 @@ def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:
     return found
 
 
-def _is_repeated(sketch: Sketch) -> bool:
-    return any(isinstance(phrase.said.time, Repeat) for phrase in sketch.phrases)
-
-
 def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
     if aside.bounds:
-        bounded = (*sketch.phrases, aside.length)
-        return replace(sketch, phrases=bounded, references=(*sketch.references, None))
+        return sketch.also(aside.length)
     if aside.way:
         return replace(
             sketch, way=aside.length.said.time if isinstance(aside.length.said.time, Duration) else None
@@ -121,5 +116,4 @@ def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
         ):
             clauses[place] = replace(clause, takes=aside.length.said.time)
             return replace(sketch, clauses=tuple(clauses))
-    lasting = replace(aside.length, said=replace(aside.length.said, constraint=Constraint.FOR))
-    return replace(sketch, phrases=(*sketch.phrases, lasting), references=(*sketch.references, None))
+    return sketch.also(replace(aside.length, said=replace(aside.length.said, constraint=Constraint.FOR)))

@@ -86,8 +86,8 @@ class Events:
 
     def _is_in_name(self, piece: Piece) -> bool:
         """Whether its part of the day is in the name of what happens then: "after the night shift, sleep"."""
-        time, follower = piece.value.time, self.around.follower(piece)
-        part = isinstance(time, Wall) and time.part is not None and time.clock is None
+        wall, follower = piece.value.wall, self.around.follower(piece)
+        part = wall.part is not None and wall.clock is None
         led = self.texts[piece.end - 2 : piece.end - 1]
         if not part or led == [] or led[0] not in self.closed.noun_openers or not self._is_marked(piece):
             return False

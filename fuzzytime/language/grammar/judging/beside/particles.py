@@ -54,8 +54,7 @@ class Particles:
         if first == "in" and self.around.is_weekday(piece.start + 1):
             # "Hand them in friday"
             return True
-        wall = piece.value.time
-        if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
+        if first == "in" and rest[:1] == ["at"] and piece.value.wall.part is not None:
             # "Shut them in at dusk"
             return True
         if first == "in" and rest[:1] in (["around"], ["about"]) and self._comes_in(piece):
@@ -121,9 +120,8 @@ class Particles:
         dashed = self.texts[behind : behind + 1] == ["-"]
         apart = dashed and not all(word.glued for word in words[behind : behind + 2])
         opens = not dashed and self.around.opens(piece.start)
-        wall = piece.value.time
         # "Post tomorrow", "post at 4 pm"
-        verb = opens and not (isinstance(wall, Wall) and wall.clock is not None)
+        verb = opens and piece.value.wall.clock is None
         verb = verb or self.texts[behind] in self.beside.behind_round
         noun = self.around.before(piece) in self.closed.noun_openers
         return not (apart or verb or noun) and self.around.may_end(piece)

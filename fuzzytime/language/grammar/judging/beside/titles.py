@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import TimeWord, Wall
+from fuzzytime.language.meaning.expressions import TimeWord
 
 BANK_HOLIDAY = ["bank", "holiday"]
 """Words before a weekday on a date that is not known here."""
@@ -111,16 +111,16 @@ class Titles(Standing):
         """Whether it is of the title of what is played: "play yesterday"; but "what can we play tomorrow"."""
         if not self._plays:
             return False
-        time = piece.value.time
+        wall = piece.value.wall
         numbered = any(map(self.measures.is_number, range(piece.start, piece.end)))
-        clocked = isinstance(time, Wall) and time.clock is not None and (numbered or time.days is not None)
+        clocked = wall.clock is not None and (numbered or wall.days is not None)
         verb = piece.start - 1
         # "Play 3 AM by Matchbox Twenty"
         by_whom = self.around.follower(piece) == "by" and any(
             word.capital for word in self.words[piece.end + 1 : piece.end + 2]
         )
         credited = by_whom and verb >= 0 and self.around.plays(verb)
-        other = piece.value.preposition not in {None, "of"} or isinstance(time, TimeWord)
+        other = piece.value.preposition not in {None, "of"} or isinstance(piece.value.time, TimeWord)
         if other or (clocked and not credited) or self._is_to_come(piece):
             return False
         if self.texts[piece.start] == "this" and self.texts[verb] not in self.lexicon.playing:

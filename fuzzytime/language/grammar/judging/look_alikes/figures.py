@@ -139,7 +139,7 @@ class Figures(Standing):
 
     def _is_year_of_thing(self, piece: Piece) -> bool:
         """Whether it is the year that a thing is from, or of: "films from 2003", "the class of 2005"."""
-        days = piece.value.time.days if isinstance(piece.value.time, Wall) else None
+        days = piece.value.wall.days
         if not isinstance(days, Fields) or days.year is None or days != Fields(year=days.year):
             return False
         joint = piece.start - (self.texts[piece.start] not in self.beside.belonging)

@@ -62,9 +62,8 @@ def _is_topic(piece: Piece, around: Surroundings) -> bool:
         return False
     if texts[joint - 1] in kinds.works:
         return True
-    said = piece.value.time if isinstance(piece.value, Said) else None
-    clocked = isinstance(said, Wall) and said.clock is not None
-    dated = isinstance(said, Wall) and said.days is not None
+    wall = piece.value.wall if isinstance(piece.value, Said) else Wall()
+    clocked, dated = wall.clock is not None, wall.days is not None
     verbs = kinds.speaking | (kinds.sending if dated and texts[joint] == ABOUT else frozenset())
     first = next((p for p in range(joint - 1, max(-1, joint - FARTHEST - 1), -1) if texts[p] in verbs), None)
     if first is None or clocked or not (around.opens(first) or texts[first - 1] == TO):

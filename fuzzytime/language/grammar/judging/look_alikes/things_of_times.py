@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_converte
 from fuzzytime.language.grammar.judging.look_alikes.typed_names import is_typed_name
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.meaning.days.relations import Deictic, Relative, Stretch, Which
-from fuzzytime.language.meaning.expressions import UnitWord, Wall
+from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.requirement import Unit
 
 MINUTES = 60
@@ -165,7 +165,7 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
 
 def is_from_the_past(piece: Piece, around: Surroundings) -> bool:
     """Whether it says of which time a thing is that was: "the report of last week at nine"."""
-    days = piece.value.time.days if isinstance(piece.value.time, Wall) else None
+    days = piece.value.wall.days
     stretch = isinstance(days, Stretch) and days.count < 0
     if stretch and around.follower(piece) == "of":
         # "Keep the last 3 days of logs"

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.surroundings.surroundings import THING
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Fields, is_day_of_month
 from fuzzytime.language.meaning.expressions import Wall
 
 SHORT_YEAR = 2
@@ -27,7 +27,7 @@ class Counts(Standing):
 
     def _counts_things(self, piece: Piece, wall: Wall) -> bool:
         """Whether ordinals count things and no days: "on the first and second floor", "on the 2nd to 3rd"."""
-        numbered = isinstance(wall.days, Fields) and wall.days.is_day_of_month and wall.clock is None
+        numbered = is_day_of_month(wall.days) and wall.clock is None
         last = piece.end - 1
         if not numbered or not (self.is_ordinal(last) or self.is_ordinal(last - 1)):
             return False
@@ -58,7 +58,7 @@ class Counts(Standing):
 
     def _is_of_parts(self, piece: Piece, wall: Wall) -> bool:
         """Whether an ordinal counts parts of the day, and is no date: "cancel the second night"."""
-        dated = isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day)
+        dated = is_day_of_month(wall.days)
         counted = self.texts[piece.end - 2] in self.lexicon.ordinals and self.texts[piece.end - 1] != THING
         return dated and wall.part is not None and counted
 

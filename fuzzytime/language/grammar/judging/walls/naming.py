@@ -2,7 +2,7 @@
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Fields, is_weekday
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.requirement import Unit
 
@@ -36,27 +36,13 @@ class Naming(Standing):
             return True
         if (said.preposition is None or wall.clock is not None) and self._is_next_in_row(piece, wall):
             return True
-        last, behind = self.texts[piece.end - 1], self.around.follower(piece)
-        if (
-            last in {"before", "after"}
-            and self.texts[piece.end - 2] not in {"or", "and", "not", "time"}
-            and wall.days is not None
-            and behind[:1].isalpha()
-            and behind != "and"
-        ):
-            # "The day before the flight"
-            return True
-        followed = self.around.follower(piece) in {"before", "after"}
-        *_, bound, article = ("", "", *self.texts[piece.start : piece.end - 1])
-        inner = article == "the" and (bound == "on" or bound not in self.lexicon.function_words)
-        if wall.part is not None and followed and ("the" in {self.texts[piece.start], before} or inner):
-            # "The evening before the trip", "at ten the evening before": which evening, is not said.
+        if self._is_beside_event(piece, wall):
             return True
         if "to" in {said.preposition, before} and self.around.names_place(piece):
             return True
         # "Turn on the ten o'clock news", "the slides for the Monday meeting"
         owned = bool(self.closed.noun_openers & set(self.texts[piece.start + 1 : piece.end][:1]))
-        inside = said.preposition == "in" and isinstance(wall.days, Fields) and wall.days.weekly
+        inside = said.preposition == "in" and is_weekday(wall.days)
         about = self.texts[piece.start] == ABOUT
         if (said.preposition in NAMING or inside or about) and owned and not self.around.may_end(piece):
             return True
@@ -66,6 +52,23 @@ class Naming(Standing):
             and self.texts[piece.start] in self.closed.possessives
             and not self.around.may_end(piece)
         )
+
+    def _is_beside_event(self, piece: Piece, wall: Wall) -> bool:
+        """Whether it counts from what is named behind it, or is not: "the day before the flight"."""
+        last, behind = self.texts[piece.end - 1], self.around.follower(piece)
+        counted = last in {"before", "after"} and self.texts[piece.end - 2] not in {
+            "or",
+            "and",
+            "not",
+            "time",
+        }
+        if counted and wall.days is not None and behind[:1].isalpha() and behind != "and":
+            return True
+        # "The evening before the trip", "at ten the evening before": which evening, is not said.
+        *_, bound, article = ("", "", *self.texts[piece.start : piece.end - 1])
+        inner = article == "the" and (bound == "on" or bound not in self.lexicon.function_words)
+        led = inner or "the" in {self.texts[piece.start], self.around.before(piece)}
+        return wall.part is not None and behind in {"before", "after"} and led
 
     def _is_next_in_row(self, piece: Piece, wall: Wall) -> bool:
         """Whether an ordinal counts things and no days: "the first piece at nine and the second at ten"."""

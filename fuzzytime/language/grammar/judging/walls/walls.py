@@ -14,7 +14,7 @@ from fuzzytime.language.grammar.surroundings.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings.surroundings import THING, Surroundings
 from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Cycle, Fields
+from fuzzytime.language.meaning.calendar import Cycle, Fields, is_weekday
 from fuzzytime.language.meaning.days.relations import Deictic, Which
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.feasts import OfYear, Season
@@ -68,7 +68,7 @@ class Walls(Standing):
         parted = wall.days is None and wall.clock is None and not self._ends_in_thing(piece)
         if parted and self._is_of_noun(piece, said):
             return False
-        weekly = isinstance(wall.days, Fields) and wall.days.weekly
+        weekly = is_weekday(wall.days)
         led = self.texts[piece.end - 2 : piece.end - 1] == ["the"]
         # "The sun", "in the sun": a weekday never stands with "in".
         words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "a", "in"}]

@@ -5,7 +5,7 @@ from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.judging.walls.bare_hours import YEARS
 from fuzzytime.language.grammar.judging.walls.dated_entries import dates_entry
 from fuzzytime.language.grammar.timetables import has_time
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import is_day_of_month
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.requirement import Constraint
 
@@ -22,7 +22,7 @@ class WeakWalls(Standing):
         # "Ask about lunch": what a meal is asked about.
         bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
         bound = bound or self._begins_at_meal(piece, said, wall)
-        numbered = isinstance(wall.days, Fields) and wall.days.is_day_of_month
+        numbered = is_day_of_month(wall.days)
         if said.preposition == "in" and numbered and wall.clock is None:
             # "The blue car is in first"
             return False

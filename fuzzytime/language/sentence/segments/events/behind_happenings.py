@@ -6,7 +6,7 @@ from itertools import pairwise, takewhile
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.phrases import places_in
 
 MARKS = frozenset({":", "-", "–", "—"})
@@ -15,7 +15,7 @@ MARKS = frozenset({":", "-", "–", "—"})
 
 def listed(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
     """Give where the lines of a timetable begin: "10:00 stretch 10:15 walk"; not "10:00, 10:15"."""
-    clocks = [phrase for phrase in phrases if _is_clock(phrase)]
+    clocks = [p for p in phrases if p.said.preposition is None and p.said.wall.clock is not None]
     if not clocks or clocks[0].first > 0:
         return
     for before, clock in pairwise(clocks):
@@ -70,9 +70,3 @@ def behind_statements(
         orders = behind.is_letters and not behind.glued and behind.text not in lexicon.function_words
         if orders and len(said) > 1 and said[0] in subjects and not told.isdisjoint(said[1:]):
             yield phrase.end
-
-
-def _is_clock(phrase: Phrase) -> bool:
-    """Whether it is a clock time alone, without a preposition."""
-    time = phrase.said.time
-    return phrase.said.preposition is None and isinstance(time, Wall) and time.clock is not None

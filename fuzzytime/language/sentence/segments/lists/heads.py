@@ -49,8 +49,7 @@ def is_head(phrase: Phrase) -> bool:
 
 def is_meal(time: object) -> bool:
     """Whether it is a meal of any day."""
-    part = time.part if isinstance(time, Wall) and time.days is None else None
-    return part is not None and part.meal
+    return isinstance(time, Wall) and time.days is None and time.part is not None and time.part.meal
 
 
 def headed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:

@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.understood.lent import is_timed_entry
 from fuzzytime.language.instruction import Remark, RemarkKind
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import is_weekday
 from fuzzytime.language.meaning.expressions import (
     Duration,
     HourMark,
@@ -97,7 +97,7 @@ def _lies_in(inner: Time | Duration | Repeat, outer: Time | Duration | Repeat) -
     if inner.days is None:
         return inner.clock is not None or outer.part is None
     longer = outer.days is not None and outer.days.grain is not Unit.DAY
-    return longer and isinstance(inner.days, Fields) and inner.days.weekly
+    return longer and is_weekday(inner.days)
 
 
 def _is_length(said: Said) -> bool:
@@ -116,7 +116,7 @@ def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Rem
     texts, starts = [word.text for word in scanned.words], {phrase.first for phrase in phrases}
     for phrase in phrases:
         place = phrase.end + 2
-        clock = phrase.said.time.clock if isinstance(phrase.said.time, Wall) else None
+        clock = phrase.said.wall.clock
         denied = texts[phrase.end : place] in ([",", "not"], ["instead", "of"], ["rather", "than"])
         if not denied or place in starts:
             continue
@@ -246,11 +246,7 @@ def _replaced(old: Said, new: object) -> Said | None:
     if isinstance(new, Duration):
         return replace(old, time=new) if isinstance(old.time, Duration) else None
     if isinstance(new, Clock):
-        return (
-            _replaced(old, Wall(clock=new))
-            if isinstance(old.time, Wall) and old.time.clock is not None
-            else None
-        )
+        return _replaced(old, Wall(clock=new)) if old.wall.clock is not None else None
     if isinstance(new, Quantity) and not new.indefinite:
         return _counted(old, new)
     return None

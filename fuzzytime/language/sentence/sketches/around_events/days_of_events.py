@@ -12,6 +12,7 @@ from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Phrase, Said, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.joined.beside import joined
+from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_sides import FIRST
 from fuzzytime.language.sentence.references.anchors import Anchors
@@ -51,14 +52,15 @@ def on_days_of_events(sketch: Sketch, anchors: Anchors, text: str) -> tuple[Sket
             if clause.day_part is not None and target is not None:
                 unused.append(clause.day_part)
             remarks += (_unknown(text, phrase, clause) for phrase in unused)
-            sketch = _without_times_of_day(sketch)
+            sketch = sketch.keeping(lambda phrase: not _is_of_day(phrase))
             continue
         event, there = target, day.date() + away * DAY
         wall = Wall(Fields(there.year, there.month, there.day))
         if clause.day_part is not None:
             sketch, wall = _in_part(sketch, replace(clause.day_part, span=clause.span), wall)
         elif not timed:
-            sketch = _with(sketch, Phrase(Said(wall, None, "on"), 0, 0, clause.span, ALL_DAY))
+            on_day = Phrase(Said(wall, None, "on"), 0, 0, clause.span, ALL_DAY)
+            sketch = sketch.also(on_day, about=sketch.reference)
         phrases = tuple(_on_day(phrase, wall) if _is_of_day(phrase) else phrase for phrase in sketch.phrases)
         kept = tuple(other for other in sketch.clauses if other is not clause)
         sketch = replace(sketch, phrases=phrases, clauses=kept)
@@ -83,16 +85,14 @@ def _is_any_time(clause: Clause) -> bool:
 
 
 def _is_of_day(phrase: Phrase) -> bool:
-    """Whether it is a time of day, on a day that is not said."""
-    time = phrase.said.time
-    return isinstance(time, Wall) and time.days is None and (time.clock is not None or time.part is not None)
+    return is_of_day(phrase.said.time)
 
 
 def _on_day(phrase: Phrase, day: Wall) -> Phrase:
     """Give a time on a day, where they go together."""
     time = phrase.said.time
     both = joined(day, time) if isinstance(time, Wall) else None
-    return phrase if both is None else replace(phrase, said=replace(phrase.said, time=both))
+    return phrase if both is None else phrase.at(both)
 
 
 def _in_part(sketch: Sketch, part: Phrase, day: Wall) -> tuple[Sketch, Wall]:
@@ -100,19 +100,7 @@ def _in_part(sketch: Sketch, part: Phrase, day: Wall) -> tuple[Sketch, Wall]:
     if any(map(_is_of_day, sketch.phrases)):
         both = joined(day, part.said.time) if isinstance(part.said.time, Wall) else None
         return sketch, both or day
-    return _with(sketch, part), day
-
-
-def _with(sketch: Sketch, phrase: Phrase) -> Sketch:
-    """Give a sketch with one more time."""
-    phrases = (*sketch.phrases, phrase)
-    return replace(sketch, phrases=phrases, references=(*sketch.references, sketch.reference))
-
-
-def _without_times_of_day(sketch: Sketch) -> Sketch:
-    kept = [place for place, phrase in enumerate(sketch.phrases) if not _is_of_day(phrase)]
-    phrases = tuple(sketch.phrases[place] for place in kept)
-    return replace(sketch, phrases=phrases, references=tuple(sketch.references[place] for place in kept))
+    return sketch.also(part, about=sketch.reference), day
 
 
 def _unknown(text: str, phrase: Phrase, clause: Clause) -> Remark:

@@ -87,7 +87,7 @@ def _named_at(event: Clause, named: Phrase, day: Phrase | None) -> Clause:
     both = joined(named.said.time, day.said.time)
     if both is None:
         return replace(event, time=named)
-    dated = replace(named, said=replace(named.said, time=both))
+    dated = named.at(both)
     return replace(event, time=dated, span=(event.span[0], day.span[1]))
 
 
@@ -207,13 +207,15 @@ class _Clauses:
         # "By the time the night shift clocks off at six", where a tree finds no verb.
         told = clause if told is None and kind == BY_THEN and time is not None else told
         found = self._gone_on(self._denied(told, place))
-        occurs = found is not None and (happens(found, self.lexicon) or self._is_over(found))
-        eventful = kind in EVENTFUL or (kind == "when" and occurs)
-        # "During the interval, which starts at eight"
-        eventful = eventful or (kind == "while" and found is not None and found.is_event)
-        if found is None or time is None or not eventful or not dates(time, duration, kind):
-            return found
-        return replace(found, time=time, span=(start, time.span[1]))
+        return found if found is None or time is None else self._timed(found, clause, time)
+
+    def _timed(self, told: Clause, clause: Clause, time: Phrase) -> Clause:
+        """Give what a clause tells its own time, where that is an event: "the interval, at eight"."""
+        kind, occurs = clause.kind, happens(told, self.lexicon) or self._is_over(told)
+        eventful = kind in EVENTFUL or (kind == "when" and occurs) or (kind == "while" and told.is_event)
+        if not eventful or not dates(time, clause.distance, kind):
+            return told
+        return replace(told, time=time, span=(clause.span[0], time.span[1]))
 
     def _end(self, first: int, kind: str) -> tuple[int, Phrase | None]:
         """Give where a clause ends that begins at a place, and the time of its own behind it."""

@@ -203,16 +203,13 @@ def _of_inner(part: Part, phrases: Sequence[Phrase]) -> list[Phrase]:
 
 def _is_listed(phrase: Phrase) -> bool:
     """Whether it is a day of a list: "for monday, tuesday and friday"."""
-    days = phrase.said.time.days if isinstance(phrase.said.time, Wall) else None
-    return phrase.said.preposition is None and isinstance(days, Fields)
+    return phrase.said.preposition is None and isinstance(phrase.said.wall.days, Fields)
 
 
 def _says_when(phrase: Phrase) -> bool:
     """Whether a time says on which day something is done, and is no clock time of another's day."""
-    said, time = phrase.said, phrase.said.time
-    if said.constraint in BOUNDS:
-        return True
-    return isinstance(time, Wall) and time.days is not None and said.constraint in {None, Constraint.AT}
+    said = phrase.said
+    return said.constraint in BOUNDS or (said.wall.days is not None and said.constraint in MOMENTS)
 
 
 def _done_before(part: Part, phrase: Phrase, place: int, action: Action) -> int | None:

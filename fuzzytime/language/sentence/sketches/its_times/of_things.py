@@ -115,8 +115,7 @@ class _Things:
 
     def _is_called(self, phrase: Phrase, place: int) -> bool:
         """Whether a day is of what is called by a clock time: "cancel my nine o'clock tomorrow"."""
-        time = phrase.said.time
-        dated = isinstance(time, Wall) and time.days is not None and time.clock is None
+        dated = phrase.said.wall.days is not None and phrase.said.wall.clock is None
         clock = self.nodes[place].tag == "CD" or self.nodes[place].lower in self.lexicon.beside.of_clocks
         opened = self._name(place)[0].tag in {"DT", "PRP$"}
         return dated and clock and opened
@@ -134,8 +133,8 @@ class _Things:
         if listed:
             # "Put me on the waiting list for saturday"
             return phrase.said.preposition == FOR
-        time, led = phrase.said.time, self.nodes[place + 1].lower
-        if led == FOR and isinstance(time, Wall) and time.part is not None and time.part.meal:
+        part = phrase.said.wall.part
+        if self.nodes[place + 1].lower == FOR and part is not None and part.meal:
             # "Invite Tom for tea tonight"
             return True
         direct = {"invite": {TO}}.get(self.nodes[self.verb].lemma, {TO, FOR})
@@ -176,7 +175,7 @@ class _Things:
             return True
         if said.preposition != FROM or not self.nodes[place].tag.startswith("NN"):
             return False
-        days = time.days if isinstance(time, Wall) else None
+        days = said.wall.days
         present = isinstance(days, Relative) and days.days <= 0
         past = isinstance(days, Deictic) and days.which in {Which.LAST, Which.PAST, Which.THIS}
         return present or past or (isinstance(time, Offset) and time.direction < 0)
@@ -188,10 +187,9 @@ class _Things:
 
     def _is_sought(self, phrase: Phrase, place: int) -> bool:
         """Whether it is of what somebody looks for: "find a sitter for saturday night"."""
-        node, time = self.nodes[place], phrase.said.time
+        node, days = self.nodes[place], phrase.said.wall.days
         if self._describes(place):
-            return not isinstance(time, Offset)
-        days = time.days if isinstance(time, Wall) else None
+            return not isinstance(phrase.said.time, Offset)
         if not node.tag.startswith("NN") or days is None or phrase.said.constraint in BOUNDS:
             return False
         if phrase.said.preposition == FOR:
@@ -239,5 +237,4 @@ class _Things:
 def _is_day(phrase: Phrase) -> bool:
     """Whether it says on which day."""
     said = phrase.said
-    dated = isinstance(said.time, Wall) and said.time.days is not None and said.constraint not in BOUNDS
-    return dated and said.preposition in OF_THINGS
+    return said.wall.days is not None and said.constraint not in BOUNDS and said.preposition in OF_THINGS

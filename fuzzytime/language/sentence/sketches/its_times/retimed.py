@@ -15,9 +15,9 @@ UNTIL = "until"
 
 def by_that_day(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
     """Bind what is to be done before an event by the end of its day: "before the show on Saturday"."""
-    said, time = phrase.said, phrase.said.time
+    said = phrase.said
     ahead = (c for c in clauses if c.kind in AHEAD and c.distance is None and c.span[1] + 1 == phrase.span[0])
-    day = isinstance(time, Wall) and time.clock is None and time.part is None and said.constraint in MOMENTS
+    day = isinstance(said.time, Wall) and not said.wall.is_timed and said.constraint in MOMENTS
     if not day or next(ahead, None) is None:
         return phrase
     return replace(phrase, said=replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST))
@@ -46,8 +46,7 @@ def put_off(phrase: Phrase) -> Phrase:
 
 def on_that_day(phrase: Phrase) -> Phrase:
     """Bind a deadline of some day by that day: "be at the station by seven tomorrow"."""
-    said, time = phrase.said, phrase.said.time
-    day = isinstance(time, Wall) and time.days is not None and time.clock is not None
-    if not isinstance(time, Wall) or not day or said.constraint is not Constraint.BEFORE:
+    said, wall = phrase.said, phrase.said.wall
+    if wall.days is None or wall.clock is None or said.constraint is not Constraint.BEFORE:
         return phrase
-    return replace(phrase, said=replace(said, within=Wall(time.days, time.part, zone=time.zone)))
+    return replace(phrase, said=replace(said, within=replace(wall, clock=None, weak=False)))

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.leftovers.leftovers import not_understood
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.days.relations import days_away
-from fuzzytime.language.meaning.expressions import Edge, Offset, Phrase, Range, Said, Wall
+from fuzzytime.language.meaning.expressions import Edge, Offset, Phrase, Range, Said, Wall, wall_of
 from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
@@ -162,7 +162,7 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
         if away is not None:
             # "The day before the wedding on saturday"
             part = None if clause.day_part is None else clause.day_part.said.time
-            said = replace(said, time=Wall(away, part=part.part if isinstance(part, Wall) else None))
+            said = replace(said, time=Wall(away, part=wall_of(part).part))
     places = [
         place
         for place, word in enumerate(draft.scanned.words)

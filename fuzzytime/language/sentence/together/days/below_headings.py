@@ -75,10 +75,7 @@ def _during_hours(sketch: Sketch, heading: Heading) -> Sketch:
     hours = next((phrase.said.time for phrase in heading.phrases if is_window(phrase)), None)
     if not isinstance(hours, Range):
         return sketch
-    phrases = [
-        replace(phrase, said=replace(phrase.said, time=_bounded(phrase.said.time, hours)))
-        for phrase in sketch.phrases
-    ]
+    phrases = [phrase.at(_bounded(phrase.said.time, hours)) for phrase in sketch.phrases]
     return replace(sketch, phrases=tuple(phrases))
 
 
@@ -118,9 +115,8 @@ def _due_on_day(sketch: Sketch, heading: Heading) -> Sketch | None:
 
 def _is_on_another_day(phrase: Phrase, heading: Heading) -> bool:
     """Whether a time has a day of its own: "Saturday:", then "print them by noon on friday"."""
-    day, wall = heading.day, phrase.said.time
-    above = day.said.time.days if day is not None and isinstance(day.said.time, Wall) else None
-    return above is not None and isinstance(wall, Wall) and wall.days not in {None, above}
+    above = None if heading.day is None else heading.day.said.wall.days
+    return above is not None and phrase.said.wall.days not in {None, above}
 
 
 def _tells_when(phrase: Phrase) -> bool:

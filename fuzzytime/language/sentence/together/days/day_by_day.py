@@ -10,7 +10,7 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Coming, Duration, Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat
+from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat, is_of_day
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.joined.throughout import THROUGHOUT, in_part, in_parts_of_each_day
 from fuzzytime.language.meaning.times_of_day import Part
@@ -126,21 +126,15 @@ def _of_each_day(sketch: Sketch, length: Phrase, text: str, lexicon: Lexicon) ->
         apart = in_front or not isinstance(length.said.time, Duration)
         if not apart and not _is_soon_over(operation, lexicon):
             return []
-        times = [phrase for phrase in sketch.phrases if _is_clock(phrase)]
+        walls = ((phrase, phrase.said.wall) for phrase in sketch.phrases)
+        times = [phrase for phrase, wall in walls if wall.days is None and wall.clock is not None]
     between = text[times[0].span[1] : times[-1].span[0]].lower().split() if times else []
     return times if lexicon.closed.alternatives.isdisjoint(between) else []
 
 
 def _is_part(phrase: Phrase) -> bool:
     """Whether it is a part of a day that is not said, or one side of it."""
-    time = phrase.said.time
-    return isinstance(time, Wall) and time.days is None and time.clock is None and time.part is not None
-
-
-def _is_clock(phrase: Phrase) -> bool:
-    """Whether it is a clock time of a day that is not said."""
-    time = phrase.said.time
-    return isinstance(time, Wall) and time.days is None and time.clock is not None
+    return is_of_day(phrase.said.time) and phrase.said.wall.clock is None
 
 
 def _is_soon_over(operation: Operation, lexicon: Lexicon) -> bool:

@@ -8,8 +8,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Fields, is_weekday
 from fuzzytime.language.meaning.expressions import Duration, Ending, Offset, Phrase, Range, Repeat, Said, Wall
+from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
 from fuzzytime.language.meaning.joined.intervals_on_days import is_interval, on_days
 from fuzzytime.language.meaning.joined.repeats_beside import names_day_of, without_clocks
 from fuzzytime.language.meaning.joined.throughout import each_day, is_clock_time, is_rest_of_days
@@ -39,9 +40,8 @@ class _Day:
     def days(self) -> tuple[Said, ...]:
         """As said, and without the part of the day in it: "tomorrow morning and evening"."""
         said = self.said.sure
-        time = said.time
-        parted = isinstance(time, Wall) and time.days is not None and time.part is not None
-        return (said, Said(Wall(time.days))) if parted and isinstance(time, Wall) else (said,)
+        parted = said.wall.days is not None and said.wall.part is not None
+        return (said, Said(Wall(said.wall.days))) if parted else (said,)
 
 
 def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None) -> list[Sketch]:
@@ -89,13 +89,7 @@ def _on_each_day(sketch: Sketch) -> Sketch:
     if daily is None:
         return sketch
     told = Said(daily, Constraint.EVERY, clocks[0].preposition)
-    apart = (*clocks, *rests)
-    return replace(
-        sketch,
-        phrases=tuple(
-            replace(p, said=p.said.borrowing(told)) if p.said in apart else p for p in sketch.phrases
-        ),
-    )
+    return sketch.telling([phrase for phrase in sketch.phrases if phrase.said in (*clocks, *rests)], told)
 
 
 def on_owned_day(sketch: Sketch, lexicon: Lexicon) -> Sketch:
@@ -128,8 +122,8 @@ def _narrowness(said: Said) -> int:
 
 def _ends_night(said: Said, day: Said) -> bool:
     """Whether it is a deadline of what goes on at night: "charge it overnight so it's ready by six"."""
-    night = isinstance(day.time, Wall) and day.time.part is not None and day.time.part.half is Half.NIGHT
-    return night and said.constraint is Constraint.BEFORE
+    part = day.wall.part
+    return part is not None and part.half is Half.NIGHT and said.constraint is Constraint.BEFORE
 
 
 def _is_at_most(said: Said) -> bool:
@@ -139,8 +133,7 @@ def _is_at_most(said: Said) -> bool:
 
 def _is_first_day(said: Said) -> bool:
     """Whether it is a day from which on something holds: "from monday on sign in by ten to nine"."""
-    time = said.time
-    days = time.days if isinstance(time, Wall) and time.clock is None and time.part is None else None
+    days = None if said.wall.is_timed else said.wall.days
     return said.constraint is Constraint.AFTER and days is not None and days.grain is Unit.DAY
 
 
@@ -150,8 +143,7 @@ def _is_open(said: Said, day: Said) -> bool:
     if isinstance(time, Repeat):
         return is_interval(time) and isinstance(day.time, Wall)
     if isinstance(time, Offset):
-        anchor = time.anchor if isinstance(time.anchor, Wall) else None
-        return anchor is not None and anchor.days is None and (anchor.clock or anchor.part) is not None
+        return is_of_day(time.anchor)
     if isinstance(time, Range):
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
         clocks = all(end.clock is not None and end.days is None for end in ends)
@@ -167,8 +159,8 @@ def _is_open(said: Said, day: Said) -> bool:
 
 def _is_in_week(wall: Wall, day: Said) -> bool:
     """Whether it is a weekday in the week, or month, that is said."""
-    coarse = isinstance(day.time, Wall) and day.time.days is not None and day.time.days.grain is not Unit.DAY
-    return coarse and isinstance(wall.days, Fields) and wall.days.weekly
+    coarse = day.wall.days is not None and day.wall.days.grain is not Unit.DAY
+    return coarse and is_weekday(wall.days)
 
 
 def _every_so_often(phrase: Phrase, day: Phrase, text: str) -> Said | None:
@@ -242,8 +234,8 @@ def _day_of(sketch: Sketch, *, heads: bool) -> _Day | None:
         if said.is_day and (heads or phrase.span[1] <= start):
             return _Day(said, phrase, part_before(sketch, said))
         time = said.time
-        if isinstance(time, Wall) and time.days is not None and (time.clock or time.part) is not None:
-            return _Day(Said(Wall(time.days)), part=part_before(sketch, said))
+        if said.wall.days is not None and said.wall.is_timed:
+            return _Day(Said(Wall(said.wall.days)), part=part_before(sketch, said))
         daily = without_clocks(time) if isinstance(time, Repeat) and phrase.span[1] <= start else None
         if daily is not None:
             # "Every evening at six feed the hens, and at seven shut the coop"

@@ -28,13 +28,8 @@ def without_days_left_out(sketch: Sketch) -> Sketch:
     left = without_weekdays(repeat, days) if isinstance(repeat, Repeat) else None
     if left is None:
         return sketch
-    told = replace(repeated[0], said=repeated[0].said.borrowing(replace(repeated[0].said, time=left)))
-    kept = [place for place, phrase in enumerate(phrases) if phrase not in denied]
-    return replace(
-        sketch,
-        phrases=tuple(told if phrases[place] is repeated[0] else phrases[place] for place in kept),
-        references=tuple(sketch.references[place] for place in kept),
-    )
+    told = replace(repeated[0].said, time=left)
+    return sketch.keeping(lambda phrase: phrase not in denied).telling(repeated, told)
 
 
 def left_out_behind(sketches: Sequence[Sketch], lexicon: Lexicon) -> list[Sketch]:
@@ -49,10 +44,8 @@ def left_out_behind(sketches: Sequence[Sketch], lexicon: Lexicon) -> list[Sketch
         segment = before.part.segment
         whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
         found[-1] = replace(
-            before,
+            before.also(*denied),
             part=replace(before.part, segment=whole),
-            phrases=(*before.phrases, *denied),
-            references=(*before.references, *(None for _ in denied)),
             joints=(*before.joints, sketch.part.segment.span),
         )
     return found
@@ -66,12 +59,11 @@ def _left_out(before: Sketch, sketch: Sketch, lexicon: Lexicon) -> tuple[Phrase,
     if operation is None:
         alone = all(phrase.said.denied for phrase in sketch.phrases) and _says_no_more(sketch, lexicon)
         return sketch.phrases if alone else ()
-    repeated = any(isinstance(phrase.said.time, Repeat) for phrase in before.phrases)
-    if repeated and _is_denied_again(before, operation, lexicon):
+    if before.repeats and _is_denied_again(before, operation, lexicon):
         # "Feed the cat every day. Don't feed it on sundays"
         return _denied(sketch) if all(weekdays_in(phrase.said.time) for phrase in sketch.phrases) else ()
     bare = (operation.object, operation.place, operation.complement) == (None, None, None)
-    if not repeated or not bare or operation.negated or operation.lemma not in lexicon.doing.dropping:
+    if not before.repeats or not bare or operation.negated or operation.lemma not in lexicon.doing.dropping:
         return ()
     # "Skip sundays"
     return _denied(sketch)

@@ -1,7 +1,6 @@
 """What is done day by day from a day on: "starting tomorrow wake me at six", "from now on lock it at ten"."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Edge, Phrase, Repeat, Said, TimeWord, Wall
@@ -47,7 +46,7 @@ def _from_day_on(sketch: Sketch, first: Phrase, text: str, lexicon: Lexicon) -> 
     repeat = series[0].said.time if len(repeats) == 1 else None
     if not series and first.said.preposition in HABITS and _is_habit(sketch, lexicon):
         series = _clocks(others, text, lexicon)
-        part = first.said.time.part if isinstance(first.said.time, Wall) else None
+        part = first.said.wall.part
         repeat = in_parts_of_each_day(
             [one.said if part is None else in_part(one.said, part) for one in series]
         )
@@ -58,13 +57,7 @@ def _from_day_on(sketch: Sketch, first: Phrase, text: str, lexicon: Lexicon) -> 
         return sketch
     hedges = series[0].said.hedges
     told = Said(began, Constraint.EVERY, series[0].said.preposition, hedges, lasting=series[0].said.lasting)
-    both = (first, *series)
-    return replace(
-        sketch,
-        phrases=tuple(
-            replace(one, said=one.said.borrowing(told)) if one in both else one for one in sketch.phrases
-        ),
-    )
+    return sketch.telling((first, *series), told)
 
 
 def _beginning(repeat: Repeat, first: Said) -> Repeat | None:
@@ -80,10 +73,7 @@ def _is_first_day(said: Said) -> bool:
     """Whether it says from which day on something holds: "from now on", and not "after monday"."""
     if said.constraint is not Constraint.AFTER or said.edge is not Edge.START or said.hedges:
         return False
-    time = said.time
-    return isinstance(time, TimeWord) or (
-        isinstance(time, Wall) and time.days is not None and time.clock is None
-    )
+    return isinstance(said.time, TimeWord) or (said.wall.days is not None and said.wall.clock is None)
 
 
 def _goes_on(first: Phrase, text: str, lexicon: Lexicon) -> bool:

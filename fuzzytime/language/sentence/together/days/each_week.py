@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.calendar import Cycle, is_weekday
 from fuzzytime.language.meaning.days.relations import Away, Relative, days_onward
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
 from fuzzytime.language.sentence.segments.segment import ENDS
@@ -49,12 +49,7 @@ def _told_weekly(sketch: Sketch, weekly: Phrase) -> Sketch:
     told = [_in_each_week(phrase, weekly) for phrase in sketch.phrases]
     if told == list(sketch.phrases):
         return sketch
-    kept = [place for place, phrase in enumerate(told) if phrase.span != weekly.span]
-    return replace(
-        sketch,
-        phrases=tuple(told[place] for place in kept),
-        references=tuple(sketch.references[place] for place in kept),
-    )
+    return replace(sketch, phrases=tuple(told)).keeping(lambda phrase: phrase.span != weekly.span)
 
 
 def _told_onward(sketch: Sketch, daily: Phrase) -> Sketch:
@@ -65,7 +60,7 @@ def _told_onward(sketch: Sketch, daily: Phrase) -> Sketch:
 def _behind_each_day(phrase: Phrase, daily: Phrase) -> Phrase:
     """Give "the next day" as the one behind each day of a repetition, from its first on."""
     time, repeat = phrase.said.time, daily.said.time
-    onward = days_onward(time.days) if isinstance(time, Wall) else None
+    onward = days_onward(phrase.said.wall.days)
     if not isinstance(time, Wall) or not isinstance(repeat, Repeat) or not onward or onward < 0:
         return phrase
     starting = repeat.starting
@@ -94,22 +89,18 @@ def _is_weekly(phrase: Phrase) -> bool:
     """Whether it is a repetition by weeks: on weekdays, or once in each."""
     time = phrase.said.time
     days = [wall.days for wall in time.walls] if isinstance(time, Repeat) else []
-    return bool(days) and (days == [Cycle(Unit.WEEK)] or all(_is_weekday(day) for day in days))
-
-
-def _is_weekday(days: Calendar | None) -> bool:
-    return isinstance(days, Fields) and days.weekly
+    return bool(days) and (days == [Cycle(Unit.WEEK)] or all(map(is_weekday, days)))
 
 
 def _in_each_week(phrase: Phrase, weekly: Phrase) -> Phrase:
     """Give a weekday as that of each week, from the first day on that is said of it."""
     said, time = phrase.said, phrase.said.time
-    alone = isinstance(time, Wall) and _is_weekday(time.days) and said.constraint in MOMENTS
+    alone = is_weekday(said.wall.days) and said.constraint in MOMENTS
     if not isinstance(time, Wall) or not alone or said.denied or not isinstance(weekly.said.time, Repeat):
         return phrase
     (days, *further), skip = weekly.said.time.walls, weekly.said.time.skip
     # Of every other monday, the tuesday behind it: not that before the first.
-    first = None if further or not _is_weekday(days.days) else Wall(days.days)
+    first = None if further or not is_weekday(days.days) else Wall(days.days)
     repeat = Repeat(walls=(time,), skip=1 if further else skip, starting=first)
     return replace(phrase, said=replace(said, time=repeat, constraint=Constraint.EVERY))
 

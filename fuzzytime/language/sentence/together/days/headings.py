@@ -6,10 +6,11 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Phrase, TimeWord
 from fuzzytime.language.meaning.joined.told_apart import told_apart
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.drafts import Draft, Heading
+from fuzzytime.language.sentence.segments.lists.heads import is_meal
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
 from fuzzytime.language.sentence.together.days.titles import (
     LONGEST,
@@ -130,10 +131,8 @@ def _says_more(draft: Draft, heard: Sequence[Span]) -> bool:
 
 def _is_meal(phrase: Phrase) -> bool:
     """Whether a time may as well be a thing: "Dinner:"."""
-    time = phrase.said.time
-    if not isinstance(time, Wall) or time.days is not None or phrase.said.preposition is not None:
-        return False
-    return time.clock is None and time.part is not None and time.part.meal
+    said = phrase.said
+    return is_meal(said.time) and said.wall.clock is None and said.preposition is None
 
 
 def _on_day(heading: Heading, above: Heading | None) -> Heading:
@@ -174,4 +173,4 @@ def _remark_on(heading: Heading, span: Span) -> Remark:
 def day_above(heading: Heading | None) -> Calendar | None:
     """Give the day that a line above names."""
     day = None if heading is None else heading.day
-    return day.said.time.days if day is not None and isinstance(day.said.time, Wall) else None
+    return None if day is None else day.said.wall.days

@@ -1,6 +1,6 @@
 """Days that head a list hold for its entries, also behind a stop: "fri: dentist 9am; bank 11am"."""
 
-from fuzzytime.language.meaning.expressions import Repeat, Wall
+from fuzzytime.language.meaning.expressions import Repeat
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
 STOP = ";"
@@ -16,8 +16,7 @@ def heads_list(first: Sketch, text: str) -> bool:
     day = next(iter(first.phrases), None)
     if day is None or text[: day.span[0]].strip():
         return False
-    time = day.said.time
-    if not isinstance(time, Repeat) and not (isinstance(time, Wall) and time.days is not None):
+    if not isinstance(day.said.time, Repeat) and day.said.wall.days is None:
         return False
     named, _, behind = text[slice(*day.span)].partition(COLON)
     return text[day.span[1] :].lstrip().startswith(HEADS) or (bool(behind) and named.strip().isalpha())
@@ -30,11 +29,9 @@ def listed_below_day(first: Sketch, sketch: Sketch, between: str, text: str) -> 
         return False
     if heads_list(first, text):
         return True
-    time = day.said.time
-    if not isinstance(time, Wall) or time.days is None:
+    if day.said.wall.days is None or day.said.wall.clock is None:
         return False
     hour = next(iter(sketch.phrases), None)
-    if hour is None or hour.span[0] != sketch.part.segment.span[0] or time.clock is None:
+    if hour is None or hour.span[0] != sketch.part.segment.span[0]:
         return False
-    said = hour.said.time
-    return isinstance(said, Wall) and said.clock is not None and said.days is None
+    return hour.said.wall.clock is not None and hour.said.wall.days is None

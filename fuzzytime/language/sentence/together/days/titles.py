@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from fuzzytime.language.finding import ground_all
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
+from fuzzytime.language.meaning.expressions import Phrase, Range, Wall, wall_of
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
@@ -103,7 +103,7 @@ def _whole_day(time: Phrase) -> Phrase:
     wall = time.said.time
     if not isinstance(wall, Wall) or wall.days is None or wall.part is None or not wall.part.meal:
         return time
-    return replace(time, said=replace(time.said, time=replace(wall, part=None)))
+    return time.at(replace(wall, part=None))
 
 
 def hours_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
@@ -228,8 +228,7 @@ def held(draft: Draft, phrases: Sequence[Phrase]) -> tuple[Phrase, ...]:
 def names_day(phrase: Phrase) -> bool:
     """Whether it says on which day."""
     time = phrase.said.time
-    time = time.first if isinstance(time, Range) else time
-    return isinstance(time, Wall) and time.days is not None
+    return wall_of(time.first if isinstance(time, Range) else time).days is not None
 
 
 def is_of_calendar(phrase: Phrase) -> bool:

@@ -90,7 +90,7 @@ def _from_then(phrase: Phrase, before: Sketch) -> Phrase:
     if isinstance(until, Offset) and until.anchor is None:
         # "…, then twice a day for another week"
         until = replace(until, anchor=ends[0])
-    return replace(phrase, said=replace(phrase.said, time=replace(time, starting=starting, until=until)))
+    return phrase.at(replace(time, starting=starting, until=until))
 
 
 def within(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:

@@ -41,19 +41,6 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     if then and sketch.phrases and (not rest or any(_goes_on(phrase.said) for phrase in sketch.phrases)):
         # "Feed the cat at nine, then at five", "then for five minutes on high"
         return replace(before, place=rest or before.place)
-    # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
-    numbered = _is_next_numbered(before, sketch, lexicon)
-    first = (
-        rest.split()[0]
-        if rest and _is_led_later(sketch, said[0])
-        else text[slice(*spans[0])]
-        if spans
-        else ""
-    )
-    thing = first.lower() in closed.noun_openers or numbered
-    # "Call Ann at ten, then Bob"
-    called = then and first[:1].isupper() and (before.object or "")[:1].isupper()
-    named = (thing or part.segment.verbless) if sketch.phrases else ((thing or called) and then)
     if _is_deed(rest, sketch, lexicon):
         # "Call Ana at ten, prep 15 minutes before"
         return Operation(verb=rest, lemma=rest, span=(said[0][0], said[-1][1]))
@@ -61,14 +48,25 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
         placed = _placed_again(before, rest, lexicon)
         if placed is not None or (before.object is None and before.place is not None):
             return placed
-    if not rest or not named or before.object is None:
+    if not rest or before.object is None:
+        return None
+    first = rest.split()[0] if _is_led_later(sketch, said[0]) else text[slice(*spans[0])]
+    return _with_another_thing(before, before.object, rest, first, sketch, lexicon)
+
+
+def _with_another_thing(
+    before: Operation, old: str, rest: str, first: str, sketch: Sketch, lexicon: Lexicon
+) -> Operation | None:
+    """Give the operation before with another thing, which begins so: "dust the hall, then the stairs"."""
+    then, verbless = sketch.part.segment.connective == "then", sketch.part.segment.verbless
+    thing = first.lower() in lexicon.closed.noun_openers or _is_next_numbered(before, sketch, lexicon)
+    # "Call Ann at ten, then Bob"
+    called = then and first[:1].isupper() and old[:1].isupper()
+    if not ((thing or verbless) if sketch.phrases else ((thing or called) and then)):
         return None
     # "Hand me the wrench, then the pliers"
-    given = [
-        word
-        for word in before.object.split()[:1]
-        if word.lower() in closed.indirect_objects and " " in before.object
-    ]
+    whom, more, _ = old.partition(" ")
+    given = [whom] if more and whom.lower() in lexicon.closed.indirect_objects else []
     return replace(before, object=" ".join((*given, rest)), place=None)
 
 

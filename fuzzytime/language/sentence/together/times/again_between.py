@@ -53,16 +53,12 @@ def _bounded(phrase: Phrase, begin: Wall, end: Wall | None, *, then: bool) -> Ph
             return phrase
         if not then:
             # "Sow them on sunday and water them every day"
-            return _repeating(phrase, replace(time, starting=Wall(begin.days)))
+            return phrase.at(replace(time, starting=Wall(begin.days)))
         walls = tuple(replace(wall, clock=wall.clock or begin.clock) for wall in time.walls)
-        return _repeating(phrase, replace(time, walls=walls, starting=Wall(Away(1, Unit.DAY, begin.days))))
+        return phrase.at(replace(time, walls=walls, starting=Wall(Away(1, Unit.DAY, begin.days))))
     until = Offset(JUST, -1, end) if time.until is None and end is not None else time.until
     starting = Offset(replace(time.every, hedges=()), 1, begin)
-    return _repeating(phrase, replace(time, starting=starting, until=until, lent=time.until is None))
-
-
-def _repeating(phrase: Phrase, time: Repeat) -> Phrase:
-    return replace(phrase, said=replace(phrase.said, time=time))
+    return phrase.at(replace(time, starting=starting, until=until, lent=time.until is None))
 
 
 def _time_of(sketch: Sketch) -> Wall | None:

@@ -26,7 +26,7 @@ def at_once(sketches: list[Sketch], text: str) -> list[Sketch]:
         told = sketch
         places = [place for place, phrase in enumerate(sketch.phrases) if _is_at_once(phrase, text)]
         if places and any(clause.kind in WAITED_FOR for clause in sketch.clauses):
-            told = _without(sketch, places[0])
+            told = _without(sketch, sketch.phrases[places[0]])
         elif places and found and _is_joined(found[-1], sketch, text):
             phrase = sketch.phrases[places[0]]
             right_after = later_by(Duration(((0, Unit.SECOND),)))
@@ -43,12 +43,9 @@ def _is_at_once(phrase: Phrase, text: str) -> bool:
     return isinstance(time, TimeWord) and time.word in AT_ONCE and NOW not in said
 
 
-def _without(sketch: Sketch, place: int) -> Sketch:
+def _without(sketch: Sketch, left_out: Phrase) -> Sketch:
     """Leave out a time, which a clause says already."""
-    phrases = (*sketch.phrases[:place], *sketch.phrases[place + 1 :])
-    references = (*sketch.references[:place], *sketch.references[place + 1 :])
-    joints = (*sketch.joints, sketch.phrases[place].span)
-    return replace(sketch, phrases=phrases, references=references, joints=joints)
+    return replace(sketch.keeping(lambda one: one is not left_out), joints=(*sketch.joints, left_out.span))
 
 
 def _is_joined(before: Sketch, sketch: Sketch, text: str) -> bool:

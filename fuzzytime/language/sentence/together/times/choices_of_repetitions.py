@@ -29,12 +29,7 @@ def first_of_choices(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) ->
             first = _at_time_of(group[0], daily[0]) if daily else group[0]
             phrases[phrases.index(group[0])] = first
             left += group[1:]
-    kept = [place for place, phrase in enumerate(phrases) if phrase not in left]
-    told = replace(
-        sketch,
-        phrases=tuple(phrases[place] for place in kept),
-        references=tuple(sketch.references[place] for place in kept),
-    )
+    told = replace(sketch, phrases=tuple(phrases)).keeping(lambda phrase: phrase not in left)
     return told, [phrase.span for phrase in left]
 
 
@@ -62,7 +57,7 @@ def _at_time_of(first: Phrase, daily: Phrase) -> Phrase:
         return first
     clock = wall.clock and replace(wall.clock, bare=False, pair=False)
     walls = (replace(one, clock=clock, part=wall.part) for one in repeat.walls)
-    return replace(first, said=replace(daily.said, time=replace(repeat, walls=tuple(dict.fromkeys(walls)))))
+    return replace(first, said=daily.at(replace(repeat, walls=tuple(dict.fromkeys(walls)))).said)
 
 
 def _is_timed(phrase: Phrase) -> bool:

@@ -38,11 +38,10 @@ def first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Remark]]:
     chosen = _with_condition(sketch, left, text)
     either = _times_or_states(sketch, [span for span in left if span not in chosen], moments)
     left = [span for span in left if span not in either]
-    phrases = [place for place, phrase in enumerate(sketch.phrases) if phrase.span not in left]
+    whole = sketch.keeping(lambda phrase: phrase.span not in left)
     kept = replace(
-        sketch,
-        phrases=tuple(_offered(sketch.phrases[place], {*chosen.values(), *either}) for place in phrases),
-        references=tuple(sketch.references[place] for place in phrases),
+        whole,
+        phrases=tuple(_offered(phrase, {*chosen.values(), *either}) for phrase in whole.phrases),
         clauses=tuple(
             replace(clause, alternative=clause.span in either)
             for clause in sketch.clauses

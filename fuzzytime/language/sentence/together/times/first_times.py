@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat
 from fuzzytime.language.meaning.joined.first_times import (
     at_the_beginning,
     beginning,
@@ -43,11 +43,12 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     counted = repeat.times is not None
     lexicon = sketch.part.tree.lexicon
     joints = lexicon.closed.alternatives if counted else lexicon.closed.coordinators
+    clocks = [p for p in phrases if p.said.constraint in MOMENTS and p.said.wall.clock is not None]
     said = [
         place
         for place, phrase in enumerate(phrases)
         if first_time(phrase.said) is not None
-        and (counted or is_release(phrase.said) or _is_clock(phrase.said))
+        and (counted or is_release(phrase.said) or phrase in clocks)
         and not _between(phrase, every, words) & joints
     ]
     moments = [place for place in said if not phrases[place].said.is_day] or said
@@ -64,11 +65,6 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
         )
         phrases[place] = replace(phrases[place], said=told)
     return replace(sketch, phrases=tuple(phrases))
-
-
-def _is_clock(said: Said) -> bool:
-    """Whether it is a clock time."""
-    return said.constraint in MOMENTS and isinstance(said.time, Wall) and said.time.clock is not None
 
 
 def _repeated(sketch: Sketch, repeat: Repeat, places: Sequence[int]) -> Sketch:

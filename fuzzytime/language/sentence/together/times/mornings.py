@@ -3,21 +3,15 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.meaning.days.relations import Relative
-from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.language.meaning.expressions import Said
 from fuzzytime.language.meaning.times_of_day import NOON, Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
 
-def part_said(said: Said) -> Part | None:
-    """Give the part of the day that is said, with a clock time or without."""
-    return said.time.part if isinstance(said.time, Wall) else None
-
-
 def is_morning_after(said: Said, before: Part) -> bool:
     """Whether it is a morning, without its day, behind a part of the day that was said before."""
-    time = said.time
-    alone = isinstance(time, Wall) and time.days is None and time.clock is None
-    part = part_said(said)
+    part = said.wall.part
+    alone = said.wall.days is None and said.wall.clock is None
     if not alone or part is None or part.end > NOON:
         return False
     return before.half.is_late or part.end <= before.start
@@ -28,10 +22,9 @@ def part_before(sketch: Sketch, said: Said) -> Part | None:
 
     "The party is tomorrow evening, buy drinks in the morning" is before it.
     """
-    time, operation = said.time, sketch.operation
-    days = time.days if isinstance(time, Wall) else None
-    happens = operation is not None and operation.stated and days not in {None, Relative(0)}
-    return None if happens else part_said(said)
+    operation = sketch.operation
+    happens = operation is not None and operation.stated and said.wall.days not in {None, Relative(0)}
+    return None if happens else said.wall.part
 
 
 def follows_night(sketches: Sequence[Sketch], place: int) -> bool:

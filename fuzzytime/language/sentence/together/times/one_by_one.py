@@ -56,7 +56,7 @@ def one_by_one(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketc
             continue
         whole = replace(length, terms=tuple((amount * times, unit) for amount, unit in length.terms))
         phrases = list(sketch.phrases)
-        phrases[place] = replace(phrase, said=replace(phrase.said, time=whole))
+        phrases[place] = phrase.at(whole)
         what = f"{_text(phrase, words)!r} is taken for {times} of them, one after the other"
         remark = Remark(RemarkKind.POLICY, phrase.span, what)
         return replace(sketch, phrases=tuple(phrases), remarks=(*sketch.remarks, remark))

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.language.sentence.references.mentions import undoes
@@ -108,16 +107,16 @@ def _goes_on(first: Operation, second: Operation, lexicon: Lexicon) -> bool:
 
 def _names_day(sketch: Sketch) -> bool:
     """Whether the day of a clock time is said."""
-    times = (phrase.said.time for phrase in sketch.phrases)
-    return any(isinstance(time, Wall) and time.clock is not None and time.days is not None for time in times)
+    walls = (phrase.said.wall for phrase in sketch.phrases)
+    return any(wall.clock is not None and wall.days is not None for wall in walls)
 
 
 def _settled_clock(sketch: Sketch) -> Clock | None:
     """Give the clock time of an instruction, where its half of the day is said."""
     for said in (phrase.said for phrase in sketch.phrases):
-        if isinstance(said.time, Wall) and said.time.clock is not None and said.constraint in MOMENTS:
-            part = said.time.part
-            clock = said.time.clock if part is None else halved(said.time.clock, part.half)
+        if said.wall.clock is not None and said.constraint in MOMENTS:
+            part = said.wall.part
+            clock = said.wall.clock if part is None else halved(said.wall.clock, part.half)
             return None if clock.is_open else clock
     return None
 
@@ -127,7 +126,5 @@ def _clock_of(sketch: Sketch) -> Clock | None:
     if len(sketch.phrases) != 1 or sketch.clauses:
         return None
     said = sketch.phrases[0].said
-    alone = isinstance(said.time, Wall) and said.time.days is None and said.time.part is None
-    if not alone or said.constraint not in MOMENTS or not isinstance(said.time, Wall):
-        return None
-    return said.time.clock
+    alone = said.wall.days is None and said.wall.part is None and said.constraint in MOMENTS
+    return said.wall.clock if alone else None

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import is_day_of_month, is_weekday
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
 from fuzzytime.language.meaning.times_of_day import Half
@@ -58,13 +58,8 @@ def _of_stretch(sketch: Sketch, stretch: range, shared: Container[int]) -> Sketc
     def is_its(span: Span) -> bool:
         return span[0] in stretch or span[0] in shared
 
-    kept = [place for place, phrase in enumerate(sketch.phrases) if is_its(phrase.span)]
-    return replace(
-        sketch,
-        phrases=tuple(sketch.phrases[place] for place in kept),
-        references=tuple(sketch.references[place] for place in kept),
-        clauses=tuple(clause for clause in sketch.clauses if is_its(clause.span)),
-    )
+    clauses = tuple(clause for clause in sketch.clauses if is_its(clause.span))
+    return replace(sketch.keeping(lambda phrase: is_its(phrase.span)), clauses=clauses)
 
 
 def _cuts(sketch: Sketch, words: Sequence[Word]) -> Iterator[Span]:
@@ -86,7 +81,7 @@ def apart(phrases: Sequence[Phrase]) -> list[Phrase]:
         if clock is not None and isinstance(time, Wall) and clocks.count(clock) > 1:
             half = Half.PM if clock in clocks[:place] else Half.AM
             decided = replace(time, clock=replace(time.clock, half=half)) if time.clock else time
-            found.append(replace(phrase, said=replace(phrase.said, time=decided)))
+            found.append(phrase.at(decided))
         else:
             found.append(phrase)
     return found
@@ -97,66 +92,45 @@ def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
     for giving, others in ((phrases[-1], phrases[:-1]), (phrases[0], phrases[1:])):
         if isinstance(hours := giving.said.time, Range):
             return _with_shared_hours(giving, others, hours) or list(phrases)
-    times = [phrase.said.time for phrase in (phrases[-1], phrases[0])]
     # "At eleven on tuesday and thursday"
-    time = next((one for one in times if isinstance(one, Wall) and one.clock is not None), None)
+    walls = (phrase.said.wall for phrase in (phrases[-1], phrases[0]))
+    time = next((wall for wall in walls if wall.clock is not None), None)
     if time is None or not _is_listed(time):
         return list(phrases)
-    walls = [phrase.said.time for phrase in phrases]
-    if not all(isinstance(wall, Wall) and _is_listed(wall) for wall in walls):
+    if not all(_is_listed(phrase.said.wall) for phrase in phrases):
         return list(phrases)
     found = []
     for phrase in phrases:
-        own = phrase.said.time
-        alone = isinstance(own, Wall) and own.clock is None and own.part is None
-        told = replace(own, clock=time.clock) if alone and isinstance(own, Wall) else own
-        found.append(replace(phrase, said=replace(phrase.said, time=told)))
+        own = phrase.said.wall
+        found.append(phrase if own.is_timed else phrase.at(replace(own, clock=time.clock)))
     return found
 
 
 def with_shared_part(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase]:
     """Give days of a list the part that the first is of: "on the nights of the 4th and 5th"."""
-    times = [phrase.said.time for phrase in phrases]
-    walls = [time for time in times if isinstance(time, Wall) and _is_listed(time)]
+    walls = [phrase.said.wall for phrase in phrases]
     of = OF in (word.text for word in words[phrases[0].first : phrases[0].end])
-    if len(walls) < len(times) or not of or walls[0].part is None or any(wall.part for wall in walls[1:]):
+    parted = walls[0].part is not None and not any(wall.part for wall in walls[1:])
+    if not of or not parted or not all(map(_is_listed, walls)):
         return list(phrases)
     clock = walls[0].clock or walls[-1].clock
     told = (replace(wall, part=walls[0].part, clock=wall.clock or clock, weak=False) for wall in walls)
-    return [
-        replace(phrase, said=replace(phrase.said, time=wall))
-        for phrase, wall in zip(phrases, told, strict=True)
-    ]
+    return [phrase.at(wall) for phrase, wall in zip(phrases, told, strict=True)]
 
 
 def _with_shared_hours(giving: Phrase, others: Sequence[Phrase], hours: Range) -> list[Phrase]:
     """Give days of a list the hours of the first or the last: "monday and friday from seven till eleven"."""
     first, last = hours.first, hours.last
-    walls = [phrase.said.time for phrase in others]
-    alone = all(isinstance(w, Wall) and _is_listed(w) and w.clock is None and w.part is None for w in walls)
+    alone = all(_is_listed(phrase.said.wall) and not phrase.said.wall.is_timed for phrase in others)
     if not alone or not isinstance(first, Wall) or not isinstance(last, Wall) or not _is_listed(first):
         return []
     found = [giving]
-    for phrase, wall in zip(others, walls, strict=True):
-        days = wall.days if isinstance(wall, Wall) else None
+    for phrase in others:
+        days = phrase.said.wall.days
         ends = replace(last, days=days) if last.days is not None else last
         told = replace(giving.said, time=replace(hours, first=replace(first, days=days), last=ends))
         found.append(replace(phrase, said=replace(told, preposition=phrase.said.preposition)))
     return sorted(found, key=lambda phrase: phrase.span)
-
-
-def is_weekday(phrase: Phrase) -> bool:
-    """Whether it is a day of the week, with or without a time of day."""
-    return isinstance(phrase.said.time, Wall) and _is_weekday(phrase.said.time)
-
-
-def is_from_today(phrase: Phrase) -> bool:
-    """Whether it is so many days from today: "tomorrow"."""
-    return isinstance(phrase.said.time, Wall) and isinstance(phrase.said.time.days, Relative)
-
-
-def _is_weekday(wall: Wall) -> bool:
-    return isinstance(wall.days, Fields) and wall.days.weekly
 
 
 def _is_listed(wall: Wall) -> bool:
@@ -164,11 +138,11 @@ def _is_listed(wall: Wall) -> bool:
     days = wall.days
     if isinstance(days, Relative):
         return days.grain is Unit.DAY
-    return _is_weekday(wall) or (isinstance(days, Fields) and days.is_day_of_month)
+    return is_weekday(days) or is_day_of_month(days)
 
 
 def _open(phrase: Phrase) -> tuple[int, int, int] | None:
     """Give a clock time without am or pm, and without a day."""
-    time = phrase.said.time
-    clock = time.clock if isinstance(time, Wall) and time.days is None and time.part is None else None
+    wall = phrase.said.wall
+    clock = wall.clock if wall.days is None and wall.part is None else None
     return None if clock is None or not clock.is_open else (clock.hour, clock.minute, clock.shift)

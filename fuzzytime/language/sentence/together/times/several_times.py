@@ -5,15 +5,13 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord, Wall
+from fuzzytime.language.meaning.calendar import Fields, is_day_of_month, is_weekday
+from fuzzytime.language.meaning.days.relations import Relative
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord
 from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.times.mornings import part_said
 from fuzzytime.language.sentence.together.times.said_again import (
     apart,
-    is_from_today,
-    is_weekday,
     with_shared_clock,
     with_shared_part,
 )
@@ -43,7 +41,7 @@ def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) ->
     joining = closed.additions | closed.alternatives
     for place in range(len(sketch.phrases) - 1):
         group, joints = _joined(sketch.phrases[place:], words, lexicon)
-        several = len(group) > LIST and (all(map(is_weekday, group)) or all(map(_is_clock, group)))
+        several = len(group) > LIST and (all(map(_is_weekday, group)) or all(map(_is_clock, group)))
         # "Friday at nine, saturday at ten"
         several = several or all(map(_is_whole, group))
         if len(group) > 1 and (several or joints & joining - {","}):
@@ -51,7 +49,7 @@ def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) ->
             if joints & closed.alternatives:
                 shared = _with_part_behind(_with_month_behind(with_shared_part(group, words)))
                 # "Today if you can, otherwise tomorrow at ten": today at any time
-                near = any(map(is_from_today, shared))
+                near = any(isinstance(one.said.wall.days, Relative) for one in shared)
                 first, *others = _on_one_day(shared if near else with_shared_clock(shared), words)
                 others = [
                     _bound_as(first, replace(one, said=replace(one.said, alternative=True))) for one in others
@@ -73,7 +71,7 @@ def _joined(
         if between & lexicon.beside.second_choice:
             # "Today if you can, otherwise tomorrow", "at noon or, failing that, at two"
             between -= lexicon.beside.courteous | closed.singular_anaphors
-        if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
+        if between <= {"/"} and _is_weekday(group[-1]) and _is_weekday(following):
             # "Monday wednesday and friday", as it is said; "mon/wed/fri", "tue/thu at six"
             between = {"&"} if between else {","}
         if between and between <= TYPED_JOINTS and _is_clock(group[-1]) and _is_clock(following):
@@ -108,20 +106,14 @@ def _on_one_day(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase
 
     A day in front of its clock time is lent to none before: "at five or tomorrow at nine".
     """
-    times = [phrase.said.time for phrase in phrases]
-    whole: Wall | None = None
+    whole = phrases[-1].said.wall if _ends_with_day(phrases[-1], words) else None
     found = []
-    if _ends_with_day(phrases[-1], words) and isinstance(last := times[-1], Wall):
-        whole = last
-    for phrase, time in zip(phrases, times, strict=True):
-        if isinstance(time, Wall) and time.clock is not None and (time.days or time.part) is not None:
-            whole = time
-        alone = isinstance(time, Wall) and time.clock is not None and time.days is None and time.part is None
-        if alone and isinstance(time, Wall) and whole is not None:
-            told = replace(whole, clock=time.clock)
-            found.append(replace(phrase, said=replace(phrase.said, time=told)))
-        else:
-            found.append(phrase)
+    for phrase in phrases:
+        wall = phrase.said.wall
+        dated = wall.days is not None or wall.part is not None
+        whole = wall if wall.clock is not None and dated else whole
+        alone = wall.clock is not None and not dated and whole is not None
+        found.append(phrase.at(replace(whole, clock=wall.clock)) if whole and alone else phrase)
     return found
 
 
@@ -140,8 +132,8 @@ def _ends_with_day(phrase: Phrase, words: Sequence[Word]) -> bool:
     """
     if phrase.rule == ON_CONDITION:
         return False
-    time, last = phrase.said.time, words[phrase.end - 1].text
-    dated = isinstance(time, Wall) and time.clock is not None and (time.days or time.part) is not None
+    wall, last = phrase.said.wall, words[phrase.end - 1].text
+    dated = wall.clock is not None and (wall.days is not None or wall.part is not None)
     before = [word.text for word in words[phrase.first : phrase.end - 1]]
     return dated and last.isalpha() and AT not in before[1:] and last not in MERIDIEMS
 
@@ -153,11 +145,10 @@ def _with_month_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
         return list(phrases)
     found = []
     for phrase in phrases:
-        time, days = phrase.said.time, _days_of(phrase)
-        alone = days is not None and days.is_day_of_month and days.month is None
-        if isinstance(time, Wall) and days is not None and alone:
-            dated = replace(time, days=replace(days, month=last.month, year=last.year))
-            found.append(replace(phrase, said=replace(phrase.said, time=dated)))
+        days = _days_of(phrase)
+        if days is not None and is_day_of_month(days):
+            dated = replace(days, month=last.month, year=last.year)
+            found.append(phrase.at(replace(phrase.said.wall, days=dated)))
         else:
             found.append(phrase)
     return found
@@ -166,21 +157,15 @@ def _with_month_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
 def _with_part_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
     """Give weekdays the part of the day behind the last of them: "saturday or sunday morning"."""
     said = phrases[-1].said
-    part = said.time.part if isinstance(said.time, Wall) and said.time.clock is None else None
-    if part is None or said.preposition is not None or not all(map(is_weekday, phrases)):
+    part = said.wall.part if said.wall.clock is None else None
+    if part is None or said.preposition is not None or not all(map(_is_weekday, phrases)):
         return list(phrases)
-    return [
-        replace(phrase, said=replace(phrase.said, time=replace(phrase.said.time, part=part)))
-        if isinstance(phrase.said.time, Wall)
-        and phrase.said.time.clock is None
-        and phrase.said.time.part is None
-        else phrase
-        for phrase in phrases
-    ]
+    walls = ((phrase, phrase.said.wall) for phrase in phrases)
+    return [phrase if wall.is_timed else phrase.at(replace(wall, part=part)) for phrase, wall in walls]
 
 
 def _days_of(phrase: Phrase) -> Fields | None:
-    days = phrase.said.time.days if isinstance(phrase.said.time, Wall) else None
+    days = phrase.said.wall.days
     return days if isinstance(days, Fields) else None
 
 
@@ -190,26 +175,30 @@ def _are_two_of_a_day(first: Phrase, second: Phrase) -> bool:
     others = [one for one in (first, second) if not _is_beside_meal(one)]
     if not meals or not all(_is_when(one) and is_of_day(one.said.time) for one in others):
         return False
-    parts = {one.said.constraint: part_said(one.said) for one in meals}
+    parts = {one.said.constraint: one.said.wall.part for one in meals}
     begins, ends = parts.get(Constraint.AFTER), parts.get(Constraint.BEFORE)
     # "Before dinner and after work"
     return begins is None or ends is None or begins.end > ends.start
 
 
+def _is_weekday(phrase: Phrase) -> bool:
+    """Whether it is a day of the week, with or without a time of day."""
+    return is_weekday(phrase.said.wall.days)
+
+
 def _is_clock(phrase: Phrase) -> bool:
     """Whether it is a clock time of a day that is not said."""
-    return is_of_day(phrase.said.time) and phrase.said.time.clock is not None
+    return phrase.said.wall.clock is not None and phrase.said.wall.days is None
 
 
 def _is_whole(phrase: Phrase) -> bool:
     """Whether it is a clock time of a day that is said."""
-    time = phrase.said.time
-    return isinstance(time, Wall) and time.clock is not None and time.days is not None
+    return phrase.said.wall.clock is not None and phrase.said.wall.days is not None
 
 
 def _is_beside_meal(phrase: Phrase) -> bool:
     """Whether it is before or after a meal of a day that is not said."""
-    said, part = phrase.said, part_said(phrase.said)
+    said, part = phrase.said, phrase.said.wall.part
     beside = said.constraint in BOUNDS and said.preposition in {"before", "after"}
     return beside and part is not None and part.meal and is_of_day(said.time)
 

@@ -32,7 +32,7 @@ def counted_apart(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sk
                 again = replace(time, times=times, apart=False)
                 if again.starting is None and again.until is not None:
                     again = ending_with(again, again.until)
-                phrases[at] = replace(phrase, said=replace(phrase.said, time=again))
+                phrases[at] = phrase.at(again)
             return replace(sketch, phrases=tuple(phrases))
     counted = _counted(sketch, lexicon, turns=True) if isinstance(length, Duration) else None
     if counted is None or each is None or not isinstance(length, Duration):

@@ -29,12 +29,6 @@ def waited(
     cooked = before is not None and before.lemma in lexicon.timing | lexicon.timing_alone
     if not leads or cooked or not isinstance(length, Duration):
         return sketches
-    said = later_by(length)
+    waits = replace(aside.length, said=later_by(length), span=aside.span)
     segment = replace(segment, span=(aside.span[0], segment.span[1]), connective="")
-    told = replace(
-        first,
-        part=replace(first.part, segment=segment),
-        phrases=(replace(aside.length, said=said, span=aside.span), *first.phrases),
-        references=(None, *first.references),
-    )
-    return [told, *sketches[1:]]
+    return [replace(first.under([waits]), part=replace(first.part, segment=segment)), *sketches[1:]]

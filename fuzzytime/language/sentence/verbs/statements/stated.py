@@ -1,5 +1,6 @@
 """Who or what is said to do it: statements ask for nothing."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
@@ -175,9 +176,7 @@ class Stated(Places):
 
     def _is_stated(self, verb: int) -> bool:
         """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
-        beside = self.lexicon.beside
-        closed = self.lexicon.closed
-        doing = self.lexicon.doing
+        closed, doing = self.lexicon.closed, self.lexicon.doing
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
         governing = self.tree.children(self.tree.nodes[verb].head, "nsubj")
         named = subjects or [self.tree.nodes[p].lower for p in governing]
@@ -212,21 +211,19 @@ class Stated(Places):
             # "It should take an hour", "they need twenty minutes"
             objects = self.tree.children(verb, "dobj", "npadvmod")
             return bool(subjects) and subjects[0] not in closed.sure_persons and any(map(self.timed, objects))
-        if self._is_standing(verb):
-            return True
-        due = beside.due | self.lexicon.results if helping & closed.future else beside.due
-        rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
-        if self.tree.nodes[verb].lemma == "be" and not helping:
-            # "The hall is free between ten and noon"; but "the hall is ready by ten" asks for it.
-            asked = self.lexicon.results
-            rest = [
-                p for p in rest if self.tree.nodes[p].relation != "acomp" or self.tree.nodes[p].lower in asked
-            ]
+        return self._is_standing(verb) or (told and finite and not self._done_to(verb, subjects, helping))
+
+    def _done_to(self, verb: int, subjects: Sequence[str], helping: set[str]) -> list[int]:
+        """Give what something is done to, or must become: of "the guests arrive at six" nothing."""
+        closed, results, nodes = self.lexicon.closed, self.lexicon.results, self.tree.nodes
+        due = self.lexicon.beside.due | (results if helping & closed.future else frozenset())
         # "The delivery arrives between ten and eleven"
-        rest = [p for p in rest if not self.timed(p)]
-        comes = (
-            bool(subjects) and subjects[0] in closed.first_and_third_person and bool(helping & closed.future)
-        )
-        # "I'll be late"
-        rest = [p for p in rest if not (comes and self.tree.nodes[p].relation == "acomp")]
-        return told and finite and not rest
+        found = [p for p in self.tree.children(verb, *STATED_OF) if not self.timed(p)]
+        found = [p for p in found if nodes[p].lower not in due]
+        if nodes[verb].lemma == BE and not helping:
+            # "The hall is free between ten and noon"; but "the hall is ready by ten" asks for it.
+            found = [p for p in found if nodes[p].relation != "acomp" or nodes[p].lower in results]
+        if subjects and subjects[0] in closed.first_and_third_person and helping & closed.future:
+            # "I'll be late"
+            found = [p for p in found if nodes[p].relation != "acomp"]
+        return found

@@ -4,12 +4,12 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
-from fuzzytime.language.meaning.phrases import is_window
+from fuzzytime.language.meaning.expressions import Phrase, Repeat
+from fuzzytime.language.meaning.phrases import is_at_clock, is_window
 from fuzzytime.language.sentence.trees.tags import SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.places import Places
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg", "prt", "xcomp", "ccomp")
 """What hangs on a verb, and on no noun."""
@@ -30,42 +30,48 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
         return True
     if not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
         return False
-    if root == 0 and len(tree.nodes) > 1 and _leads_particle(tree, lexicon):
-        # "Sign in the visitors between nine and ten"
-        return False
-    if root and tree.nodes[0].lower in lexicon.appointing:
-        # "Schedule lunch at noon" asks for it.
-        return False
-    if not root and any(node.tag in {"DT", "PRP$"} for node in tree.nodes[1:2]):
-        # "Book the meeting room from three to four": no noun stands right before an article.
-        return False
-    if tree.nodes[0].lower in lexicon.addressing and any(_is_person(n, lexicon) for n in tree.nodes[1:2]):
-        # "Text Jo Smith at five"
+    if _opens_order(tree, lexicon):
         return False
     if tree.nodes[root].lower in lexicon.happening | lexicon.taken:
         return True
-    if _is_somebodys(tree, root) and any(_is_clock(p) or p.said.is_day for p in phrases):
+    if _is_somebodys(tree, root) and any(is_at_clock(p) or p.said.is_day for p in phrases):
         return True
     coming = lexicon.closed.coming if root else lexicon.closed.coming - lexicon.alone
-    if tree.nodes[root].lower in coming and any(map(_is_clock, phrases)):
+    if tree.nodes[root].lower in coming and any(map(is_at_clock, phrases)):
         # "Taxi at seven", "concrete truck 8:30"; but "load truck at nine", and "train at six"
         return not any(node.may_act and node.tag != "JJ" for node in tree.nodes[:root])
     # "A table of twelve at 7:15": no verb has an "of" behind it.
     counted = root == 0 and any(tree.nodes[p].lower == OF for p in tree.children(root, "prep"))
-    if counted and any(map(_is_clock, phrases)):
+    if counted and any(map(is_at_clock, phrases)):
         return True
     # "12:00 emails": what is named by more than one is no order.
     listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
     listed = listed or (_is_several(tree, root) and any(map(_is_typed, phrases)))
     # "Incision at eight"
     named = _is_noun(tree, root) or _is_counted(tree, root, lexicon) or _is_of_nouns(tree, root, lexicon)
-    listed = listed or (named and any(_is_clock(one) or _is_at_part(one) for one in phrases))
+    listed = listed or (named and any(is_at_clock(one) or _is_at_part(one) for one in phrases))
     # "Status page update every 30 minutes", "backups every night"
     behind = {node.lower for node in tree.nodes[root + 1 : root + 2]} & lexicon.closed.universal_determiners
-    repeated = bool(behind) and any(map(_is_repeated, phrases))
+    repeated = bool(behind) and any(isinstance(phrase.said.time, Repeat) for phrase in phrases)
     single = tree.nodes[root].tag in NOUN_TAGS and _is_noun(tree, root)
     listed = listed or (repeated and (single or _is_of_nouns(tree, root, lexicon)))
     return listed or (tree.nodes[root].tag in SINGULAR and any(map(is_window, phrases)))
+
+
+def _opens_order(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether the first word is what somebody is to do, whatever noun a tree takes it for."""
+    first, behind = tree.nodes[0], tree.nodes[1:2]
+    if tree.root == 0 and behind and _leads_particle(tree, lexicon):
+        # "Sign in the visitors between nine and ten"
+        return True
+    if tree.root and first.lower in lexicon.appointing:
+        # "Schedule lunch at noon" asks for it.
+        return True
+    if tree.root == 0 and any(node.tag in {"DT", "PRP$"} for node in behind):
+        # "Book the meeting room from three to four": no noun stands right before an article.
+        return True
+    # "Text Jo Smith at five"
+    return first.lower in lexicon.addressing and any(_is_person(node, lexicon) for node in behind)
 
 
 def _is_frame(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
@@ -166,30 +172,16 @@ def given_new_time(
 
 def _is_clock_alone(phrase: Phrase) -> bool:
     """Whether it is a clock time without a preposition, as in a list: "9:15 Status of the project"."""
-    time = phrase.said.time
-    clocked = isinstance(time, Wall) and time.clock is not None and not time.clock.bare
-    return clocked and phrase.said.preposition is None and phrase.said.constraint is None
-
-
-def _is_repeated(phrase: Phrase) -> bool:
-    """Whether it comes again and again: "every monday at nine"."""
-    return isinstance(phrase.said.time, Repeat)
+    said, clock = phrase.said, phrase.said.wall.clock
+    return clock is not None and not clock.bare and said.preposition is None and said.constraint is None
 
 
 def _is_typed(phrase: Phrase) -> bool:
     """Whether it is a clock time, or a stretch between two, as it is typed: "12:00", "9:15-10:00", "@10"."""
-    return _is_clock_alone(phrase) or _is_clock(phrase) or is_window(phrase)
-
-
-def _is_clock(phrase: Phrase) -> bool:
-    """Whether it is at a clock time."""
-    time = phrase.said.time
-    at = phrase.said.preposition in {None, "at"} and phrase.said.constraint in {None, Constraint.AT}
-    return at and isinstance(time, Wall) and time.clock is not None
+    return _is_clock_alone(phrase) or is_at_clock(phrase) or is_window(phrase)
 
 
 def _is_at_part(phrase: Phrase) -> bool:
     """Whether it is at a part of the day: "sparklers at dusk"."""
-    time = phrase.said.time
-    part = isinstance(time, Wall) and time.part is not None and not time.part.place
-    return part and phrase.said.preposition == "at" and phrase.said.constraint in {None, Constraint.AT}
+    said, part = phrase.said, phrase.said.wall.part
+    return part is not None and not part.place and said.preposition == "at" and said.constraint in MOMENTS

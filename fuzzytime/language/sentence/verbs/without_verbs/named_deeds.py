@@ -108,8 +108,8 @@ def _is_clocked(phrase: Phrase) -> bool:
     """Whether a time has its hour, or is from one to another, or so long from a part of the day."""
     time = phrase.said.time
     if isinstance(time, Offset) and isinstance(time.anchor, Wall):
-        return time.anchor.clock is not None or time.anchor.part is not None
-    return isinstance(time, Range) or (isinstance(time, Wall) and time.clock is not None)
+        return time.anchor.is_timed
+    return isinstance(time, Range) or phrase.said.wall.clock is not None
 
 
 def names_deed(tree: Tree, start: int, root: int, lexicon: Lexicon) -> bool:

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.phrases import is_at_clock
 from fuzzytime.language.sentence.trees.tree import Tree
-from fuzzytime.requirement import Constraint
 
 LONGEST = 4
 """Words in front of what ends such a name, fewer than that."""
@@ -18,7 +18,7 @@ def named_moment(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon, offset
     ``offset`` is where the tree begins in the text. No order has a bare "time" beside a clock time without a
     preposition; "make time at six" is one.
     """
-    if len(phrases) != 1 or not _is_clock(phrases[0]):
+    if len(phrases) != 1 or not is_at_clock(phrases[0]):
         return None
     timed = set(tree.at(phrases[0].span[0] - offset, phrases[0].span[1] - offset))
     named = [p for p, node in enumerate(tree.nodes) if p not in timed and any(map(str.isalnum, node.text))]
@@ -31,10 +31,3 @@ def named_moment(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon, offset
     last = tree.nodes[named[-1]]
     name = tree.text[before[0].start : last.end]
     return Operation(verb=last.lower, lemma="be", span=(last.start, last.end), object=name, stated=True)
-
-
-def _is_clock(phrase: Phrase) -> bool:
-    """Whether it is a clock time, or at one."""
-    said = phrase.said
-    clocked = isinstance(said.time, Wall) and said.time.clock is not None
-    return clocked and said.preposition in {None, "at"} and said.constraint in {None, Constraint.AT}
