@@ -251,7 +251,7 @@ def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
         # "Wait two minutes, and paint it": the first has a time of its own.
         return []
     before, last = words[verbs[0] - 1 : verbs[0]], words[verbs[-1]]
-    apart = last.text in part.tree.lexicon.doing.naming_nothing and words[places[-1] + 1].text != BE
+    apart = last.text in part.tree.lexicon.needing_nothing and words[places[-1] + 1].text != BE
     if apart and before and before[0].text in {",", "and"}:
         # "Clean the bath, hoover and get the bins in by six"; but "…, shower, and be downstairs by six"
         return []
