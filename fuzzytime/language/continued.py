@@ -11,6 +11,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation, Reading
 from fuzzytime.language.reader import Language
+from fuzzytime.language.sentence.trees.named import is_of_its_own
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.times import instant_after
 
@@ -111,9 +112,7 @@ def names_thing(thing: str, now: datetime, language: Language) -> bool:
     if words[0] not in openers and not openers.isdisjoint(words[1:]):
         # "Add the rice" is an order, and needs no tree to be one.
         return False
-    by_itself = {form[0] for form in lexicon.conversation["by itself"]}
-    definite = len(words) > 1 and words[0] not in lexicon.closed.indefinite_determiners
-    if not definite and words[-1] in lexicon.events | lexicon.happening | by_itself:
+    if is_of_its_own(thing, lexicon):
         return False
     numbered = len(words) == 2 and (words[1].isdecimal() or words[1] in lexicon.numbers)
     if len(words) == 1 or numbered:

@@ -52,8 +52,8 @@ def test_what_was_loaded_is_unloaded_where_the_way_leads() -> None:
 
 
 def test_who_gets_ready_before_a_call_calls_nobody() -> None:
-    made = told(["Call Ana at 10, prep 15 min before"])
-    assert [skill.name for skill in made.schedule.skills] == ["call Ana", "prep"]
+    made = told(["call ana at 10, prep 15 min before"])
+    assert [skill.name for skill in made.schedule.skills] == ["call ana", "prep"]
     assert starts(made) == {"s1": "10:00", "s1.2": "09:45"}
 
 

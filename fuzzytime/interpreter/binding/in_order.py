@@ -280,8 +280,7 @@ def _leaves_out(first: Instruction, second: Instruction, lexicon: Lexicon) -> bo
     one, other = first.operation, second.operation
     if one is None or other is None or one.stated or other.stated or one.object is None:
         return False
-    needs = other.lemma not in lexicon.intransitive | lexicon.doing.naming_nothing
-    return other.object is None and other.place is None and needs
+    return other.object is None and other.place is None and other.lemma not in lexicon.needing_nothing
 
 
 def _shuts(closing: Instruction, opening: Instruction, lexicon: Lexicon) -> bool:

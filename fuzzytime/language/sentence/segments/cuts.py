@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_le
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
+from fuzzytime.language.sentence.trees.named import takes_verb
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
 from fuzzytime.language.sentence.verbs.statements.called import person_due
@@ -93,7 +94,7 @@ def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
         pieces = _around(one, part, start, lexicon)
         if pieces:
             whole = _begins_order(one, part, start) or _is_told(one, start, lexicon)
-            whole = whole or _is_back(one, part, start, lexicon)
+            whole = whole or _is_back(one, part, start, lexicon) or not _takes_verb(one, part, start, lexicon)
             return [pieces[0], replace(pieces[1], verbless=not whole)]
     return []
 
@@ -169,6 +170,15 @@ def _is_terse(one: Waiting, part: Part, place: int) -> bool:
     return nodes[0].may_act and before.text == "," and things and verb and not first.text[0].isupper()
 
 
+def _takes_verb(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:
+    """Whether the same is done with what is named there: not so of "ring bob at six, lunch at one"."""
+    text, verb = one.source.scanned.text, part.tree.nodes[part.tree.root]
+    times = [phrase.span[0] for phrase in one.source.phrases]
+    named = part.offset + verb.end, start
+    first, other = (text[at : min((t for t in times if t > at), default=None)] for at in named)
+    return takes_verb(verb.lemma, first, other, lexicon)
+
+
 def _is_told(one: Waiting, start: int, lexicon: Lexicon) -> bool:
     """Whether what was taken for another thing happens: "wake me at six, my train leaves at seven"."""
     before = [p.first for p in one.source.phrases if p.span[0] > start and p.first]
@@ -241,7 +251,7 @@ def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
         # "Wait two minutes, and paint it": the first has a time of its own.
         return []
     before, last = words[verbs[0] - 1 : verbs[0]], words[verbs[-1]]
-    apart = last.text in part.tree.lexicon.doing.naming_nothing and words[places[-1] + 1].text != BE
+    apart = last.text in part.tree.lexicon.needing_nothing and words[places[-1] + 1].text != BE
     if apart and before and before[0].text in {",", "and"}:
         # "Clean the bath, hoover and get the bins in by six"; but "…, shower, and be downstairs by six"
         return []

@@ -34,6 +34,37 @@ def is_event(operation: Operation, lexicon: Lexicon) -> bool:
     return operation.stated and not timed.isdisjoint(words)
 
 
+def takes_verb(verb: str, first: str, other: str, lexicon: Lexicon) -> bool:
+    """Whether what is done with a thing, or somebody, is done with another: they are of one kind.
+
+    What happens, or is done by itself, takes the verb of what is such a thing too, or a verb for that: "ring
+    bob at six, lunch at one", but "cancel lunch today and dinner tomorrow", "make the beds, lunch at one".
+    What undoes the first is no thing: "open the shop at ten and close at six".
+    """
+    if verb in lexicon.undoing.get(other.strip().lower(), ()):
+        return False
+    if not is_of_its_own(other, lexicon) or is_of_its_own(first, lexicon):
+        return True
+    called = verb in lexicon.addressing and names_person(other, lexicon)
+    for_events = verb in lexicon.doing.of_events | lexicon.appointing and not names_person(first, lexicon)
+    return called or for_events
+
+
+def is_of_its_own(thing: str, lexicon: Lexicon) -> bool:
+    """Whether words name what happens, or is done, without a verb: "a nap", "the party"; but "the gym"."""
+    words = _named_itself(thing, lexicon) or [""]
+    first, last = words[0], words[-1]
+    if first in lexicon.closed.noun_openers - lexicon.closed.indefinite_determiners:
+        # "The school", "the bus", "the dinner" and "the doctor" are things and persons.
+        surely = lexicon.events | ((lexicon.happening & lexicon.taken) - lexicon.travelling)
+        return last in surely and not lexicon.means(last, "meal")
+    # "For lunch", "in bed", "Bob home", "lights out"
+    where = lexicon.places | lexicon.particles.keys()
+    placed = first in lexicon.closed.prepositions_of_nouns or (first != last and last in where)
+    known = lexicon.events | lexicon.happening | lexicon.taken
+    return not placed and (last in known or (last,) in lexicon.conversation["by itself"])
+
+
 def _is_person(operation: Operation, lexicon: Lexicon) -> bool:
     # "The meeting with Tom" is no person.
     named = _named_itself(operation.object or "", lexicon)

@@ -10,6 +10,7 @@ from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import (
     end_of,
     front_of,
 )
+from fuzzytime.language.sentence.trees.named import takes_verb
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
@@ -103,7 +104,9 @@ def is_asked_too(wish: Wish) -> list[Stretch] | None:
     somebody = bool(behind) and wish.is_called(wish.start + 1) > 0
     called = somebody and node.lower in wish.lexicon.addressing
     if reminds and not called and wish.names(wish.start, wish.end) and to + 2 < wish.start:
-        return _reminded_with(wish, to)
+        first, other = wish.text(to + 2, wish.start - 1), wish.text(wish.start, wish.end)
+        alike = takes_verb(tree.nodes[to + 1].lemma, first, other, wish.lexicon)
+        return _reminded_with(wish, to) if alike else None
     governs = called or (node.tag == "VB" and bool(tree.children(wish.start, "dobj")))
     governs = governs or (bool(behind) and behind[0].tag in {*DETERMINERS, "PRP", "NNP"})
     bare = node.may_act and node.lower == node.lemma and (governs or wish.start + 1 in wish.timed)

@@ -36,6 +36,10 @@ class Wish:
         owned = node.tag == "VBZ" and any(other.tag == "PRP$" for other in before)
         return node.tag in NAMING or owned
 
+    def text(self, first: int, end: int) -> str:
+        """Give the words from one place on that are no time."""
+        return " ".join(self.tree.nodes[p].text for p in range(first, end) if p not in self.timed)
+
     def is_name(self, place: int) -> int:
         """Give how many words name somebody at a place, a person or a worker with a number; 0 for none."""
         node, behind = self.tree.nodes[place], self.tree.nodes[place + 1 : place + 2]

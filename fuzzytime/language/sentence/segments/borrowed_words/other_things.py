@@ -1,12 +1,12 @@
 """Which words of an order hold for another thing too: "take the chairs to room 2 and the tables to 3"."""
 
-from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import (
     Stretch,
     Wish,
     front_of,
     ordered,
 )
+from fuzzytime.language.sentence.trees.named import is_of_its_own
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -34,7 +34,7 @@ def is_done_elsewhere(wish: Wish) -> list[Stretch] | None:
     said = range(here + named, end)
     if not named or any(_tells(wish, place, said.start) for place in range(here + 1, end)):
         return None
-    if has_time(tree.nodes[said.start - 1].lower, wish.lexicon) and not _is_somebody(wish, said.start - 1):
+    if is_of_its_own(wish.text(here, said.start), wish.lexicon):
         # "Feed the cat at six and the match at eight"
         return None
     front = front_of(wish, verb.start)
@@ -111,8 +111,6 @@ def _others(wish: Wish, here: int, end: int, first: int) -> int:
     acts = node.may_act and not numbered
     acts = acts or node.lower in lexicon.addressing | lexicon.closed.negative_pronouns
     bare = not acts and node.tag.startswith(NOUNS) and nodes[first].lower not in openers
-    # "Call Ana at ten, prep 15 minutes before"
-    bare = bare and node.text[0].isupper() == nodes[first].text[0].isupper()
     if not (somebody or called or bare):
         return 0
     ends = (p for p in range(here + 1, end) if not wish.names(p, p + 1) or nodes[p].lower in openers)

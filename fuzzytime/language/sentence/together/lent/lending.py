@@ -177,10 +177,8 @@ def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
         if second.operation.lemma == BE:
             # "Shower, and be downstairs in twenty minutes": by then one is there.
             continue
-        if _is_apart(first.operation, second.operation, lexicon):
-            continue
         operation = first.operation
-        if operation.object is None and operation.lemma not in lexicon.intransitive:
+        if operation.object is None and not _is_apart(operation, second.operation, lexicon):
             operation = replace(operation, object=second.operation.object)
         first = replace(first, operation=operation)
         goes_on = Reference.THROUGHOUT in second.references
@@ -197,6 +195,6 @@ def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
 
 
 def _is_apart(first: Operation, second: Operation, lexicon: Lexicon) -> bool:
-    """Whether orders are not done in one go: "shower and call a cab"; but "dust and wipe the desk"."""
-    alone = lexicon.doing.naming_nothing
-    return first.lemma in alone and second.lemma not in alone | lexicon.chores
+    """Whether orders have no thing in common: "shower and call a cab"; but "dust and wipe the desk"."""
+    chores = (lexicon.chores | lexicon.doing.naming_nothing) - lexicon.intransitive
+    return first.lemma in lexicon.needing_nothing and not {first.lemma, second.lemma} <= chores

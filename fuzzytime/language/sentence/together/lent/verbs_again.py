@@ -6,8 +6,9 @@ from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
 from fuzzytime.language.meaning.expressions import Offset, Repeat, Said
-from fuzzytime.language.meaning.joined.distances import EARLIER, LATER
+from fuzzytime.language.meaning.joined.distances import LATER
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.trees.named import takes_verb
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import BE, MUST, MUST_BE
 from fuzzytime.requirement import Constraint
@@ -41,9 +42,6 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     if then and sketch.phrases and (not rest or any(_goes_on(phrase.said) for phrase in sketch.phrases)):
         # "Feed the cat at nine, then at five", "then for five minutes on high"
         return replace(before, place=rest or before.place)
-    if _is_deed(rest, sketch, lexicon):
-        # "Call Ana at ten, prep 15 minutes before"
-        return Operation(verb=rest, lemma=rest, span=(said[0][0], said[-1][1]))
     if rest and part.segment.verbless:
         placed = _placed_again(before, rest, lexicon)
         if placed is not None or (before.object is None and before.place is not None):
@@ -64,6 +62,9 @@ def _with_another_thing(
     called = then and first[:1].isupper() and old[:1].isupper()
     if not ((thing or verbless) if sketch.phrases else ((thing or called) and then)):
         return None
+    if not takes_verb(before.lemma, old, rest, lexicon):
+        # "Ring Bob, then a nap"
+        return None
     # "Hand me the wrench, then the pliers"
     whom, more, _ = old.partition(" ")
     given = [whom] if more and whom.lower() in lexicon.closed.indirect_objects else []
@@ -82,18 +83,6 @@ def _said_shortly(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
         rest and set(rest.lower().split()) <= lexicon.closed.adverbs_of_repetition - lexicon.particles.keys()
     )
     return before if again else None
-
-
-def _is_deed(rest: str, sketch: Sketch, lexicon: Lexicon) -> bool:
-    """Whether one word beside a time is what is done, and no thing that the same is done with.
-
-    So long before something one gets ready for it, and does not do the same with another thing.
-    """
-    early = any(phrase.said.preposition == EARLIER for phrase in sketch.phrases)
-    alone = rest.isalpha() and rest.islower()
-    return (
-        sketch.part.segment.verbless and bool(sketch.phrases) and alone and (early or rest in lexicon.chores)
-    )
 
 
 def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:

@@ -100,8 +100,10 @@ def _goes_on(first: Operation, second: Operation, lexicon: Lexicon) -> bool:
         # "One at eight and one at noon"
         return False
     if second.object is None:
-        # "We open at noon and close at ten", "open the shop at noon and close at ten"
-        return first.stated == second.stated
+        # "We open at noon and close at ten", "open the shop at noon and close at ten"; but "call mum at six
+        # and swim at two"
+        alone = first.object is not None and second.lemma in lexicon.needing_nothing
+        return first.stated == second.stated and (not alone or undoes(second, first, lexicon))
     return second.object in lexicon.closed.all_anaphors or second.again or second.object == first.object
 
 
