@@ -15,6 +15,7 @@ BUT = "but"
 FOR = "for"
 FIRST = "first"
 NO = "no"
+SOONER = frozenset({("earlier",), ("sooner",)})
 AND = "and"
 SHORTEST = 3
 """Words of one thing, and of the one that it is not."""
@@ -88,6 +89,10 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     later = later_by(said)
     if later is not None and later[1].names:
         return replace(later[0], names=later[1].names, certain=True)
+    if said.forms[-1:] in SOONER and said.until(len(said.words) - 1).names:
+        # "Call mum earlier": by how much is not said
+        names = said.until(len(said.words) - 1).names
+        return About(kind=AboutKind.DELAY, names=names, earlier=True, certain=True)
     thing, time = said.parted(bare=True)
     if not thing:
         return None
