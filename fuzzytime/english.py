@@ -90,7 +90,7 @@ def singular(word: str) -> str:
     """
     if word.endswith("ies") and len(word) > 4:
         return word[:-3] + "y"
-    if word.endswith("oes"):
+    if word.endswith(("oes", "shes", "tches", "sses", "xes")):
         return word[:-2]
     return word[:-1] if looks_plural(word) and len(word) > 3 else word
 

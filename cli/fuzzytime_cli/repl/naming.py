@@ -6,7 +6,16 @@ from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import content_words, nouns_of, verb_forms
-from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, own_words, waiting, whole_number
+from fuzzytime_cli.repl.scene import (
+    Scene,
+    asked_by,
+    begun_parts,
+    identifier_of,
+    number_of,
+    own_words,
+    waiting,
+    whole_number,
+)
 from fuzzytime_cli.session import Entry, Started
 
 LABEL = re.compile(r"s\d+(?:\.\d+)?")
@@ -126,7 +135,8 @@ def words_of_entry(scene: Scene, entry: Entry) -> frozenset[str]:
     skills = [one for one in scene.plan.everything if one.wish.identifier == entry.identifier]
     verbs = (one.operation.lemma for one in skills if one.operation is not None)
     nouns = frozenset(noun for verb in verbs for noun in _words_of_verb(scene, verb))
-    return nouns.union(*(content_words(one.skill.name) for one in skills), {entry.identifier})
+    begun = (content_words(one.name) for one in begun_parts(scene, entry.number))
+    return nouns.union(*(content_words(one.skill.name) for one in skills), *begun, {entry.identifier})
 
 
 def _words_of_verb(scene: Scene, verb: str) -> frozenset[str]:
@@ -213,7 +223,10 @@ def all_called(scene: Scene, names: frozenset[str]) -> list[Started]:
 
 def _words(scene: Scene, one: Started) -> frozenset[str]:
     number = number_of(one.identifier)
-    said = (own_words(scene, one) for one in scene.conversation.state.entries if one.number == number)
+    # The car is not what is mown of "wash the car, mow the lawn".
+    whole = len(asked_by(scene, number)) == 1
+    entries = scene.conversation.state.entries
+    said = (own_words(scene, one) for one in entries if one.number == number and whole)
     # "Have I fed the cat?"
     verb = verb_forms(one.name.partition(" ")[0].lower(), scene.lexicon)
     return content_words(one.name) | next(said, frozenset()) | verb | {f"s{number}"}

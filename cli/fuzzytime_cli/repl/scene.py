@@ -131,14 +131,18 @@ def number_of(text: str) -> int:
 
 
 def several_numbers(text: str) -> list[int]:
-    """Read the numbers of several instructions: "1,3"; none where it is not several.
+    """Read the numbers of several instructions: "1,3", "1 3"; none where it is not several.
 
     Raises
     ------
     FuzzytimeError
         If one of them is none.
     """
-    return [number_of(part) for part in text.split(",")] if "," in text else []
+    if "," in text:
+        return [number_of(part) for part in text.split(",")]
+    parts = text.split()
+    numbered = len(parts) > 1 and all(whole_number(part.removeprefix("s")) is not None for part in parts)
+    return [number_of(part) for part in parts] if numbered else []
 
 
 def number_and_rest(text: str, what: str) -> tuple[int, str]:
@@ -211,6 +215,27 @@ def waiting(scene: Scene, number: int | None = None) -> list[tuple[int, Interpre
         for place, one in enumerate(scene.plan.everything)
         if one.identifier not in begun and (number is None or one.wish.identifier == f"s{number}")
     ]
+
+
+def asked_by(scene: Scene, number: int) -> list[str]:
+    """Name the several things that an instruction asks for, each once; only one where it is repeated."""
+    begun = [one.name for one in begun_parts(scene, number)]
+    planned = [one.skill.name for one in scene.plan.everything if one.wish.identifier == f"s{number}"]
+    return list(dict.fromkeys([*begun, *planned]))
+
+
+def check_sole(scene: Scene, number: int, length: str) -> None:
+    """Refuse to say how long an instruction takes that asks for several things.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it does.
+    """
+    several = asked_by(scene, number)
+    if len(several) > 1:
+        which = f"{', '.join(several[:-1])} or {several[-1]}"
+        raise FuzzytimeError(f"which one takes so long: {which}? Say: {several[-1]} takes {length}")
 
 
 def own_words(scene: Scene, entry: Entry) -> frozenset[str]:

@@ -24,6 +24,7 @@ from fuzzytime_cli.repl.commands.by_name import command_of
 from fuzzytime_cli.repl.commands.looking import move_lines, start_line
 from fuzzytime_cli.repl.conversation import Conversation, answered, lengths_of, news_of
 from fuzzytime_cli.repl.pending import Pending, asked_late, question_lines, question_of, untold_notes
+from fuzzytime_cli.repl.plain_words.perhaps import second_lines
 from fuzzytime_cli.repl.plain_words.speaking import reply_about
 from fuzzytime_cli.repl.scene import (
     UNREAD,
@@ -226,8 +227,9 @@ class Turns:
         return lines
 
     def _told_news(self) -> list[Line]:
-        """Announce what has started since the last announcement."""
-        lines: list[Line] = [start_line(one) for one in self.news]
+        """Announce what has started since the last announcement, and is still asked for."""
+        asked = {entry.number for entry in self.conversation.state.entries}
+        lines: list[Line] = [start_line(one) for one in self.news if number_of(one.identifier) in asked]
         self.news.clear()
         return lines
 
@@ -254,6 +256,9 @@ class Turns:
         # What is told anew is taken for the time nearest to the old one.
         policy = self.conversation.interpreter.language.lexicon.policy
         question = None if reading is None else question_of(reading, policy)
+        if len(kept) == 1:
+            lexicon = self.conversation.interpreter.language.lexicon
+            lines += second_lines(made, number, kept[0], now, lexicon)
         if self.asks and len(said) == 1 and question is not None:
             self.pending = Pending(number, question)
         return Reply(tuple(lines), changed=True, focus=number)

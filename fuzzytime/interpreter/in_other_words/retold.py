@@ -123,13 +123,17 @@ def _beginning(part: TimeRequirement) -> TimeRequirement:
 
 
 def _until(instruction: Instruction) -> Instruction:
-    """Let what is so until a time be so from now on, or from when the day begins that is said."""
+    """Let what is so until a time be so from now on, or from the hour, or the day, that is said."""
     ends = [part for part in instruction.requirements if part.preposition == UNTIL and part.anchor is None]
     days = [part for part in instruction.requirements if part not in ends]
     if len(ends) != 1 or ends[0].latest is None or any(part.anchor is not None for part in days):
         return instruction
     last = ends[0].latest
-    if any(part.earliest is None or part.latest is None or last > part.latest for part in days):
+    if any(part.earliest is None or part.latest is None for part in days):
+        return instruction
+    # "Football at four till five"
+    hours = [part for part in days if part.constraint is Constraint.AT]
+    if any(part.latest is not None and last > part.latest for part in days if part not in hours):
         return instruction
     begin = max((part.earliest or 0.0 for part in days), default=0.0)
     if not 0 <= begin < last:

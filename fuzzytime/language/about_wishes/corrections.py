@@ -11,6 +11,8 @@ from fuzzytime.requirement import TimeRequirement
 MARKS = frozenset({",", ".", ";", "!", "-"})
 """What may stand behind the words that correct."""
 
+NO_LATER = frozenset({("no", "later"), ("no", "earlier")})
+
 
 def opening_correction(said: Said) -> int:
     """Count the words with which a line says that it corrects: "no wait, actually"."""
@@ -20,8 +22,9 @@ def opening_correction(said: Said) -> int:
         if form is None and said.forms[place] not in MARKS:
             break
         place += len(form) if form is not None else 1
-    # "Wait ten minutes" is an order
-    return 0 if place == 1 and said.forms[0] in said.lexicon.doing.waiting else place
+    # "Wait ten minutes" is an order, and "no later" a bound.
+    order = place == 1 and said.forms[0] in said.lexicon.doing.waiting
+    return 0 if order or said.forms[:2] in NO_LATER else place
 
 
 def restated(text: str, now: datetime, lexicon: Lexicon) -> str | None:

@@ -1,7 +1,7 @@
 """Which wishes words mean: the last one, both, the next, or those that are named."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import LABEL, Said
 from fuzzytime.language.about_wishes.turns import several_in
 from fuzzytime.language.sentence.trees.named import is_several
 
@@ -38,6 +38,10 @@ def about_thing(kind: AboutKind, thing: Said, *, certain: bool = False) -> About
 
 def listed_in(thing: Said) -> tuple[frozenset[str], ...]:
     """Give the words that name each of several things: "the call and the soup"; none where there is one."""
+    labels = thing.text.lower().split()
+    if len(labels) > 1 and all(LABEL.fullmatch(label) for label in labels):
+        # "S1 s2"
+        return tuple(frozenset({label}) for label in labels)
     joints = [place for place, word in enumerate(thing.forms) if word in thing.lexicon.closed.coordinators]
     first = (0, *(place + 1 for place in joints))
     parts = [

@@ -14,6 +14,8 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 LONGEST_NAME = 4
 """Words that somebody is called by before what they ask for, at most, and one."""
 
+SO = " so "
+
 MARKS = frozenset({",", ".", "!", "?", "-"})
 
 
@@ -88,6 +90,9 @@ def behind_what_is_told(text: str, now: datetime, lexicon: Lexicon) -> tuple[str
     What is told may be nothing that asks; who reads its words must see to that.
     """
     told, mark, rest = text.rpartition(",")
+    if not mark:
+        # "It's raining so cancel the walk"
+        told, mark, rest = text.rpartition(SO)
     if not mark or not rest.strip(ENDS):
         return None
     about = about_wishes(rest, now, lexicon)

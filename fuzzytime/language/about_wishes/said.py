@@ -28,6 +28,9 @@ LONGEST = 24
 """Words of a line in which a length is looked for."""
 
 
+MARK = re.compile(r"[,.;](?!\S)")
+"""What stands between clauses; but not in "s1.2", "9.30"."""
+
 ENDS = ".?! "
 """Marks at the ends of a line."""
 
@@ -96,7 +99,7 @@ class Said:
     @cached_property
     def is_one(self) -> bool:
         """Whether it is one clause, as far as its marks tell."""
-        return not {",", ".", ";"} & set(self.forms)
+        return MARK.search(self.text) is None
 
     def is_in(self, name: str) -> bool:
         """Whether it is, whole, an entry of a table; nothing at all is one where "" is."""

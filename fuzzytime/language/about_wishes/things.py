@@ -15,6 +15,7 @@ BUT = "but"
 FOR = "for"
 FIRST = "first"
 NO = "no"
+SOONER = frozenset({("earlier",), ("sooner",)})
 AND = "and"
 SHORTEST = 3
 """Words of one thing, and of the one that it is not."""
@@ -70,24 +71,17 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     instead = _instead(whole) or _instead(said)
     if instead is not None:
         return instead
-    denied = said.after("denying") if not place or said.forms[:1] == (NOT,) else None
     staying = said.without_end(said.table("staying"))
     if (place or staying != said) and said.forms[:1] and said.forms[0] in lexicon.doing.keeping:
-        # "No wait, keep the plumber", where all was dropped; "leave the call where it is"
-        kept = staying.behind(1)
-        return (
-            About(kind=AboutKind.UNDO, names=kept.names, thing=kept.text, certain=True)
-            if kept.names
-            else None
-        )
+        return _kept(staying.behind(1))
+    denied = said.after("denying") if not place or said.forms[:1] == (NOT,) else None
     if denied is not None and denied.names and COMMA not in denied.forms and not denied.has_time:
         # "Not the carrots"
         return About(kind=AboutKind.DROP, names=denied.names, thing=denied.text, certain=place > 0)
     if len(said.words) > 1 and (placed := _placed(said)) is not None:
         return placed
-    later = later_by(said)
-    if later is not None and later[1].names:
-        return replace(later[0], names=later[1].names, certain=True)
+    if (delayed := _delayed(said)) is not None:
+        return delayed
     thing, time = said.parted(bare=True)
     if not thing:
         return None
@@ -108,6 +102,23 @@ def _without_and(said: Said) -> Said:
     """Leave out what goes on in front of another thing, or time: "and make it Ann", "and at six not five"."""
     rest = said.behind(1) if said.forms[:1] == (AND,) and len(said.words) > 1 else said
     return rest if rest.opens_with("naming anew") or NOT in rest.forms else said
+
+
+def _kept(thing: Said) -> About | None:
+    """Read what is kept where all was dropped: "no wait, keep the plumber", "leave the call where it is"."""
+    return (
+        About(kind=AboutKind.UNDO, names=thing.names, thing=thing.text, certain=True) if thing.names else None
+    )
+
+
+def _delayed(said: Said) -> About | None:
+    """Read what is to be later or sooner: "call mum ten minutes later", "call mum earlier"."""
+    later = later_by(said)
+    if later is not None and later[1].names:
+        return replace(later[0], names=later[1].names, certain=True)
+    names = said.until(len(said.words) - 1).names if said.forms[-1:] in SOONER else frozenset()
+    # By how much is not said.
+    return About(kind=AboutKind.DELAY, names=names, earlier=True, certain=True) if names else None
 
 
 def _placed(said: Said) -> About | None:

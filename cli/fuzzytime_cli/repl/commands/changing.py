@@ -18,6 +18,7 @@ from fuzzytime_cli.repl.scene import (
     Scene,
     begun_of,
     begun_parts,
+    check_sole,
     ended_line,
     got,
     identifier_of,
@@ -143,6 +144,7 @@ def duration(scene: Scene, text: str) -> Reply:
     seconds = parse_duration(rest)
     if seconds < 0:
         raise FuzzytimeError(f"a duration must be at least 0, got {rest!r}")
+    check_sole(scene, number, rest)
     return step(
         scene,
         f":duration {number}",

@@ -8,10 +8,11 @@ from fuzzytime.language import About, AboutKind
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown
-from fuzzytime_cli.repl.plain_words.retiming import some_time, without_thing
+from fuzzytime_cli.repl.plain_words.retiming import some_time, with_time, without_thing
 from fuzzytime_cli.repl.questions.stretches import on_its_day
-from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting
+from fuzzytime_cli.repl.scene import AskedBackError, Scene, check_sole, number_of, waiting
 from fuzzytime_cli.repl.which import alike
+from fuzzytime_cli.session import Entry
 
 
 def progress(scene: Scene, about: About) -> str | None:
@@ -42,7 +43,7 @@ def progress(scene: Scene, about: About) -> str | None:
         and called(scene, planned_last.number) is not None
         and scene.focus is not None
     ):
-        return _lengthened(scene, planned_last.number, about)
+        return _lengthened(scene, planned_last, about)
     over = "" if last is None else Clock(scene.now, with_seconds=False).at(last.done)
     if not about.names:
         told = "" if last is None else f"; the last, {last.name}, was done at {over}"
@@ -52,22 +53,35 @@ def progress(scene: Scene, about: About) -> str | None:
     planned = None
     if entry is not None:
         planned = part_meant(scene, entry.number, about.names) or called(scene, entry.number)
-    if planned is not None:
+    if entry is not None and planned is not None:
         if longer:
-            return _lengthened(scene, number_of(planned), about) if about.certain else None
+            return _lengthened(scene, entry, about) if about.certain else None
         return line(planned)
     if last is not None:
         raise FuzzytimeError(f"{last.name} was done at {over}")
     return unknown(about.names) if about.certain else None
 
 
-def _lengthened(scene: Scene, number: int, about: About) -> str:
-    """Give the command that lets what has not started take longer."""
+def _lengthened(scene: Scene, entry: Entry, about: About) -> str:
+    """Give the command that lets what has not started take longer: perhaps one of several things of a line.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it would take no time, or which of several things is meant is not said.
+    """
     by = parse_duration(length_said(scene, about))
-    lasts = max(one.skill.time_until_done for _, one in waiting(scene, number))
+    part = part_meant(scene, entry.number, about.names)
+    if part is None:
+        check_sole(scene, entry.number, as_typed(by))
+    left = [one for _, one in waiting(scene, entry.number) if part in {None, one.identifier}]
+    lasts = max(one.skill.time_until_done for one in left)
     if lasts + by <= 0:
         raise FuzzytimeError(f"it takes {as_typed(lasts)}, and cannot be {as_typed(-by)} shorter")
-    return f":duration {number} {as_typed(lasts + by)}"
+    if part is None:
+        return f":duration {entry.number} {as_typed(lasts + by)}"
+    length = About(kind=AboutKind.MOVE, time=f"for {as_typed(lasts + by)}")
+    return f":edit {entry.number} {with_time(scene, entry, length, part=part)}"
 
 
 def unstarted(scene: Scene, about: About) -> str:

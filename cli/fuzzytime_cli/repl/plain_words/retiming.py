@@ -24,7 +24,7 @@ from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration
 from fuzzytime_cli.repl.naming import starts_of_entry
 from fuzzytime_cli.repl.plain_words.parts import with_time_of_part
-from fuzzytime_cli.repl.scene import Scene, number_of, waiting
+from fuzzytime_cli.repl.scene import Scene, check_sole, number_of, waiting
 from fuzzytime_cli.repl.which import entries_meant
 from fuzzytime_cli.session import Entry
 from fuzzytime_cli.told_states import tells_what_is
@@ -36,6 +36,9 @@ SOME = 600.0
 """Seconds that vague words are where tables say nothing of them."""
 
 DAY_SECONDS = 86400.0
+
+FOR = "for "
+"""What stands before a length of time."""
 
 BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 """What is asked for until, or from, a time."""
@@ -101,8 +104,14 @@ def timed_now(scene: Scene, words: str, reading: Reading) -> str | None:
     if operation is None or not operation.object or not times:
         return None
     same = [one for _, one in waiting(scene) if _is_same(one.operation, operation)]
-    if len(same) == 1 and same[0].instruction is not None and not same[0].instruction.requirements:
+    lasts = times[0].constraint is Constraint.FOR
+    own = same[0].instruction if len(same) == 1 else None
+    if own is not None and not any(
+        not lasts or part.constraint is Constraint.FOR for part in own.requirements
+    ):
         number, time = number_of(same[0].identifier), " ".join(part.text for part in times)
+        # "Mow the lawn takes an hour"
+        time = time if not lasts or time.startswith(FOR) else f"{FOR}{time}"
         entry = scene.conversation.state.entry(number)
         return f":edit {number} {with_time_of_part(scene, entry, time, same[0].identifier)}"
     # What may be done at any time is taken to have begun at once.
@@ -202,7 +211,9 @@ def with_time(
         recounted = _recounted(scene, entry, parts[0], about.number)
         if recounted:
             return recounted
-    length = about.time.lower().startswith("for ")
+    length = about.time.lower().startswith(FOR)
+    if length:
+        check_sole(scene, entry.number, about.time[len(FOR) :])
     times = [part for part in parts if (part.constraint is Constraint.FOR) is length]
     # "If it rains, close the window at six": the condition stays.
     times = [part for part in times if part.constraint is not Constraint.WHEN] or times

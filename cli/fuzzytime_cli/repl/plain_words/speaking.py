@@ -13,14 +13,11 @@ from fuzzytime.language import (
     about_things,
     about_wishes,
     added_time,
-    behind_what_is_told,
     by_how_much,
     called_by_time,
-    content_words,
     lets_be,
     reported,
     respelled,
-    tells_of_somebody,
 )
 from fuzzytime.language.sentence.trees.model import is_verb
 from fuzzytime_cli.render import plain
@@ -32,6 +29,8 @@ from fuzzytime_cli.repl.plain_words.has_done import done, perhaps_done
 from fuzzytime_cli.repl.plain_words.leaning import leaning, the_other
 from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, next_left_out
 from fuzzytime_cli.repl.plain_words.meant import command_meant
+from fuzzytime_cli.repl.plain_words.perhaps import cancelled_elsewhere, check_who
+from fuzzytime_cli.repl.plain_words.reasons import CHANGING, behind_what_tells, with_reason
 from fuzzytime_cli.repl.plain_words.retiming import said_anew, same_anew, timed_now, wished_instead
 from fuzzytime_cli.repl.plain_words.taking import run, run_each
 from fuzzytime_cli.repl.plain_words.telling import (
@@ -43,13 +42,8 @@ from fuzzytime_cli.repl.plain_words.telling import (
 )
 from fuzzytime_cli.repl.questions import answering, gaps
 from fuzzytime_cli.repl.scene import Reply, Scene
-from fuzzytime_cli.repl.which import entries_meant, which_one, with_label
+from fuzzytime_cli.repl.which import which_one, with_label
 from fuzzytime_cli.told_states import tells_what_is
-
-CHANGING = frozenset(
-    {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE, AboutKind.EXCEPT}
-)
-"""What changes what is asked for, and so may be supposed."""
 
 OF_ITSELF = frozenset({AboutKind.DROP, AboutKind.MOVE, AboutKind.EXCEPT})
 """What is told of a thing, and is of no wish that only has to do with it: "lunch is off", of buying lunch."""
@@ -77,7 +71,7 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
     anew = respelled(words, scene.now, scene.lexicon, is_verb)
     reply = None if anew is None else _reply_about(scene, anew)
     if reply is None or reply.anew:
-        return None
+        return cancelled_elsewhere(scene, words)
     return replace(reply, lines=(Text(plain(f"read as: {anew}")), *reply.lines))
 
 
@@ -95,13 +89,14 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
     instead = wished_instead(scene, words)
     if instead is not None:
         return run(scene, About(kind=AboutKind.MOVE), instead)
-    if (reply := _with_reason(scene, words)) is not None:
+    if (reply := with_reason(scene, words, _taken)) is not None:
         return reply
-    about = about_wishes(words, scene.now, scene.lexicon) or _behind_what_is_told(scene, words)
+    about = about_wishes(words, scene.now, scene.lexicon) or behind_what_tells(scene, words)
     asks = about is not None and about.kind is AboutKind.DELAY and about.by is None and not about.text
     if about is not None and about.told and (reply := told_anew(scene, about, words, _taken)) is not None:
         return reply
     if about is None or (not about.certain and not asks and is_news(scene, words)):
+        check_who(scene, words)
         return (
             behind_how_a_day_is(scene, words, _taken)
             or behind_a_fact(scene, words, _reply_about)
@@ -110,65 +105,6 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
     if about.kind in ANSWERS:
         return ANSWERS[about.kind](scene, about)
     return _taken(scene, about) or _told(scene, words)
-
-
-def _behind_what_is_told(scene: Scene, words: str) -> About | None:
-    """Read what is said of wishes behind what asks for nothing: "he is tired, cancel the walk"."""
-    found = behind_what_is_told(words, scene.now, scene.lexicon)
-    if found is None:
-        return None
-    told, about = found
-    about = _of_what_is_told(scene, told, about)
-    if not about.certain and (
-        about.kind not in CHANGING | {AboutKind.UNABLE} or not entries_meant(scene, about)
-    ):
-        return None
-    if not told:
-        return about
-    reading = scene.language.read(told, now=scene.now)
-    return None if _asks(scene, reading) else about
-
-
-def _of_what_is_told(scene: Scene, told: str, about: About) -> About:
-    """Let what names nothing be of what is told in front of it: "the dentist rang, move it to four"."""
-    if about.names or about.places or about.everything:
-        return about
-    named = {word: entry_of(scene, frozenset({word})) for word in content_words(told)}
-    meant = {entry.number: frozenset({word}) for word, entry in named.items() if entry is not None}
-    return replace(about, names=next(iter(meant.values()))) if len(meant) == 1 else about
-
-
-def _asks(scene: Scene, reading: Reading) -> bool:
-    """Whether words ask for something, or say a time."""
-    asked = any(one.operation is not None and one.operation.is_asked for one in reading.instructions)
-    asked = asked and not tells_what_is(reading, scene.lexicon)
-    # "They rang to say monday" says when nothing is to be done.
-    told = tells_of_somebody(reading.tokens)
-    return asked or (not told and any(one.requirements for one in reading.instructions))
-
-
-def _with_reason(scene: Scene, words: str) -> Reply | None:
-    """Take what is said of wishes in front of what asks for nothing: "skip it, I'm too tired"."""
-    language = scene.language
-    front, mark, why = words.partition(",")
-    about = about_wishes(front, scene.now, language.lexicon) if mark and why.strip() else None
-    anaphors = language.lexicon.closed.anaphors
-    if about is None or about.kind not in CHANGING or not (about.certain or entries_meant(scene, about)):
-        return None
-    whole = about_wishes(words, scene.now, language.lexicon)
-    if whole is not None and whole.each and all(entry_of(scene, names) for names in whole.each):
-        # "Cancel Ann, Bob and Carl"
-        return None
-    if not about.names and anaphors.isdisjoint(front.lower().split()):
-        # "Never mind, it works"
-        return None
-    reading = language.read(why, now=scene.now)
-    if _asks(scene, reading) or is_news(scene, why) or entry_of(scene, content_words(why)) is not None:
-        return None
-    reply = _taken(scene, about)
-    if reply is None:
-        return None
-    return replace(reply, lines=(*reply.lines, Text(plain(f"{why.strip()!r} changes nothing"))))
 
 
 def _told(scene: Scene, words: str) -> Reply | None:

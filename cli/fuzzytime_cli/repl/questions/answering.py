@@ -58,8 +58,9 @@ def when(scene: Scene, about: About) -> Reply:
     """Say when that is planned which all of some words name, or when all is over."""
     if about.everything:
         return _over(scene)
-    small = frozenset(scene.lexicon.particles)
-    # "When's the roast out?"
+    lexicon = scene.lexicon
+    small = lexicon.particles.keys() | lexicon.doing.leaving
+    # "When's the roast out?", "when do I leave for the shop?"
     positions = _positions(scene, about.names) or _positions(scene, about.names - small or about.names)
     schedule = scene.plan.schedule
     timed = [position for position in positions if scene.plan.has_time(position)]

@@ -121,7 +121,8 @@ def _during(said: Said) -> About | None:
     if not time:
         # "What do I take tomorrow?"
         verb, time = rest.parted()
-        time = time if " " not in verb else ""
+        # "What about lunch then?"
+        time = time if " " not in verb and (time.lower(),) not in said.table("instead") else ""
     return About(kind=AboutKind.DURING, time=time, certain=True) if time else None
 
 
@@ -143,7 +144,7 @@ def _about(said: Said) -> About | None:
     asked_for = said.after("what")
     if asked_for is not None and asked_for.label:
         return About(kind=AboutKind.WHEN, names=frozenset({asked_for.label}), certain=True)
-    rest = said.after("asking about")
+    rest = said.without_end(said.table("instead")).after("asking about")
     if rest is None or not rest.names or rest.has_time:
         return None
     # "What about calling Ann?" is a suggestion.

@@ -99,7 +99,7 @@ def moved(said: Said) -> About | None:
         return None
     if time := new.as_time():
         # "Move the essay to tomorrow", of which nobody knows, is no errand.
-        certain = said.forms[0] in said.lexicon.moving
+        certain = said.forms[0] in said.lexicon.moving and not thing.has_time
         return replace(about, time=time, bare=new.is_bare(time), certain=certain or about.certain)
     beside = Said(new.text[len(joint) :], said.now, said.lexicon).beside()
     return None if beside is None else replace(about, time=beside[0], others=beside[1].names)

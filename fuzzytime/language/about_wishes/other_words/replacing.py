@@ -1,6 +1,7 @@
 """Lines that say several things: "forget that, call Ann at six", "cancel the call and move the soup"."""
 
 import re
+from dataclasses import replace
 from datetime import datetime
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
@@ -58,6 +59,9 @@ def said_apart(text: str, now: datetime, lexicon: Lexicon) -> list[str]:
         if not 1 < len(parts) <= MOST_APART:
             continue
         said = [about_wishes(part, now, lexicon) for part in parts]
+        if whole is not None and said[0] is not None and whole == replace(said[0], by=whole.by):
+            # "The dishes took longer, another ten minutes"
+            return [text]
         kinds = [None if one is None else one.kind for one in said]
         sure = any(one is not None and one.certain and one.kind in TAKEN for one in said)
         if all(kind in TAKEN for kind in kinds) if every else sure:

@@ -25,6 +25,7 @@ ANEW = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
 """What says when something happens."""
 
 SEVERAL = r"\bthey"
+PERSON = re.compile(r"\b\w+")
 BE = "be"
 NOW = "now"
 ABSENT = "absent"
@@ -84,6 +85,8 @@ class News:
         Seconds by which it is later, below 0 for earlier.
     marked
         Whether the words say that it is news: else it is only where it was said later than the first.
+    comes
+        Whether it is of somebody, or of what comes: "she is late", "it will be here at six".
     """
 
     kind: NewsKind
@@ -95,6 +98,7 @@ class News:
     chosen: int = 0
     by: float = 0.0
     marked: bool = True
+    comes: bool = False
 
     def is_of(self, happening: Operation, lexicon: Lexicon) -> bool:
         """Whether it may be about something that was said to happen."""
@@ -102,7 +106,7 @@ class News:
             return False
         things = content_words(happening.object) | content_words(happening.place)
         if (
-            self.kind is THERE
+            (self.kind is THERE or self.comes)
             and not self.names
             and happening.lemma not in lexicon.doing.arriving | lexicon.doing.leaving
         ):
@@ -228,7 +232,9 @@ class _Clause:
             return None
         words = self.text[self.span[0] : self.span[1]].lower()
         several = re.search(SEVERAL, words) is not None if "they" in tables else None
-        return News(kind=kind, span=self.span, names=names, several=several, by=by)
+        somebody = not self.lexicon.closed.third_person_singular.isdisjoint(PERSON.findall(words))
+        comes = somebody or "present" in tables
+        return News(kind=kind, span=self.span, names=names, several=several, by=by, comes=comes)
 
 
 def _blank(contracted: re.Match[str]) -> str:

@@ -14,6 +14,7 @@ ON = "on"
 TO = "to"
 MAKE = "make"
 ADD = "add"
+COMMA = ","
 
 
 def report(said: Said) -> About | None:
@@ -64,6 +65,15 @@ def _more(said: Said) -> About | None:
     """Read for how much longer something goes on: "five more minutes", "the soup needs another minute"."""
     if said.forms[:1] == (MAKE,):
         return _made_longer(said.behind(1))
+    joint = said.forms.index(COMMA) if said.forms.count(COMMA) == 1 else 0
+    front, by = (
+        (_more(said.until(joint)), said.behind(joint + 1).without("more")[0].length())
+        if joint
+        else (None, None)
+    )
+    if front is not None and front.by is None and by is not None and not by.rest.words:
+        # "The dishes took longer, another ten minutes"
+        return replace(front, by=by.seconds)
     without, tables = said.without("more")
     # "Another hour" is none without its article.
     found = without.length() or said.length() if "more" in tables and said.is_one else None
@@ -77,7 +87,7 @@ def _more(said: Said) -> About | None:
         return About(kind=AboutKind.MORE, names=left.names, certain=True)
     named, parts = found.rest.without("needing", "last", "more")
     certain = not named.names or "needing" in parts
-    return About(kind=AboutKind.MORE, names=named.names, by=found.seconds, certain=certain)
+    return About(kind=AboutKind.MORE, names=named.meant, by=found.seconds, certain=certain)
 
 
 def _made_longer(said: Said) -> About | None:

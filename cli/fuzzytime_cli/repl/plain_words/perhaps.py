@@ -1,0 +1,95 @@
+"""What is taken as it stands, though something that was asked for may be meant: that is said, or asked."""
+
+from datetime import date, datetime
+
+from rich.text import Text
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter import Interpretation, Interpreted
+from fuzzytime.language import AboutKind, Lexicon, Operation, about_wishes, content_words, news_in
+from fuzzytime.requirement import Constraint
+from fuzzytime.times import instant_after
+from fuzzytime_cli.render import plain
+from fuzzytime_cli.repl.scene import Reply, Scene, number_of, waiting
+
+
+def cancelled_elsewhere(scene: Scene, words: str) -> Reply | None:
+    """Say of what is to be cancelled that nothing planned is about it, so that cancelling is to be done."""
+    language = scene.language
+    about = about_wishes(words, scene.now, language.lexicon)
+    declining = language.lexicon.doing.declining
+    if about is None or about.kind is not AboutKind.DROP or not scene.conversation.state.entries:
+        return None
+    if words.split(maxsplit=1)[0].lower() not in declining:
+        return None
+    head = "nothing that is planned is about that: taken as something to do; :undo takes it back"
+    return Reply((Text(head),), anew=words)
+
+
+def check_who(scene: Scene, words: str) -> None:
+    """Ask who is meant where "she" comes at another time, and several are to come.
+
+    Raises
+    ------
+    FuzzytimeError
+        If several are.
+    """
+    lexicon = scene.lexicon
+    told = words.lower().replace("\u2019", "'").partition("'")[0].split()
+    news = [one for one in news_in(words, scene.now, lexicon) if one.several is False and not one.names]
+    if not news or lexicon.closed.third_person_singular.isdisjoint(told):
+        return
+    left = [(one, one.operation) for _, one in waiting(scene) if not one.skill.duration]
+    who = [one for one, comes in left if comes is not None and news[0].is_of(comes, lexicon)]
+    if len(who) > 1:
+        named = " or ".join(f"{one.skill.name} ({one.identifier})" for one in who)
+        raise FuzzytimeError(f"which one: {named}? Say it with the name")
+
+
+def second_lines(
+    made: Interpretation, number: int, words: str, now: datetime, lexicon: Lexicon
+) -> tuple[Text, ...]:
+    """Say that the same is planned for another time of the day, and stays: "gym at seven", beside one at six.
+
+    Who says that it is "another one" knows.
+    """
+    own = [one for one in made.everything if one.wish.identifier == f"s{number}"]
+    known = (lexicon.conversation[name] for name in ("closing", "again", "more"))
+    said_so = {form[0] for form in frozenset().union(*known) if len(form) == 1}
+    if len(own) != 1 or _repeats(own[0]) or not said_so.isdisjoint(words.lower().split()):
+        return ()
+    others = [one for one in made.everything if one is not own[0] and not _repeats(one)]
+    same = [one for one in others if _is_same(one, own[0], lexicon) and _day(one, now) == _day(own[0], now)]
+    if len(same) != 1:
+        return ()
+    (one,) = same
+    times = ", ".join(part.text for part in one.requirements)
+    first = f"{one.identifier} {one.skill.name}{f' ({times})' if times else ''}"
+    return (Text(plain(f"beside {first}, which stays; if they are one: drop s{number_of(one.identifier)}")),)
+
+
+def _repeats(one: Interpreted) -> bool:
+    return any(part.constraint is Constraint.EVERY for part in one.requirements)
+
+
+def _day(one: Interpreted, now: datetime) -> date | None:
+    best = one.skill.satisfaction.best
+    return None if best.empty else instant_after(now, best.low).date()
+
+
+def _is_same(one: Interpreted, other: Interpreted, lexicon: Lexicon) -> bool:
+    """Whether two things may be one: "get the rice in" and "put the rice in", "gym" and "do the gym"."""
+    operation, behind = one.operation, other.operation
+    if operation is None or behind is None or operation.negated or behind.negated:
+        return False
+    things = content_words(operation.object)
+    if things and operation.particle and things == content_words(behind.object):
+        return operation.particle == behind.particle
+    return _essence(operation, lexicon) == _essence(behind, lexicon)
+
+
+def _essence(operation: Operation, lexicon: Lexicon) -> frozenset[str]:
+    """Give the words that name what is done, without a verb that says no more: "do the gym"."""
+    doing, words = lexicon.doing, content_words(operation.name)
+    light = operation.lemma in doing.beginning | doing.running | doing.spending
+    return words - content_words(operation.verb) if light else words
