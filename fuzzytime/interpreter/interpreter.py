@@ -60,7 +60,8 @@ class Interpreter:
             if name not in shipped.prepositions
         }
         clauses = {name: row.model for name, row in tables.clauses.items() if name not in shipped.clauses}
-        return cls(with_words(language, tables.words, hedges, prepositions, clauses), rulebook)
+        words = [name for name in tables.words if name not in shipped.words]
+        return cls(with_words(language, words, hedges, prepositions, clauses), rulebook)
 
     def skill(
         self,

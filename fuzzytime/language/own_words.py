@@ -4,12 +4,16 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Entry, Preposition, form_of
-from fuzzytime.language.meaning.expressions import Edge, TimeWord
+from fuzzytime.language.meaning.expressions import Edge, Said, TimeWord
 from fuzzytime.language.reader import Language
 from fuzzytime.requirement import Constraint
 
 HEDGING = ("hedge", "hedge_after")
 """The categories of a hedge that may stand on either side of its time."""
+
+OWN = 3.0
+"""The weight that lets words of one's own win over any other reading of the same words, but not of more:
+"tonight" over the part of a day, and not over "tonight at eight"."""
 
 COUNTING = "within"
 """The category of a preposition before a length of time that counts from now."""
@@ -27,7 +31,8 @@ def with_words(
 ) -> Language:
     """Give a language that understands more words about time.
 
-    Words that it understands already stay as they are.
+    They win over what it understands by the same words: "pretty much" may be a hedge of one's own, and
+    "tonight" a word.
 
     Parameters
     ----------
@@ -46,15 +51,11 @@ def with_words(
     >>> language.read("Call mum anon").instructions[0].requirements[0].word
     'anon'
     """
-    entries = language.lexicon.entries
-    known = {one.words for found in entries.values() for one in found if one.category == "word"}
-    new = [one for one in _words(words) if one.words and one.words not in known]
-    spoken = {one.words for found in entries.values() for one in found}
-    others = (*_hedges(hedges), *_prepositions(prepositions or {}))
-    new += [one for one in others if one.words and one.words not in spoken]
-    more = dict(entries)
+    new = (*_words(words), *_hedges(hedges), *_prepositions(prepositions or {}))
+    more = dict(language.lexicon.entries)
     for entry in new:
-        more[entry.words[0]] = (*more.get(entry.words[0], ()), entry)
+        if entry.words:
+            more[entry.words[0]] = (*more.get(entry.words[0], ()), entry)
     markers = {form_of(name): kind for name, kind in (clauses or {}).items()}
     if not new and markers.keys() <= language.lexicon.clauses.keys():
         return language
@@ -64,13 +65,15 @@ def with_words(
 
 def _words(words: Iterable[str]) -> Iterator[Entry]:
     for form, word in {form_of(word): word for word in words}.items():
-        yield Entry(form, "word", TimeWord(word, Constraint.VAGUE))
+        time = TimeWord(word, Constraint.VAGUE)
+        yield Entry(form, "word", time)
+        yield Entry(form, "said", Said(time), OWN)
 
 
 def _hedges(hedges: Iterable[str]) -> Iterator[Entry]:
     for hedge in hedges:
         for category in HEDGING:
-            yield Entry(form_of(hedge), category, hedge)
+            yield Entry(form_of(hedge), category, hedge, OWN)
 
 
 def _prepositions(prepositions: Mapping[str, Constraint | None]) -> Iterator[Entry]:
@@ -79,4 +82,4 @@ def _prepositions(prepositions: Mapping[str, Constraint | None]) -> Iterator[Ent
         preposition = Preposition(name, binds or Constraint.AT, Edge.START)
         # Before a clock time, and before a length of time from now: "nigh ten minutes".
         for category in (f"preposition_{binds}", COUNTING):
-            yield Entry(form_of(name), category, preposition)
+            yield Entry(form_of(name), category, preposition, OWN)

@@ -25,15 +25,15 @@ def planned(texts: tuple[str, ...], context: Context, *, given: datetime = SEVEN
 def test_what_comes_after_a_rejected_skill_says_so() -> None:
     made = planned(
         (
-            "Hang up the laundry when the washing machine is done",
+            "Hang up the laundry when the pan is above 300 degrees",
             "Iron the shirts after you hang up the laundry",
             "Fold the shirts after you iron the shirts",
         ),
-        Context.of({"washer_power": 400.0}),
+        Context.of({"pan_temp": 100.0}),
     )
     reasons = [problem.message for problem in made.problems if problem.kind is ProblemKind.REJECTED]
     assert reasons == [
-        "hang up the laundry: never: washer_power stays at 400 W",
+        "hang up the laundry: never: pan_temp settles at 230 °C",
         "iron the shirts: must come after hang up the laundry, which is rejected",
         "fold the shirts: must come after iron the shirts, which is rejected",
     ]

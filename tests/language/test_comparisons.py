@@ -4,12 +4,15 @@ from datetime import datetime
 
 import pytest
 
+from fuzzytime.language import Language
 from fuzzytime.language.english import grammar
 from fuzzytime.language.finding import find_times, shipped_lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.sentence.clauses.comparisons import comparisons_in
 from fuzzytime.requirement import Comparison, Side
 from fuzzytime.times import HOUR
+
+NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - the wall's own time
 
 
 def compared(text: str) -> tuple[Comparison, ...]:
@@ -70,7 +73,29 @@ def test_what_a_thing_measures_in_a_clause_is_no_clock_time(how: str) -> None:
     assert find_times(f"wash up when the queue is {how}", None).found == ()
 
 
-@pytest.mark.parametrize("how", ["when it is past 4", "when the time is around 4", "at 4"])
+@pytest.mark.parametrize(
+    "clause",
+    [
+        "when the battery < 20",
+        "if errors > 5",
+        "as soon as load <= 3",
+        "unless speed >= 10",
+        "when level > 80 or pressure > 12",
+    ],
+)
+def test_a_mark_compares_what_a_clause_is_about(clause: str) -> None:
+    (requirement,) = Language.shipped().read(f"Restart it {clause}", now=NOW).instructions[0].requirements
+    assert requirement.condition is not None
+    assert (requirement.condition.text, len(requirement.condition.comparisons)) == (
+        clause,
+        clause.count(" or ") + 1,
+    )
+
+
+@pytest.mark.parametrize(
+    "how",
+    ["when it is past 4", "when the time is around 4", "at 4", "> 4", "if it rains, > 4", "when it's > 4"],
+)
 def test_the_clock_s_own_number_stays_a_time(how: str) -> None:
-    (requirement,) = find_times(f"wash up {how}", datetime(2026, 3, 4, 9)).requirements  # noqa: DTZ001
+    (requirement,) = find_times(f"wash up {how}", NOW).requirements
     assert requirement.earliest == 7 * HOUR

@@ -7,6 +7,7 @@ import pytest
 from fuzzytime.interpreter import Interpreter
 from fuzzytime.language import Language, find_times, with_words
 from fuzzytime.requirement import Constraint
+from fuzzytime.satisfaction import Interval
 
 NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - the wall's own time
 
@@ -28,9 +29,34 @@ def test_a_word_of_ones_own_is_a_time(text: str, word: str, name: str) -> None:
     assert (requirement.word, requirement.constraint) == (word, Constraint.VAGUE)
 
 
-def test_words_that_are_known_stay_as_they_are() -> None:
-    language = Language.shipped()
-    assert with_words(language, ["soon", "asap", "whenever you can"]) is language
+@pytest.mark.parametrize(
+    "words", ["tonight", "before bed", "first thing", "next week", "pronto", "every so often"]
+)
+def test_a_word_of_ones_own_wins_over_what_the_language_makes_of_it(words: str) -> None:
+    table = f"fuzzytime: 1\nwords: {{{words}: {{breakpoints: [3 h, 3 h, 4 h, 4 h]}}}}\n"
+    shipped = Interpreter.shipped()
+    own = Interpreter.joining(shipped.language, shipped.rulebook.with_rules(table, "own.yaml"))
+    (requirement,) = own.language.read(f"Feed the ducks {words}", now=NOW).instructions[0].requirements
+    assert requirement.word == words
+    assert own.rulebook.resolve(requirement).satisfaction.support == Interval(3 * 3600, 4 * 3600)
+    (longer,) = own.language.read("Feed the ducks tonight at eight", now=NOW).instructions[0].requirements
+    assert longer.word is None
+
+
+@pytest.mark.parametrize("hedge", ["pretty much", "dead on", "say", "just gone"])
+def test_a_hedge_of_ones_own_wins_over_the_one_that_it_stands_for(hedge: str) -> None:
+    table = f"fuzzytime: 1\nhedges: {{time: {{{hedge}: {{widen: 7}}}}}}\n"
+    shipped = Interpreter.shipped()
+    own = Interpreter.joining(shipped.language, shipped.rulebook.with_rules(table, "own.yaml"))
+    (requirement,) = own.language.read(f"Call mum at {hedge} noon", now=NOW).instructions[0].requirements
+    assert requirement.fuzziness == (hedge,)
+
+
+@pytest.mark.parametrize("name", ["pre", "prior to", "circa", "gone"])
+def test_a_preposition_of_ones_own_wins_over_the_one_that_it_stands_for(name: str) -> None:
+    language = with_words(Language.shipped(), [], prepositions={name: Constraint.AT})
+    (requirement,) = language.read(f"Call mum {name} noon", now=NOW).instructions[0].requirements
+    assert (requirement.preposition, requirement.constraint) == (name, Constraint.AT)
 
 
 def test_every_word_of_the_shipped_tables_is_one_that_the_language_understands() -> None:

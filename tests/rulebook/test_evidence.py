@@ -95,12 +95,12 @@ def test_a_rule_says_that_its_last_reading_is_too_old(tmp_path: Path) -> None:
         (
             "(work is busy and work is not busy) or (work is not busy and work is busy)",
             read("queue", (0, 9)),
-            "never: queue stays at 9 tasks",
+            "not yet: queue is at 9 tasks",
         ),
         (
             "oven is hot and oven is not hot",
             read("heat", (-60, 300), (0, 300)),
-            "never: heat stays at 300 °C",
+            "not yet: heat is at 300 °C",
         ),
     ],
 )

@@ -277,7 +277,8 @@ def test_a_running_machine_is_not_guessed_to_stop() -> None:
     times = np.arange(-600.0, 1, 10)
     running = readings("washer_power", times, np.full(times.size, 500.0), noise=0)
     resolution = resolved(when("when the laundry is done", "laundry", "done"), running)
-    assert resolution.reason == "never: washer_power stays at 500 W"
+    assert resolution.reason == "not yet: washer_power is at 500 W"
+    assert resolution.untold
 
 
 def test_a_full_house_is_given_more_room() -> None:

@@ -192,9 +192,9 @@ def test_a_start_that_comes_while_one_types_is_announced_with_the_next_turn() ->
 
 
 def test_a_rejected_skill_has_no_time_and_its_reason_is_said_once() -> None:
-    talk = talk_of(":ctx washer_power=400")
-    answer = talk.say("Hang up the laundry when the washing machine is done")
-    assert answer.count("never: washer_power stays at 400 W") == 1
+    talk = talk_of(":ctx pan_temp=100")
+    answer = talk.say("Hang up the laundry when the pan is above 300 degrees")
+    assert answer.count("never: pan_temp settles at 230 °C") == 1
     (row,) = [line for line in answer.split("\n") if "hang up the laundry" in line and " 0.00 " in line]
     assert row.split()[:3] == ["s1", "–", "–"]
     assert [line for line in answer.split("\n") if line.startswith("s1") and "█" in line] == []

@@ -7,7 +7,7 @@ import numpy as np
 from fuzzytime.context.forecast import Forecast
 from fuzzytime.context.signals import Approach, Hold, Signal
 from fuzzytime.context.units import symbol
-from fuzzytime.rulebook.logic.formula import And, Formula, Is, Not, nodes
+from fuzzytime.rulebook.logic.formula import And, Formula, Is, Not, Or, nodes
 from fuzzytime.rulebook.over_time.truth import Traced, Truth
 from fuzzytime.rulebook.over_time.world import World
 from fuzzytime.rulebook.resolving.evidence import signals_of, span_of, too_old
@@ -34,16 +34,20 @@ def why_never(
     if float(traced.truth.high[known].max()) >= never_below:
         spans = span_of(signals_of(formula, world.tables), world)
         return f"cannot be told whether {formula}: {spans}", True
-    described = [
-        _end_of(world.tables.variables[node.variable], world, horizon)
+    apart = [
+        world.tables.variables[node.variable]
         for node in nodes(formula)
         if isinstance(node, Is) and _stays_apart(node, formula, traced.parts[node], known, never_below)
     ]
-    if not described and isinstance(formula, And):
+    if not apart and isinstance(formula, And):
         return "never: its parts do not hold at the same time", False
-    if not described:
+    if not apart:
         return f"never: it does not come true that {formula}", False
-    return "never: " + ", ".join(dict.fromkeys(described)), False
+    described = ", ".join(dict.fromkeys(_end_of(variable, world, horizon) for variable in apart))
+    ends = [_has_end(variable, world, horizon) for variable in apart]
+    # Who holds a reading only does so until somebody reads another.
+    untold = not all(ends) if isinstance(formula, Or) else not any(ends)
+    return (f"not yet: {described}" if untold else f"never: {described}"), untold
 
 
 def _known(formula: Formula, world: World, traced: Traced) -> Mask:
@@ -91,20 +95,42 @@ def _end_of(variable: Variable, world: World, horizon: float) -> str:
     return f"{variable.signal} {outlook(series.signal, series.forecast, min(horizon, series.known_until))}"
 
 
+def _has_end(variable: Variable, world: World, horizon: float) -> bool:
+    """Tell whether it is known where what a variable looks at leads: a time since an event, a level."""
+    if variable.source is Source.SINCE:
+        return True
+    series = world.series[variable.signal]
+    until = min(horizon, series.known_until)
+    return series.forecast is not None and _settles(series.signal, series.forecast, until)
+
+
 def outlook(signal: Signal, forecast: Forecast, until: float = math.inf) -> str:
     """Say where a signal ends up, as expected, within ``until`` seconds from now: "settles at 150 °C"."""
+    start, end, last = _way(forecast, until)
+    if _settles(signal, forecast, until):
+        return f"settles at {with_unit(forecast.level, signal.unit)}"
+    shown = with_unit(end, signal.unit)
+    if isinstance(signal.course, Hold) or start == end:
+        return f"is at {shown}"
+    return f"is at {shown} after {format_duration(last)}, as far as it is forecast"
+
+
+def _settles(signal: Signal, forecast: Forecast, until: float) -> bool:
+    """Tell whether a signal is forecast to where it leads: one that is held or drawn on may go anywhere."""
+    start, end, _ = _way(forecast, until)
+    if not isinstance(signal.course, Approach) or start == end:
+        return False
+    level = forecast.level
+    return abs(end - level) <= _LITTLE * max(abs(start - level), abs(level))
+
+
+def _way(forecast: Forecast, until: float) -> tuple[float, float, float]:
+    """Give the expected value now, the last one within ``until`` seconds, and when that is."""
     last = min(until, forecast.until)
     if not math.isfinite(last):
         last = max(forecast.settled(), 0.0)
     start, end = forecast.quantiles(np.array([forecast.start, last]), (0.5,))[0]
-    shown = with_unit(float(end), signal.unit)
-    if isinstance(signal.course, Hold) or start == end:
-        return f"stays at {shown}"
-    if isinstance(signal.course, Approach):
-        level = forecast.level
-        if abs(end - level) <= _LITTLE * max(abs(start - level), abs(level)):
-            return f"settles at {with_unit(level, signal.unit)}"
-    return f"is at {shown} after {format_duration(last)}, as far as it is forecast"
+    return float(start), float(end), last
 
 
 def with_unit(value: float, unit: str | None) -> str:

@@ -14,16 +14,13 @@ from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_from_the_past
 from fuzzytime.language.grammar.judging.no_times import NoTime
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.measuring import Measures
+from fuzzytime.language.grammar.surroundings.measuring import SIGNS, Measures
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.understood.due import tells_when_due
 from fuzzytime.language.grammar.understood.lent import counts_one
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import is_day_of_month
 from fuzzytime.language.meaning.expressions import Wall
-
-SIGNS = frozenset({">", "<"})
-"""Marks that bind a time behind them, and compare numbers."""
 
 LONGEST_WISH = 4
 """Words of a hedge such as "if at all possible"."""

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
 from fuzzytime.requirement import Constraint, Unit
@@ -25,6 +25,9 @@ NEARLY = frozenset({"around", "about"})
 
 NEAR = 8
 """Words before a number that decide whether it is an amount."""
+
+SIGNS = frozenset({">", "<"})
+"""Marks that compare numbers, and bind a time behind them."""
 
 COLON = ":"
 
@@ -66,10 +69,18 @@ class Measures:
         return self.texts[piece.end - 1] in self.beside.telling_hours and not raised
 
     def _says_how_much(self, piece: Piece) -> bool:
-        """Whether a clause says that something is a number: "when the queue is longer than 4"."""
-        *before, subject, verb = ("", "", *self.texts[max(0, piece.start - NEAR) : piece.start])
-        clause = any((text,) in self.lexicon.clauses for text in before)
-        return clause and verb in self.closed.stative_verbs and subject not in self.beside.clock_subjects
+        """Whether a clause says that a thing is a number: "when the queue is over 4", "if load > 4"."""
+        place = piece.start - (self.texts[piece.start] not in SIGNS)
+        verb, subject = self.texts[place], self.texts[place - 1] if place > 0 else ""
+        return (
+            (verb in SIGNS or verb in self.closed.stative_verbs)
+            and subject[-1:].isalnum()
+            and subject not in self.beside.clock_subjects
+            and any(
+                longest_match(self.words, start, self.lexicon.clauses)
+                for start in range(max(0, piece.start - NEAR), place - 1)
+            )
+        )
 
     def _switches(self, piece: Piece) -> bool:
         """Whether something is turned on or off, which is no amount: "turn off the lights around six"."""
