@@ -191,7 +191,8 @@ def _clocks(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -
             continue
         *behind, _ = (*around.texts[place + 1 : place + 2], "")
         ends = all(not text.isalnum() or text in around.lexicon.function_words for text in behind)
-        if ends and around.texts[place - 1].isalpha():
+        named = around.texts[place - 1]
+        if ends and named.isalpha() and named not in around.lexicon.numbers:
             yield from (place - 1, place)
 
 
