@@ -26,6 +26,7 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
     leading_labels,
     leading_tags,
     remarks_of_tags,
+    without_bullets,
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.lists.runs import run_apart
@@ -136,14 +137,15 @@ def drafted(
 ) -> list[Draft]:
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
     sources, steps, asides, several, messages, tags, listed = [], [], [], [], [], [], []
-    timed = how_timed([text for text, _ in texts], lexicon) if together else Timed.NO
-    for text, now in texts:
+    entries = [without_bullets(text) for text, _ in texts]
+    timed = how_timed(entries, lexicon) if together else Timed.NO
+    for entry, (text, now) in zip(entries, texts, strict=True):
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         tags.append(leading_tags(text))
-        own = max(timed, how_timed([text], lexicon))
+        own = max(timed, how_timed([entry], lexicon))
         listed.append(own)
-        plain = blanked(without_marks(text, marks), tags[-1])
+        plain = blanked(without_marks(entry, marks), tags[-1])
         plain = without_colons(plain, lexicon, own) if own else plain
         plain = blanked(plain, leading_labels(plain, lexicon))
         hours = hours_in(plain, lexicon, own)

@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
 from fuzzytime.language.meaning.phrases import is_window
-from fuzzytime.language.sentence.trees.tags import SINGULAR, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.places import Places
 from fuzzytime.requirement import Constraint
@@ -30,7 +30,7 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
         return True
     if not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
         return False
-    if root == 0 and len(tree.nodes) > 1 and _leads_particle(tree, lexicon):
+    if len(tree.nodes) > 1 and _leads_particle(tree, lexicon):
         # "Sign in the visitors between nine and ten"
         return False
     if root and tree.nodes[0].lower in lexicon.appointing:
@@ -87,7 +87,9 @@ def _is_person(node: Node, lexicon: Lexicon) -> bool:
 
 
 def _leads_particle(tree: Tree, lexicon: Lexicon) -> bool:
-    """Whether the first word is a verb by the word behind it."""
+    """Whether the first word is a verb by the word behind it, as is one that is no noun with a thing."""
+    if tree.root and (len(tree.nodes) < 3 or tree.nodes[2].tag not in DETERMINERS):
+        return False
     return tree.nodes[0].may_act and tree.nodes[0].lower in lexicon.particles.get(tree.nodes[1].lower, ())
 
 
