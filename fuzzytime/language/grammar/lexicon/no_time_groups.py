@@ -55,4 +55,5 @@ class NoTimes:
     together: Words
     looking: Words
     handing: Words
+    working: Words
     given_names: Words

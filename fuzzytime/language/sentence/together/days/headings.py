@@ -6,10 +6,12 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.days.relations import Relative
+from fuzzytime.language.meaning.expressions import Phrase, Said, TimeWord, Wall
+from fuzzytime.language.meaning.grounded.chosen_clocks import EVENING
 from fuzzytime.language.meaning.joined.told_apart import told_apart
 from fuzzytime.language.meaning.phrases import places_in
-from fuzzytime.language.sentence.segments.drafts import Draft, Heading
+from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
 from fuzzytime.language.sentence.together.days.titles import (
     LONGEST,
@@ -21,6 +23,9 @@ from fuzzytime.language.sentence.together.days.titles import (
     names_day,
     title_of,
 )
+
+TOMORROW = Relative(1)
+NEXT_DAY = "tomorrow"
 
 MARK = ":"
 """What ends a heading."""
@@ -52,6 +57,28 @@ def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
             continue
         found.append(replace(draft, heading=heading, leads=named is not None and _holds(headings, place)))
     return found
+
+
+def on_next_day(drafts: Sequence[Draft]) -> list[Draft]:
+    """Give what was written in the evening as if "tomorrow:" stood above; none where it names its day."""
+    now = drafts[0].now if drafts else None
+    named = any(draft.heading is not None and draft.heading.phrases for draft in drafts)
+    if now is None or now.time() < EVENING or named or any(draft.now != now for draft in drafts):
+        return []
+    day = Phrase(Said(Wall(TOMORROW)), 0, 0, (0, 0), HEADED, above=NEXT_DAY)
+    timed = next((place for place, draft in enumerate(drafts) if draft.phrases), 0)
+    message = (
+        f"{NEXT_DAY} is taken as the day of this and the other lines: say 'tonight:' above them if it is not"
+    )
+    remark = Remark(RemarkKind.POLICY, (0, len(drafts[timed].text)), message)
+    return [
+        replace(
+            draft,
+            heading=Heading(NEXT_DAY, draft.text, draft.scanned, (day,)),
+            remarks=(*draft.remarks, *([remark] if place == timed else [])),
+        )
+        for place, draft in enumerate(drafts)
+    ]
 
 
 def _holds(headings: Sequence[Heading | None], place: int) -> bool:
