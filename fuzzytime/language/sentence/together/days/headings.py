@@ -13,6 +13,7 @@ from fuzzytime.language.meaning.joined.told_apart import told_apart
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
+from fuzzytime.language.sentence.together.days.dated_lines import heads_lines, with_dates
 from fuzzytime.language.sentence.together.days.titles import (
     LONGEST,
     begins_order,
@@ -39,7 +40,11 @@ def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
 
     A part of the day, or a clause, is of the day that a line above it names.
     """
-    headings = [_heading_of(draft, lexicon) for draft in drafts]
+    drafts = with_dates(drafts)
+    headings = [
+        _heading_of(draft, lexicon, heads=heads_lines(drafts, place, lexicon))
+        for place, draft in enumerate(drafts)
+    ]
     if headings and headings[0] is None:
         headings[0] = title_of(drafts, lexicon)
     found: list[Draft] = []
@@ -89,8 +94,10 @@ def _holds(headings: Sequence[Heading | None], place: int) -> bool:
     return below[0] is None or (heading.is_day and not below[0].is_day)
 
 
-def _heading_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
-    """Give what a line names that says a time, and nothing else."""
+def _heading_of(draft: Draft, lexicon: Lexicon, *, heads: bool) -> Heading | None:
+    """Give what a line names that says a time, and nothing else, or that ``heads`` others."""
+    if heads:
+        return Heading(name_of(draft), draft.text, draft.scanned, held(draft, draft.phrases))
     marked = draft.text.rstrip(" *_").endswith(MARK)
     if marked and (called := _called(draft, lexicon)) is not None:
         return Heading(called, draft.text, draft.scanned, addressee=called)

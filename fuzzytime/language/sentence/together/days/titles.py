@@ -58,7 +58,7 @@ def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
     time: "Tech rehearsal".
     """
     first, below = drafts[0], [draft for draft in drafts[1:] if draft.now == drafts[0].now]
-    clocks = [found for draft in below if (found := _clocks_in(draft))]
+    clocks = [found for draft in below if (found := clocks_in(draft))]
     night = _night_of(first, lexicon) if len(clocks) >= FEWEST else None
     if night is not None:
         return Heading(name_of(first), first.text, first.scanned, held(first, [night]))
@@ -113,7 +113,7 @@ def _night_of(first: Draft, lexicon: Lexicon) -> Phrase | None:
 
 def _names_day_of(first: Draft, time: Phrase, below: Sequence[Draft], lexicon: Lexicon) -> bool:
     """Whether lines below have hours, few of them have days, and the first is nothing to do on its day."""
-    hours = sum(bool(_clocks_in(draft)) for draft in below)
+    hours = sum(bool(clocks_in(draft)) for draft in below)
     dated = sum(any(map(names_day, draft.phrases)) for draft in below)
     if FEW_DATED * dated > len(below):
         return False
@@ -228,7 +228,7 @@ def _is_unit(word: str, lexicon: Lexicon) -> bool:
     return any(entry.category == "unit" for entry in lexicon.entries.get(word, ()))
 
 
-def _clocks_in(draft: Draft) -> list[Clock]:
+def clocks_in(draft: Draft) -> list[Clock]:
     """Give the clock times of a line that name no day."""
     times = [phrase.said.time for phrase in draft.phrases]
     ends = [
