@@ -1,6 +1,6 @@
 """Language: from texts to readings, by the grammar for times and the tree for everything around them."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
@@ -9,20 +9,19 @@ from fuzzytime.language.about_wishes import reported
 from fuzzytime.language.finding import check_length, lexicon_with, shipped_grammar, shipped_lexicon
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Reading, Remark, RemarkKind, Span, overlap
+from fuzzytime.language.instruction import Operation, Reading, Remark, RemarkKind
 from fuzzytime.language.lines import with_stops
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
-from fuzzytime.language.sentence.sketches.meaning.clock_times import NOTHING, LastSaid, last_said, night_told
-from fuzzytime.language.sentence.together.days.headings import under_headings
+from fuzzytime.language.sentence.sketches.meaning.clock_times import LastSaid, said_in
+from fuzzytime.language.sentence.together.days.headings import on_next_day, under_headings
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.unseen import without_unseen
-from fuzzytime.requirement import TimeRequirement
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,12 +112,7 @@ class Language:
         """
         texts = list(texts)
         drafts = under_headings(self._drafts(texts, together=True), self.lexicon)
-        readings, given_since, mentions = self._in_turn(drafts, given)
-        if given_since and given_since[-1].back:
-            # Where the first of them may be earlier in the day, and less goes back then, it is.
-            early = self._in_turn(drafts, given, early=True)
-            if early[1][-1].back < given_since[-1].back:
-                readings, given_since, mentions = early
+        readings, given_since, mentions = self._as_meant(drafts, given)
         told = frozenset[str]().union(*(content_words(one.object) for one in mentions.telling()))
         first = len(given)
         for place, draft in enumerate(drafts):
@@ -128,6 +122,21 @@ class Language:
                 readings[place] = composed(draft, self.lexicon, mentions, first, awaits=True, since=since)
             first = behind
         return self._as_typed(readings, texts)
+
+    def _as_meant(
+        self, drafts: Sequence[Draft], given: Sequence[Operation | None]
+    ) -> tuple[list[Reading], list[LastSaid], Mentions]:
+        """Compose drafts so that their lines go through a day, if they may, and not through the night.
+
+        The first of them may be earlier in the day; in the evening, all may be of tomorrow.
+        """
+        found = self._in_turn(drafts, given)
+        for days in (drafts, on_next_day(drafts)):
+            for early in (False, True):
+                if days and found[1][-1].astray and (early or days is not drafts):
+                    other = self._in_turn(days, given, early=early)
+                    found = other if other[1][-1].astray < found[1][-1].astray else found
+        return found
 
     def _in_turn(
         self, drafts: Sequence[Draft], given: Sequence[Operation | None], *, early: bool = False
@@ -145,11 +154,7 @@ class Language:
                 said_before[-1] = nothing
             since = said_before[-1]
             reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
-            said = last_said(_times_in(reading), since)
-            clocks = [last_said([one], NOTHING).clock for one in _first_times(reading)]
-            begun = next((clock for clock in clocks if clock is not None), None)
-            said = replace(said, clock=last_said(_first_times(reading), since).clock, begun=begun)
-            said_before.append(night_told(reading, said.behind(since)))
+            said_before.append(said_in(reading, since))
             for instruction in reading.instructions:
                 mentions.told.add(len(mentions.operations), instruction, reading.now)
                 mentions.add(instruction.operation)
@@ -217,23 +222,6 @@ def _with_report(reading: Reading, lexicon: Lexicon) -> Reading:
     message = f"{reading.text[slice(*instruction.span)].strip()!r} tells what was, and says nothing to do"
     remark = Remark(RemarkKind.NOT_UNDERSTOOD, instruction.span, message)
     return replace(reading, remarks=(*reading.remarks, remark))
-
-
-def _times_in(reading: Reading) -> Iterator[TimeRequirement]:
-    """Give the times of what is asked for or told: what is not understood is no clue to others."""
-    wrong = [one.span for one in reading.remarks if one.kind is RemarkKind.NOT_UNDERSTOOD]
-    for instruction in reading.instructions:
-        if instruction.operation is not None or not any(overlap(instruction.span, span) for span in wrong):
-            yield from instruction.requirements
-
-
-def _first_times(reading: Reading) -> Iterator[TimeRequirement]:
-    """Give the same, but of several times of one thing only the first: there the next line goes on."""
-    seen: set[Span] = set()
-    for one in reading.instructions:
-        again = one.operation is not None and one.operation.span in seen
-        seen |= set() if one.operation is None else {one.operation.span}
-        yield from () if again else (part for part in _times_in(reading) if part in one.requirements)
 
 
 def _waits(reading: Reading, told: frozenset[str]) -> bool:

@@ -5,7 +5,8 @@ from datetime import datetime
 import pytest
 
 from fuzzytime.language import Language, RemarkKind
-from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.requirement import Constraint, TimeRequirement, Unit
+from fuzzytime.times import instant_after
 
 pytestmark = pytest.mark.model
 
@@ -191,3 +192,23 @@ def test_a_title_gives_its_day_beside_what_it_names(line: str) -> None:
 def test_the_short_name_of_a_day_in_a_title_is_that_day(line: str) -> None:
     *_, mow = _times(line, "van at 10", "tea at 11", "out at 12", "mow the lawn")
     assert [part.earliest for part in mow] == [3 * DAY - 9 * 3600]
+
+
+@pytest.mark.parametrize("first", ["Fri 6 - Lisbon", "Fri 6:", "Fri 6", "Fri - Lisbon"])
+@pytest.mark.parametrize("second", ["Sat 7 - show day", "Sat - show day", "Sat 7"])
+def test_a_line_with_a_day_and_its_date_heads_the_hours_below(first: str, second: str) -> None:
+    lines = _times(first, "van at 9", "tea at 11", second, "train at 8", "lunch at 12.30", "wash the van")
+    begins = [instant_after(NOW, part.earliest or 0) for (part,) in lines]
+    assert [f"{begin:%d %H:%M}" for begin in begins] == [
+        "06 09:00",
+        "06 11:00",
+        "07 08:00",
+        "07 12:30",
+        "07 00:00",
+    ]
+
+
+@pytest.mark.parametrize("line", ["Fri 9 - dentist", "Fri 6 - dentist", "Fri 6 dentist"])
+def test_a_number_behind_a_day_is_its_hour_where_no_hours_are_below(line: str) -> None:
+    (time,), *_ = _times(line, "buy milk", "tea at 11")
+    assert time.grain is Unit.HOUR

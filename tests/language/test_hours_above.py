@@ -104,3 +104,30 @@ def test_the_end_of_the_day_is_that_of_the_hours_above() -> None:
 def test_hours_that_name_a_day_are_not_of_the_day_above() -> None:
     *_, (mow,) = _below("Thursday:", "call Ann", "Friday 9-12:", "mow the lawn")
     assert _at(mow.earliest) == "06 09:00"
+
+
+@pytest.mark.parametrize(
+    "title",
+    [
+        "Night shift Friday",
+        "Nights Fri",
+        "Nights Fri - Ward 7",
+        "Night shift Friday, on 10pm off 6am",
+    ],
+)
+def test_a_title_names_the_night_of_those_who_work_in_it(title: str) -> None:
+    lines = ("handover 10", "first break 12.30", "walk the corridors at 2.15 and 4", "tea 5.45")
+    times = [_at(part.earliest) for requirements in _below(title, *lines) for part in requirements]
+    assert times == ["06 22:00", "07 00:30", "07 02:15", "07 04:00", "07 05:45"]
+
+
+@pytest.mark.parametrize("title", ["Night shift", "Night staff, Rosewood", "Nights - ward 4"])
+def test_a_shift_at_night_without_a_day_is_tonight(title: str) -> None:
+    lines = ("handover 10", "first break 12.30", "stock count 3.15", "tea 5.45")
+    times = [_at(part.earliest) for requirements in _below(title, *lines) for part in requirements]
+    assert times == ["04 22:00", "05 00:30", "05 03:15", "05 05:45"]
+
+
+def test_the_night_of_an_event_is_no_shift() -> None:
+    times = _below("Quiz night Friday", "set up 5", "doors 6.30", "food 7.15", "home 9.30")
+    assert [_at(part.earliest) for (part,) in times] == ["06 17:00", "06 18:30", "06 19:15", "06 21:30"]

@@ -42,6 +42,30 @@ def test_a_comment_may_stand_behind_an_instruction() -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("row", "line"),
+    [
+        ("| 7.30 | Load in, dock 2 | all |", "7.30 Load in, dock 2 (all)"),
+        ("| by 8.00 | Truck away | |", "by 8.00 Truck away"),
+        ("| Line check | 9.45 - 10 | Ash |", "Line check 9.45 - 10 (Ash)"),
+        ("| 11 | Keynote | 45 min | Hall A |", "11 Keynote (45 min) (Hall A)"),
+        ("10.30\tMeet the guide\tMr Lee", "10.30 Meet the guide (Mr Lee)"),
+        ("9.45 | Line check", "9.45 Line check"),
+    ],
+)
+def test_a_row_of_a_table_is_a_line(row: str, line: str) -> None:
+    assert said(row) == [(1, line)]
+
+
+@pytest.mark.parametrize("line", ["10am vet | 12 lunch | 3pm bank", "vet 10\tlunch 12", "call Ann | Bob"])
+def test_entries_with_marks_between_them_are_no_row(line: str) -> None:
+    assert said(line) == [(1, line)]
+
+
+def test_the_heads_of_a_table_are_nothing_to_do() -> None:
+    assert said("| Time | What |\n|:---|---|\n| 9.45 | Line check |") == [(3, "9.45 Line check")]
+
+
 def test_a_list_that_is_all_done_holds_no_instruction() -> None:
     with pytest.raises(NoInputError, match="comments"):
         said("# today\n- [x] feed the cat\n")

@@ -21,6 +21,15 @@ BOX = re.compile(r"(?:[-*+•]\s+)?(?:\[(?P<tick>[ xX]?)\]|(?P<sign>[☐☑☒�
 
 OPEN = frozenset({None, "", " ", "☐"})
 
+CELLS = re.compile(r"\s*\|\s*|\s*\t\s*")
+"""What stands between the cells of a row of a table."""
+
+RULE = re.compile(r"[|\s]*:?-{2,}[-:|\s]*\|[-:|\s]*")
+"""The row of a table below its heads."""
+
+NUMBER = re.compile(r"\d[\d.:\s–-]*[^\W\d]{,2}")
+"""A cell that is an hour: "9.15 - 10", "8pm"."""
+
 
 def said_in(line: str) -> str:
     """Give what a line asks for, without its box: nothing where it is a comment, or ticked off.
@@ -33,6 +42,24 @@ def said_in(line: str) -> str:
     if words.startswith("#") or (box is not None and not {box["tick"], box["sign"]} <= OPEN):
         return ""
     return words if box is None else words[box.end() :]
+
+
+def without_cells(line: str) -> str:
+    """Give a row of a table as a line: what is done and when; where and by whom in brackets.
+
+    Cells of which none is only a number are entries of a line.
+
+    >>> without_cells("| 9.45 | Line check, 20 min | Ash |")
+    '9.45 Line check, 20 min (Ash)'
+    >>> without_cells("10am vet | 12 lunch")
+    '10am vet | 12 lunch'
+    """
+    cells = [cell for cell in CELLS.split(line.strip()) if cell]
+    numbers = [NUMBER.fullmatch(cell) is not None for cell in cells]
+    if not any(numbers) and not line.lstrip().startswith("|"):
+        return line
+    first = max(1, numbers.index(False) if False in numbers else 0) + 1
+    return " ".join((*cells[:first], *(f"({cell})" for cell in cells[first:])))
 
 
 def is_ticked_off(line: str) -> bool:
@@ -56,9 +83,10 @@ def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
     """
     wishes: list[SpokenWish] = []
     mistakes: list[Mistake] = []
-    for number, line in enumerate(source.text.split("\n"), 1):
-        words = said_in(REMARK.sub("", line))
-        if not words:
+    lines = source.text.split("\n")
+    for number, (line, below) in enumerate(zip(lines, [*lines[1:], ""], strict=True), 1):
+        words = said_in(without_cells(REMARK.sub("", line)))
+        if not words or RULE.fullmatch(line) or ("|" in line and RULE.fullmatch(below)):
             continue
         if len(wishes) == MAX_INSTRUCTIONS:
             rule = (

@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Duration, Edge, Goal, Said, Wall
-from fuzzytime.language.meaning.times_of_day import Half, Part
+from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -63,6 +63,13 @@ def beside_meals(preposition: Preposition, meals: Meals) -> Said | None:
     if preposition.name not in {"before", "after"}:
         return None
     return _at_each(meals, Said(Wall(), preposition.constraint, preposition.name, edge=preposition.edge))
+
+
+@grammar.rule("said", "<preposition_before> the? <meal> at|@ <clock>", weight=1.2)
+def before_meal_at(preposition: Preposition, meal: Part, clock: Clock) -> Said | None:
+    """Before lunch at one, until tea at five: when it is."""
+    time = Wall(part=meal, clock=clock)
+    return None if meal.place else Said(time, preposition.constraint, preposition.name, edge=preposition.edge)
 
 
 @grammar.rule(

@@ -56,4 +56,5 @@ class NoTimes:
     together: Words
     looking: Words
     handing: Words
+    working: Words
     given_names: Words

@@ -195,6 +195,7 @@ class BesideTimes:
     twice: Words
     beside_twice: Words
     thereafter: Words
+    shifts: Words
     behind_gaps: Words
     saying: Words
     stating: Words

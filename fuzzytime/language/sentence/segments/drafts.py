@@ -26,6 +26,7 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
     leading_labels,
     leading_tags,
     remarks_of_tags,
+    without_bullets,
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.lists.runs import run_apart
@@ -135,8 +136,9 @@ def drafted(
     together: bool,
 ) -> list[Draft]:
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
-    timed = how_timed([text for text, _ in texts], lexicon) if together else Timed.NO
-    drafts = [_without_parts(text, now, timed, grammar, lexicon) for text, now in texts]
+    entries = [(text, without_bullets(text), now) for text, now in texts]
+    timed = how_timed([entry for _, entry, _ in entries], lexicon) if together else Timed.NO
+    drafts = [_without_parts(text, entry, now, timed, grammar, lexicon) for text, entry, now in entries]
     sources = [_source_of(draft, lexicon) for draft in drafts]
     return [
         replace(
@@ -161,12 +163,15 @@ def _source_of(draft: Draft, lexicon: Lexicon) -> Source:
 
 
 def _without_parts(
-    text: str, now: datetime | None, timed: Timed, grammar: Grammar, lexicon: Lexicon
+    text: str, entry: str, now: datetime | None, timed: Timed, grammar: Grammar, lexicon: Lexicon
 ) -> Draft:
-    """Draft a text up to its parts, which need trees; its remarks are what is corrected in it."""
+    """Draft a text, which is an ``entry`` without its bullet, up to its parts, which need trees.
+
+    Its remarks are what is corrected in it.
+    """
     marks, tags = list_marks(text, lexicon), leading_tags(text)
-    timed = max(timed, how_timed([text], lexicon))
-    plain = blanked(without_marks(text, marks), tags)
+    timed = max(timed, how_timed([entry], lexicon))
+    plain = blanked(without_marks(entry, marks), tags)
     plain = without_colons(plain, lexicon, timed) if timed else plain
     plain = blanked(plain, leading_labels(plain, lexicon))
     hours, listed = hours_in(plain, lexicon, timed), timed >= Timed.MOST

@@ -119,29 +119,6 @@ def _names_nothing(tree: Tree) -> bool:
     return named and (led or (first.relation == "compound" and tree.root == 1 and second.tag == "VBZ"))
 
 
-def leads_to_order(tree: Tree, behind_time: int, lexicon: Lexicon) -> bool:
-    """Whether a bare verb with an object stands behind a time: "tomorrow at nine call the insurance".
-
-    ``behind_time`` is where the words behind a time in front begin, 0 where there is none.
-    """
-    first = next(iter(tree.at(behind_time, behind_time + 1)), None) if behind_time else None
-    if first is None or first + 1 >= len(tree.nodes):
-        return False
-    node, behind = tree.nodes[first], tree.nodes[first + 1]
-    owning = behind.tag in DETERMINERS and node.may_act
-    called = node.lower in lexicon.addressing and _is_called(tree, first + 1, lexicon)
-    # "After lunch wash up, mop the floor"
-    carried = first != tree.root and node.lower in lexicon.particles.get(behind.lower, ())
-    # "After dinner clear the table": no adjective stands before an article; "before dinner set the table".
-    past = node.tag in {"VBD", "VBN"} and first != tree.root
-    named = node.tag.startswith("NN") or (owning and node.tag.startswith(("JJ", "RB")))
-    named = named or (past and (owning or carried))
-    # "At 23:00 drain rack 14": what has a number is a thing.
-    number = tree.nodes[first + 2 : first + 3]
-    counted = node.may_act and behind.lower in lexicon.machines and any(n.tag == "CD" for n in number)
-    return named and node.lower == node.lemma and (owning or called or carried or counted)
-
-
 def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a noun may be somebody: not "interview" in "phone interview at two"."""
     node = tree.nodes[place]

@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.expressions import Duration, Phrase
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.segments.leading_markers import Marker, marker_at
@@ -18,7 +18,6 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
     begins_order,
     is_done_alone,
     is_numbered,
-    leads_to_order,
 )
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
@@ -35,6 +34,9 @@ AT = "at"
 
 STATED = frozenset({"when", "if", "while"})
 """Kinds of clauses that say what must be so."""
+
+SEVERAL = 2
+"""Words behind a time in front that are parsed without it, at least."""
 
 LEAST_SAID = 3
 """Words of "and nobody calls"."""
@@ -194,6 +196,18 @@ class Waiting:
             places = [place for place in places if place >= end]
         return 0
 
+    @property
+    def heard_from(self) -> int:
+        """The same, where several words behind it are parsed alone: "7.30 fire walk"."""
+        scanned, start = self.source.scanned, self.main + self.behind_time
+        places = self.source.places(self.main, self.segment.span[1])
+        leading = next((phrase for phrase in self.source.phrases if phrase.first in places[:1]), None)
+        if leading is None or isinstance(leading.said.time, Duration) or self.segment.borrowed:
+            return 0
+        behind = [scanned.words[place] for place in places if scanned.words[place].start >= start]
+        joint = scanned.lexicon.function_words - scanned.lexicon.closed.noun_openers
+        return 0 if len(behind) < SEVERAL or behind[0].text in joint else self.behind_time
+
     def timed(self, tree: Tree) -> frozenset[int]:
         """Give the words of its tree that are about time."""
         spans = (phrase.span for phrase in self.source.phrases)
@@ -204,17 +218,11 @@ class Waiting:
         first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
         if first is None or first == tree.root:
             return False
-        if leads_to_order(tree, self.behind_time, lexicon):
-            return True
         node = tree.nodes[first]
         if not node.may_act or node.lower != node.lemma:
             return False
         if is_done_alone(tree, first, lexicon):
             return True
-        if self.behind_time:
-            # "On Tuesday hand in the forms and at eleven pick up the keys": a noun, and an order behind it.
-            joined = any(tree.nodes[place].lower == "and" for place in range(first, tree.root))
-            return node.tag in {"VB", "VBP"} or (joined and tree.nodes[tree.root].tag == "VB")
         if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in {"it", "them"}:
             # "Pat it dry"
             return True
@@ -225,7 +233,7 @@ class Waiting:
             # "Print the boarding passes tonight"
             return True
         # "Fetch crate 4, bring it here": the first order is taken for who does the second.
-        subjects = tree.children(tree.root, *SUBJECTS)
+        subjects = tree.children(tree.root, *SUBJECTS, *(() if tree.nodes[tree.root].may_act else ("advcl",)))
         taken = any(first in tree.below(place) for place in subjects)
         return taken and tree.root > 0 and tree.nodes[tree.root - 1].lower in {",", "and", ";"}
 
@@ -233,14 +241,8 @@ class Waiting:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
         if not tree.nodes:
             return False
-        # "Tomorrow at 8:15 pm call mum": what is about time does not happen.
-        led_astray = self.behind_time > 0 and tree.root in self.timed(tree)
-        if self._phrases and not led_astray and happens(tree, self._phrases, lexicon):
-            return (
-                may_be_ordered(tree)
-                or begins_order(tree, lexicon)
-                or leads_to_order(tree, self.behind_time, lexicon)
-            )
+        if self._phrases and happens(tree, self._phrases, lexicon):
+            return may_be_ordered(tree) or begins_order(tree, lexicon)
         if leaves(tree, tree.root, lexicon.travelling):
             return False
         if is_doubtful(tree) or is_numbered(tree, lexicon):

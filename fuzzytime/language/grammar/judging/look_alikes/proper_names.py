@@ -101,12 +101,17 @@ def is_event_of_weekday(piece: Piece, around: Surroundings) -> bool:
 def is_whom(place: int, around: Surroundings) -> bool:
     """Whether a preposition at a place, and a name behind it, say who gets or hears something.
 
-    "Give the keys to April", "dine with Dawn", "look after June"; but "push it back to April".
+    "Give the keys to April", "dine with Dawn", "look after June", "handover to days"; but "push it back to
+    April".
     """
     texts, kinds = around.texts, around.lexicon.no_times
-    if place + 1 >= len(texts) or not _is_given_name(place + 1, around):
+    if place < 0 or place + 1 >= len(texts):
         return False
     joint, before = texts[place], texts[place - 1] if place else ""
+    if texts[place + 1] in kinds.working:
+        return joint in {"to", "from"} and not kinds.handing.isdisjoint(texts[:place])
+    if not _is_given_name(place + 1, around):
+        return False
     if (
         joint in kinds.together
         or (before, joint) == NEXT_TO

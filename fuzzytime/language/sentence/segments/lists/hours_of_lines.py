@@ -25,6 +25,9 @@ TYPED = 3
 MOST = 3
 """Lines with a time, at least, and the part of all lines that makes most of them timed: a third."""
 
+FEWEST = 5
+"""Of so many lines, one at least has such a time where others end in numbers that may be hours."""
+
 FIVES = 5
 """Minutes by which people plan; prices have others, but so have trains and sunsets, one of four at most."""
 
@@ -34,10 +37,10 @@ FEW_ODD = 4
 DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 """A number with two digits behind its point."""
 
-LEADING = re.compile(r"\s*(?:2[0-3]|[01]?\d)(\.)[0-5]\d(?=\s+[^\W\d])")
+LEADING = re.compile(r"\s*(?:2[0-3]|[01]?\d)(\.)[0-5]\d(?=\s+(?:[-–—]\s+)?[^\W\d])")
 """An hour and its minutes in front of a line."""
 
-ALONE = re.compile(r"\s*(?P<hour>1[0-2]|[1-9])\s+(?=[^\W\d])")
+ALONE = re.compile(r"\s*(?P<hour>1[0-2]|[1-9])\s+(?P<dash>[-–—]\s+)?(?=[^\W\d])")
 """A number alone in front of a line."""
 
 BESIDE_HOURS = (
@@ -141,8 +144,14 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     planned = len(decimals) >= TYPED and len(decimals) >= FEW_ODD * odd
     if sum(sure) < SURELY and not (planned and sum(typed) >= TYPED):
         return Timed.NO
-    timed = sum(one or other for one, other in zip(sure, typed, strict=True))
-    if timed < MOST or MOST * timed < len(lines):
+    surest = [one or other for one, other in zip(sure, typed, strict=True)]
+    timed = sum(surest)
+    perhaps = (
+        ALONE.match(line) or any(found["ends"] is not None for found in halves.finditer(line))
+        for line in lines
+    )
+    most = sum(one or bool(other) for one, other in zip(surest, perhaps, strict=True))
+    if timed < MOST or FEWEST * timed < len(lines) or MOST * most < len(lines):
         return Timed.SOME
     leading = sum(surely.match(line.strip()) is not None or LEADING.match(line) is not None for line in lines)
     return Timed.LEAD if leading >= MOST and 2 * leading >= timed else Timed.MOST
@@ -223,8 +232,13 @@ def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         found = LEADING.match(line[0])
         if found is not None and not _is_amount(words_of(line[0][found.end() :])[:1], lexicon):
             yield line.start() + found.start(1)
-        alone = ALONE.match(line[0]) if timed is Timed.LEAD else None
-        if alone is not None and counts_nothing(words_of(line[0][alone.end() :]), 0, lexicon):
+        alone = ALONE.match(line[0]) if timed >= Timed.MOST else None
+        behind = [] if alone is None else words_of(line[0][alone.end() :])
+        if alone is None or not counts_nothing(behind, 0, lexicon):
+            continue
+        # "11 - coffee", "12 lunch", "7 up"
+        sure = alone["dash"] or has_time(behind[0].text, lexicon) or behind[0].text in lexicon.beside.states
+        if timed is Timed.LEAD or sure:
             yield line.start() + alone.start("hour") - 1
 
 
@@ -239,7 +253,7 @@ def _may_end(found: re.Match[str], behind: Sequence[Word], lexicon: Lexicon, tim
 
 def _is_amount(behind: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether a number counts what is behind it: "add 1.50 litres"."""
-    measured = lexicon.measure_nouns | lexicon.no_times.measured_in
+    measured = lexicon.no_times.measured_in
     return any(word.text in measured or lexicon.means(word.text, "unit") for word in behind)
 
 
@@ -269,7 +283,9 @@ def _is_thing(word: Word, lexicon: Lexicon) -> bool:
     named = known or word.text not in numbered
     # "Mum arriving 6.40"
     joint = word.text in lexicon.function_words - lexicon.beside.dated
-    return named and not joint and not lexicon.means(word.text, *BESIDE_HOURS)
+    # "Handover to nights 7.45"
+    timed = lexicon.means(word.text, *BESIDE_HOURS) and word.text not in kinds.working
+    return named and not joint and not timed
 
 
 def _is_timed(word: Word, lexicon: Lexicon, timed: Timed) -> bool:

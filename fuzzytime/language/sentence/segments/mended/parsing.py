@@ -31,19 +31,19 @@ from fuzzytime.language.sentence.verbs.statements.called import (
 from fuzzytime.language.sentence.verbs.statements.statement_trees import as_statement
 from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import with_named_deed
 
-CARRIERS = ("", "please ", "you should ")
+CARRIERS = ("please ", "you should ")
 """Words that make a parser see the verb behind them, tried in this order."""
 
 
 def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
-    """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
+    """Parse segments without a time in front; one whose tree is doubtful again behind other words."""
     texts = [_heard(one) for one in waiting]
-    found = uncapitalised(texts, trees)
+    found = uncapitalised(texts, trees, [one.heard_from for one in waiting])
     astray = [p for p, one in enumerate(waiting) if one.segment.borrowed and is_doubtful(found[p])]
-    carried = trees([CARRIERS[1] + texts[place] for place in astray])
+    carried = trees([CARRIERS[0] + texts[place] for place in astray])
     for place, tree in zip(astray, carried, strict=True):
         # "Text Leo at five and | text Jen at six"
-        found[place] = tree.without_carrier(CARRIERS[1], texts[place], 0)
+        found[place] = tree.without_carrier(CARRIERS[0], texts[place], 0)
     found = [as_done(_in_place(one, tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
     own = {place for place, one in enumerate(waiting) if not one.segment.borrowed}
     led_astray = [p for p, tree in enumerate(found) if p in own and tree.root in waiting[p].timed(tree)]
@@ -56,9 +56,7 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list
         again = [
             (place, waiting[place].behind_time)
             for place, tree in enumerate(found)
-            if place in own
-            and waiting[place].doubts(tree, lexicon)
-            and (carrier or waiting[place].behind_time)
+            if place in own and waiting[place].doubts(tree, lexicon)
         ]
         carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
         for (place, skipped), tree in zip(again, carried, strict=True):
@@ -85,7 +83,8 @@ def _mended(one: Waiting, tree: Tree, lexicon: Lexicon) -> Tree:
     tree = with_event_names(with_object_of_aim(tree, timed), timed)
     tree = with_event(with_clause(with_reminded(tree, lexicon), lexicon), lexicon)
     tree = with_called(with_worker(with_needed_deed(tree, timed, lexicon), lexicon), timed, lexicon)
-    return as_statement(with_named_deed(tree, timed, lexicon), timed, lexicon.travelling)
+    tree = with_named_deed(tree, timed, lexicon) if timed or one.heard_from else tree
+    return as_statement(tree, timed, lexicon.travelling)
 
 
 def _may_be_done(tree: Tree, lexicon: Lexicon) -> bool:
@@ -123,12 +122,17 @@ def _without_root(tree: Tree) -> str:
     return blanked(tree.text, [(node.start, node.end)])
 
 
-def uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:
-    """Parse texts as if they began with a small letter: a capital makes a verb look like a name ("Chop")."""
-    asked = [_lowered(text) if text[1:2].islower() else text for text in texts]
+def uncapitalised(texts: Sequence[str], trees: Trees, skipped: Sequence[int] = ()) -> list[Tree]:
+    """Parse texts as if they began with a small letter: a capital makes a verb look like a name ("Chop").
+
+    So many characters may be ``skipped`` in front of each.
+    """
+    places = skipped or [0] * len(texts)
+    heard = [text[place:] for text, place in zip(texts, places, strict=True)]
+    asked = [_lowered(text) if text[1:2].islower() else text for text in heard]
     return [
-        tree.without_carrier("", text, 0) if text != said else tree
-        for text, said, tree in zip(texts, asked, trees(asked), strict=True)
+        tree.without_carrier("", text, place) if text != said else tree
+        for text, place, said, tree in zip(texts, places, asked, trees(asked), strict=True)
     ]
 
 

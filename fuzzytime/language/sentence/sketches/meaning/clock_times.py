@@ -1,10 +1,10 @@
 """What was said last: a clock time, which one without am or pm hardly precedes, and a day, to count from."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from datetime import timedelta
+from datetime import time, timedelta
 
-from fuzzytime.language.instruction import Reading
+from fuzzytime.language.instruction import Reading, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.grounded.chosen_clocks import CLOSE, EARLY, EVENING, FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.policy import Policy
@@ -26,8 +26,8 @@ class LastSaid:
 
     ``night`` is from when to when something goes on over midnight, as was told; ``begun`` is the first clock
     time of a line, ``forward`` how many of them came later than the one before, on ``lines`` before this, and
-    ``earliest`` and ``latest`` the ends of all. ``early`` says that the first may be as early as people
-    are up.
+    ``earliest`` and ``latest`` the ends of all, ``nightly`` how many are at night. ``early`` says that the
+    first may be as early as people are up.
     """
 
     clock: float | None = None
@@ -38,6 +38,7 @@ class LastSaid:
     lines: int = 0
     earliest: float | None = None
     latest: float | None = None
+    nightly: int = 0
     early: bool = False
 
     @property
@@ -53,9 +54,9 @@ class LastSaid:
         return self.latest if 0 < self.latest - self.clock < A_DAY / 2 else self.clock
 
     @property
-    def back(self) -> int:
-        """How many lines begin earlier than the one before."""
-        return self.lines - self.forward
+    def astray(self) -> int:
+        """How many lines begin earlier than the one before, or at night."""
+        return self.lines - self.forward + self.nightly
 
     def policy(self, shipped: Policy) -> Policy:
         """Give the policy for the next line: the first of all may be ``early``."""
@@ -91,6 +92,9 @@ MOSTLY = 2 / 3
 
 SEVERAL = 3
 """Lines with another clock time than the one before, from which on the earliest is where a day begins."""
+
+UP = time(5)
+"""Before it, what lines say is at night."""
 
 NOTHING = LastSaid()
 
@@ -132,3 +136,34 @@ def night_told(reading: Reading, before: LastSaid) -> LastSaid:
         if over.days == 1 and last - first < NIGHT_SECONDS and first <= CLOSE.total_seconds():
             before = replace(before, night=(first, last))
     return before
+
+
+def said_in(reading: Reading, before: LastSaid) -> LastSaid:
+    """Give what was said last behind a reading, by what was said before it."""
+    firsts = list(_first_times(reading))
+    clocks = (last_said([one], NOTHING).clock for one in firsts)
+    begun = next((clock for clock in clocks if clock is not None), None)
+    now = reading.now
+    at_night = now is not None and begun is not None and (now + timedelta(seconds=begun)).time() < UP
+    said = last_said(_times_in(reading), before)
+    said = replace(
+        said, clock=last_said(firsts, before).clock, begun=begun, nightly=before.nightly + at_night
+    )
+    return night_told(reading, said.behind(before))
+
+
+def _times_in(reading: Reading) -> Iterator[TimeRequirement]:
+    """Give the times of what is asked for or told: what is not understood is no clue to others."""
+    wrong = [one.span for one in reading.remarks if one.kind is RemarkKind.NOT_UNDERSTOOD]
+    for instruction in reading.instructions:
+        if instruction.operation is not None or not any(overlap(instruction.span, span) for span in wrong):
+            yield from instruction.requirements
+
+
+def _first_times(reading: Reading) -> Iterator[TimeRequirement]:
+    """Give the same, but of several times of one thing only the first: there the next line goes on."""
+    seen: set[Span] = set()
+    for one in reading.instructions:
+        again = one.operation is not None and one.operation.span in seen
+        seen |= set() if one.operation is None else {one.operation.span}
+        yield from () if again else (part for part in _times_in(reading) if part in one.requirements)

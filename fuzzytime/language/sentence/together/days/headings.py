@@ -6,12 +6,15 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import Phrase, TimeWord
+from fuzzytime.language.meaning.days.relations import Relative
+from fuzzytime.language.meaning.expressions import Phrase, Said, TimeWord, Wall
+from fuzzytime.language.meaning.grounded.chosen_clocks import EVENING
 from fuzzytime.language.meaning.joined.told_apart import told_apart
 from fuzzytime.language.meaning.phrases import places_in
-from fuzzytime.language.sentence.segments.drafts import Draft, Heading
+from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
 from fuzzytime.language.sentence.segments.lists.heads import is_meal
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
+from fuzzytime.language.sentence.together.days.dated_lines import heads_lines, with_dates
 from fuzzytime.language.sentence.together.days.titles import (
     LONGEST,
     begins_order,
@@ -22,6 +25,9 @@ from fuzzytime.language.sentence.together.days.titles import (
     names_day,
     title_of,
 )
+
+TOMORROW = Relative(1)
+NEXT_DAY = "tomorrow"
 
 MARK = ":"
 """What ends a heading."""
@@ -35,7 +41,11 @@ def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
 
     A part of the day, or a clause, is of the day that a line above it names.
     """
-    headings = [_heading_of(draft, lexicon) for draft in drafts]
+    drafts = with_dates(drafts)
+    headings = [
+        _heading_of(draft, lexicon, heads=heads_lines(drafts, place, lexicon))
+        for place, draft in enumerate(drafts)
+    ]
     if headings and headings[0] is None:
         headings[0] = title_of(drafts, lexicon)
     found: list[Draft] = []
@@ -55,6 +65,28 @@ def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
     return found
 
 
+def on_next_day(drafts: Sequence[Draft]) -> list[Draft]:
+    """Give what was written in the evening as if "tomorrow:" stood above; none where it names its day."""
+    now = drafts[0].now if drafts else None
+    named = any(draft.heading is not None and draft.heading.phrases for draft in drafts)
+    if now is None or now.time() < EVENING or named or any(draft.now != now for draft in drafts):
+        return []
+    day = Phrase(Said(Wall(TOMORROW)), 0, 0, (0, 0), HEADED, above=NEXT_DAY)
+    timed = next((place for place, draft in enumerate(drafts) if draft.phrases), 0)
+    message = (
+        f"{NEXT_DAY} is taken as the day of this and the other lines: say 'tonight:' above them if it is not"
+    )
+    remark = Remark(RemarkKind.POLICY, (0, len(drafts[timed].text)), message)
+    return [
+        replace(
+            draft,
+            heading=Heading(NEXT_DAY, draft.text, draft.scanned, (day,)),
+            remarks=(*draft.remarks, *([remark] if place == timed else [])),
+        )
+        for place, draft in enumerate(drafts)
+    ]
+
+
 def _holds(headings: Sequence[Heading | None], place: int) -> bool:
     """Whether a heading has lines below it, or one for some of them."""
     heading, below = headings[place], headings[place + 1 : place + 2]
@@ -63,8 +95,10 @@ def _holds(headings: Sequence[Heading | None], place: int) -> bool:
     return below[0] is None or (heading.is_day and not below[0].is_day)
 
 
-def _heading_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
-    """Give what a line names that says a time, and nothing else."""
+def _heading_of(draft: Draft, lexicon: Lexicon, *, heads: bool) -> Heading | None:
+    """Give what a line names that says a time, and nothing else, or that ``heads`` others."""
+    if heads:
+        return Heading(name_of(draft), draft.text, draft.scanned, held(draft, draft.phrases))
     marked = draft.text.rstrip(" *_").endswith(MARK)
     if marked and (called := _called(draft, lexicon)) is not None:
         return Heading(called, draft.text, draft.scanned, addressee=called)

@@ -8,10 +8,11 @@ from itertools import pairwise
 
 from fuzzytime.language.finding import ground_all
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.meaning.expressions import Phrase, Range, Wall, wall_of
+from fuzzytime.language.meaning.days.relations import Relative
+from fuzzytime.language.meaning.expressions import Phrase, Range, Repeat, Said, Wall, wall_of
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.phrases import is_window
-from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
 from fuzzytime.language.sentence.segments.waiting import Part
@@ -33,6 +34,16 @@ FEW_DATED = 4
 LONGEST = 6
 """Words of a title, at most."""
 
+PART = "part"
+SEVERAL = "parts"
+"""What a part of the day means, and several of it."""
+
+FROM_TO = 2
+"""Clock times of a stretch."""
+
+SHIFT = (Clock(19, full_day=True), Clock(9, full_day=True))
+"""From when to when those are at work who work at night, at most; estimated."""
+
 OF = "of"
 
 APART = ",:-–—("
@@ -47,9 +58,12 @@ def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
     time: "Tech rehearsal".
     """
     first, below = drafts[0], [draft for draft in drafts[1:] if draft.now == drafts[0].now]
+    clocks = [found for draft in below if (found := clocks_in(draft))]
+    night = _night_of(first, lexicon) if len(clocks) >= FEWEST else None
+    if night is not None:
+        return Heading(name_of(first), first.text, first.scanned, held(first, [night]))
     if len(below) < FEWEST or len(first.phrases) > 1:
         return None
-    clocks = [found for draft in below if (found := _clocks_in(draft))]
     alone = len(clocks) >= FEWEST and (_only_names(first, lexicon) or _is_numbered(first, lexicon))
     if not first.phrases:
         return Heading(name_of(first), first.text, first.scanned) if alone else None
@@ -66,9 +80,40 @@ def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
     return _heading(first, time, lexicon)
 
 
+def _night_of(first: Draft, lexicon: Lexicon) -> Phrase | None:
+    """Give the hours of the night of which a title names the shift: "Night shift Saturday", "Nights".
+
+    Without a day it is tonight; its hours may be said, too: "on 10pm off 6am".
+    """
+    words, times = first.scanned.words, [phrase.said.time for phrase in first.phrases]
+    worked = {one.text for one, behind in pairwise(words) if behind.text in lexicon.beside.shifts}
+    named = [
+        entry.value
+        for word in words
+        for entry in lexicon.entries.get(word.text, ())
+        if entry.category == SEVERAL or (entry.category == PART and word.text in worked)
+    ]
+    night = any(part.half is Half.NIGHT and part.start for part in named)
+    if not night or begins_order(first, lexicon):
+        return None
+    windows = [phrase for phrase in first.phrases if is_window(phrase)]
+    if windows:
+        # "Night shift 10pm-6am" says no more than its hours.
+        return windows[0] if len(times) > 1 or not worked else None
+    clocked = [time for time in times if isinstance(time, Wall) and time.clock is not None]
+    if len(clocked) == len(times) == FROM_TO:
+        return replace(first.phrases[0], said=Said(Range(*clocked)))
+    day = next(iter(times), Wall(Relative(0)))
+    day = (day.starting or Wall(Relative(0))) if isinstance(day, Repeat) else day
+    if len(times) > 1 or not isinstance(day, Wall) or day.days is None or day.clock is not None:
+        return None
+    hours = Range(Wall(day.days, clock=SHIFT[0]), Wall(clock=SHIFT[1]))
+    return Phrase(Said(hours), 0, 0, (0, len(first.text)), HEADED)
+
+
 def _names_day_of(first: Draft, time: Phrase, below: Sequence[Draft], lexicon: Lexicon) -> bool:
     """Whether lines below have hours, few of them have days, and the first is nothing to do on its day."""
-    hours = sum(bool(_clocks_in(draft)) for draft in below)
+    hours = sum(bool(clocks_in(draft)) for draft in below)
     dated = sum(any(map(names_day, draft.phrases)) for draft in below)
     if FEW_DATED * dated > len(below):
         return False
@@ -95,7 +140,8 @@ def _begins_with(part: Part, asked: AbstractSet[str]) -> bool:
         return False
     owned = any(tree.children(thing, "det", "poss") for thing in tree.children(first, "dobj"))
     root = tree.nodes[tree.root]
-    return tree.nodes[first].lower in asked or root.lower in asked or owned
+    named = tree.nodes[first].relation == "compound"
+    return (tree.nodes[first].lower in asked and not named) or root.lower in asked or owned
 
 
 def _whole_day(time: Phrase) -> Phrase:
@@ -161,7 +207,8 @@ def _only_names(first: Draft, lexicon: Lexicon) -> bool:
     (part,) = first.parts
     sketch, tree = sketch_of(first, part, lexicon), part.tree
     deed = tree.root == len(tree.nodes) - 1 and names_deed(tree, 0, tree.root, lexicon)
-    return sketch.operation is None or deed or _is_unit(said[-1], lexicon)
+    named = sketch.operation is None or not tree.nodes[tree.root].may_act
+    return named or deed or _is_unit(said[-1], lexicon)
 
 
 def _is_numbered(first: Draft, lexicon: Lexicon) -> bool:
@@ -181,7 +228,7 @@ def _is_unit(word: str, lexicon: Lexicon) -> bool:
     return any(entry.category == "unit" for entry in lexicon.entries.get(word, ()))
 
 
-def _clocks_in(draft: Draft) -> list[Clock]:
+def clocks_in(draft: Draft) -> list[Clock]:
     """Give the clock times of a line that name no day."""
     times = [phrase.said.time for phrase in draft.phrases]
     ends = [

@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Repeat
 from fuzzytime.language.meaning.phrases import is_at_clock, is_window
-from fuzzytime.language.sentence.trees.tags import SINGULAR, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.places import Places
 from fuzzytime.requirement import MOMENTS, Constraint
@@ -61,7 +61,7 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
 def _opens_order(tree: Tree, lexicon: Lexicon) -> bool:
     """Whether the first word is what somebody is to do, whatever noun a tree takes it for."""
     first, behind = tree.nodes[0], tree.nodes[1:2]
-    if tree.root == 0 and behind and _leads_particle(tree, lexicon):
+    if behind and _leads_particle(tree, lexicon):
         # "Sign in the visitors between nine and ten"
         return True
     if tree.root and first.lower in lexicon.appointing:
@@ -93,7 +93,9 @@ def _is_person(node: Node, lexicon: Lexicon) -> bool:
 
 
 def _leads_particle(tree: Tree, lexicon: Lexicon) -> bool:
-    """Whether the first word is a verb by the word behind it."""
+    """Whether the first word is a verb by the word behind it, as is one that is no noun with a thing."""
+    if tree.root and (len(tree.nodes) < 3 or tree.nodes[2].tag not in DETERMINERS):
+        return False
     return tree.nodes[0].may_act and tree.nodes[0].lower in lexicon.particles.get(tree.nodes[1].lower, ())
 
 

@@ -29,7 +29,7 @@ def with_named_deed(tree: Tree, timed: Collection[int], lexicon: Lexicon) -> Tre
     """Give the tree of such a name a noun for its root."""
     root = tree.root
     first = _first_word(tree, timed)
-    if tree.nodes[root].tag == "NN" or not timed or not names_deed(tree, first, root, lexicon):
+    if tree.nodes[root].tag == "NN" or not names_deed(tree, first, root, lexicon):
         return tree
     apart = [place for place in range(len(tree.nodes)) if not first <= place <= root]
     alone = all(place in timed or not tree.nodes[place].text[0].isalnum() for place in apart)

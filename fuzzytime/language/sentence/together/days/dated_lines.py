@@ -1,0 +1,74 @@
+"""Lines that begin with a day, above others with the hours of that day: "Fri 6 - Lisbon", "Sat: show day"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import timedelta
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.together.days.titles import (
+    APART,
+    LONGEST,
+    begins_order,
+    clocks_in,
+    is_of_calendar,
+    names_day,
+)
+
+AHEAD = 14
+"""Days within which a number behind a weekday is its date: "Fri 6"."""
+
+BELOW = 2
+"""Lines with hours below one that heads them, at least."""
+
+
+def with_dates(drafts: Sequence[Draft]) -> list[Draft]:
+    """Give drafts in which the number behind a weekday in front is its date, not an hour: "Fri 6 - Lisbon".
+
+    So it is on that date, above lines with the hours of that day, or where another line begins so.
+    """
+    dated = [_dated(draft) for draft in drafts]
+    several = sum(one is not None for one in dated) > 1
+    return [
+        replace(draft, phrases=(date, *draft.phrases[1:]))
+        if date is not None and (several or _has_hours(drafts, place))
+        else draft
+        for place, (draft, date) in enumerate(zip(drafts, dated, strict=True))
+    ]
+
+
+def _dated(draft: Draft) -> Phrase | None:
+    """Give the weekday and date that a line begins with, if its number is not an hour for sure."""
+    first = next((phrase for phrase in draft.phrases if phrase.first == 0), None)
+    time = None if first is None else first.said.time
+    if first is None or not isinstance(time, Wall) or time.clock is None or draft.now is None:
+        return None
+    words, hour = draft.scanned.words, time.clock.hour
+    behind = "".join(word.text for word in words[first.end : first.end + 1])
+    apart = behind == "" or behind in APART
+    if not apart or not isinstance(time.days, Fields) or words[first.end - 1].text != str(hour):
+        return None
+    ahead = (draft.now + timedelta(days=days) for days in range(AHEAD))
+    fits = any((day.weekday(), day.day) == (time.days.weekday, hour) for day in ahead)
+    date = Wall(replace(time.days, day=hour))
+    return replace(first, said=replace(first.said, time=date, clocks=None)) if fits else None
+
+
+def heads_lines(drafts: Sequence[Draft], place: int, lexicon: Lexicon) -> bool:
+    """Whether a line names a day, and what that is about, above two lines with the hours of it."""
+    draft = drafts[place]
+    if len(draft.phrases) != 1 or not (names_day(draft.phrases[0]) and is_of_calendar(draft.phrases[0])):
+        return False
+    (day,), words = draft.phrases, draft.scanned.words
+    behind = words[day.end : day.end + 1]
+    apart = day.first == 0 and all(word.text in APART for word in behind) and len(words) - day.end <= LONGEST
+    return apart and _has_hours(drafts, place) and not begins_order(draft, lexicon)
+
+
+def _has_hours(drafts: Sequence[Draft], place: int) -> bool:
+    """Whether the lines below have hours, and no days of their own."""
+    below = drafts[place + 1 : place + 1 + BELOW]
+    hours = [draft for draft in below if clocks_in(draft) and not any(map(names_day, draft.phrases))]
+    return len(hours) == BELOW

@@ -1,0 +1,84 @@
+"""Lines of a plan that together are a list of times: which numbers are hours, and of which day."""
+
+from datetime import datetime
+
+import pytest
+
+from fuzzytime.language import Language
+from fuzzytime.times import instant_after
+
+pytestmark = pytest.mark.model
+
+NOW = datetime(2026, 3, 4, 7)  # noqa: DTZ001 - a moment of no zone; a Wednesday
+EVENING = NOW.replace(hour=20)
+
+
+def _told(*lines: str) -> list[tuple[str, str]]:
+    """Give what is done, and when it begins."""
+    readings = Language.shipped().read_all([(line, NOW) for line in lines])
+    return [
+        (one.operation.name, f"{instant_after(NOW, part.earliest):%H:%M}")
+        for reading in readings
+        for one in reading.instructions
+        for part in one.requirements
+        if one.operation is not None and part.earliest is not None
+    ]
+
+
+def test_bullets_and_dashes_beside_hours_are_no_words() -> None:
+    lines = ("- 7.30 wake Ann", "- 8 - wash the floor", "- 9.45 - Line check", "- tea 5.30", "- Supper 8")
+    assert _told(*lines) == [
+        ("wake Ann", "07:30"),
+        ("wash the floor", "08:00"),
+        ("line check", "09:45"),
+        ("tea", "17:30"),
+        ("Supper", "20:00"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("line", "wanted"),
+    [
+        ("10.30 fire walk", ("fire walk", "10:30")),
+        ("9.45 Line check", ("line check", "09:45")),
+        ("10.15 stage build", ("stage build", "10:15")),
+        ("11 - coffee", ("coffee", "11:00")),
+        ("12 lunch", ("lunch", "12:00")),
+        ("8 up", ("be up", "08:00")),
+        ("handover to days 2", ("handover to days", "14:00")),
+        ("hand over to nights 7.45", ("hand over to nights", "07:45")),
+    ],
+)
+def test_what_is_beside_an_hour_is_what_happens_then(line: str, wanted: tuple[str, str]) -> None:
+    assert wanted in _told("van 9.15", line, "call Ann at 2", "tea 3.10", "wash 4.45")
+
+
+def test_most_lines_of_a_list_may_end_in_a_number_alone() -> None:
+    shopping = [f"buy thing {letter}" for letter in "abcde"]
+    lines = ("van 9.15", "briefing 10.30", "tea 3.10", "wash 5", "supper 6", "news 9", *shopping)
+    assert _told(*lines)[3:] == [("wash", "17:00"), ("supper", "18:00"), ("news", "21:00")]
+
+
+DAY = ("stock count at 8", "fire drill 10.15", "photos at 12:15", "coffee 3.15", "count the float")
+
+
+def test_a_day_written_in_the_evening_is_tomorrow() -> None:
+    readings = Language.shipped().read_all([(line, EVENING) for line in DAY])
+    times = [part for reading in readings for one in reading.instructions for part in one.requirements]
+    begins = [instant_after(EVENING, part.earliest) for part in times if part.earliest is not None]
+    assert [f"{begin:%d %H:%M}" for begin in begins] == [
+        "05 08:00",
+        "05 10:15",
+        "05 12:15",
+        "05 15:15",
+        "05 00:00",
+    ]
+    assert [one.message for one in readings[0].remarks if "tonight" in one.message] != []
+
+
+@pytest.mark.parametrize(
+    "lines", [("film at 9", "bed at 11"), ("Tonight:", *DAY), ("call Ann at 9", "dentist at 3", "bins by 10")]
+)
+def test_what_is_of_the_evening_stays_in_it(lines: tuple[str, ...]) -> None:
+    readings = Language.shipped().read_all([(line, EVENING) for line in lines])
+    assert not [one for reading in readings for one in reading.remarks if "tomorrow" in one.message]
