@@ -123,6 +123,27 @@ class Tree:
         )
         return Tree(text, nodes, self.lexicon)
 
+    def changed(
+        self, place: int, *, tag: str = "", lemma: str = "", relation: str = "", head: int | None = None
+    ) -> "Tree":
+        """Give the tree with another tag, dictionary form, relation or head of a word."""
+        node = self.nodes[place]
+        changed = replace(
+            node,
+            tag=tag or node.tag,
+            lemma=lemma or node.lemma,
+            relation=relation or node.relation,
+            head=node.head if head is None else head,
+        )
+        return self.with_nodes((*self.nodes[:place], changed, *self.nodes[place + 1 :]))
+
+    def hung(self, places: Iterable[int], head: int, relation: str = "") -> "Tree":
+        """Give the tree with some words hung on another."""
+        tree = self
+        for place in places:
+            tree = tree.changed(place, head=head, relation=relation)
+        return tree
+
     def with_nodes(self, nodes: Iterable[Node]) -> "Tree":
         """Give the tree of the same text with other nodes."""
         return Tree(self.text, tuple(nodes), self.lexicon)
