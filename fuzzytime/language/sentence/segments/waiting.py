@@ -213,7 +213,7 @@ class Waiting:
             return True
         if self.behind_time:
             # "On Tuesday hand in the forms and at eleven pick up the keys": a noun, and an order behind it.
-            joined = any(tree.nodes[place].lower == "and" for place in range(first, tree.root))
+            joined = "and" in tree.said(range(first, tree.root))
             return node.tag in {"VB", "VBP"} or (joined and tree.nodes[tree.root].tag == "VB")
         if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in {"it", "them"}:
             # "Pat it dry"

@@ -78,6 +78,10 @@ class Tree:
                 yield here
                 stack += self.children(here)
 
+    def said(self, places: Iterable[int]) -> set[str]:
+        """Give some words in lower case."""
+        return {self.nodes[place].lower for place in places}
+
     def reach(self, place: int) -> tuple[int, int]:
         """Give the first word and one past the last word of all under a word."""
         under = list(self.below(place))

@@ -123,7 +123,7 @@ def _names_another(
     root = part.tree.root
     # "Tomorrow call Ann at eight and Bob at nine": a tree may have whom for what it becomes.
     objects = part.tree.children(root, "dobj", "oprd")
-    things = {part.tree.nodes[p].lower for p in objects}
+    things = part.tree.said(objects)
     nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
     others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
     happens = not lexicon.happening.isdisjoint(word.text for word in between)
@@ -138,7 +138,7 @@ def _names_another(
         return False
     places = part.tree.children(root, "prep")
     # "Stop for a brew at ten and for lunch at noon"
-    prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
+    prepositions = set() if objects else part.tree.said(places)
     led = between[1].text in prepositions
     has_object = one.segment.verbless or bool(part.tree.children(root, "dobj", "oprd", "intj"))
     named = led or opened or (has_object and between[0].text in {"and", ",", "or"})

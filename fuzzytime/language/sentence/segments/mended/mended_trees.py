@@ -117,7 +117,7 @@ def _wants_done(tree: Tree) -> Tree:
             return tree.changed(done, tag="VBN")
     for thing in tree.children(root, "dobj"):
         for done in tree.children(root, "xcomp"):
-            if thing < done and any(tree.nodes[p].lower == "to" for p in tree.children(done, "aux")):
+            if thing < done and "to" in tree.said(tree.children(done, "aux")):
                 # "I'd like the kettle to come on at six"
                 return tree.changed(done, relation="ccomp").changed(thing, relation="nsubj", head=done)
         for done in tree.children(thing, "acl"):

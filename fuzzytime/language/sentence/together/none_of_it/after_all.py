@@ -83,7 +83,7 @@ def _retracted(before: Sketch, sketch: Sketch, text: str) -> Remark:
 def _is_done_by_oneself(sketch: Sketch, lexicon: Lexicon) -> bool:
     """Whether who lets something be says who does it: "forget that, I'll do it myself"."""
     operation, tree = sketch.operation, sketch.part.tree
-    named = {tree.nodes[p].lower for p in tree.children(tree.root, "nsubj")}
+    named = tree.said(tree.children(tree.root, "nsubj"))
     anaphor = operation is not None and (operation.object or "").lower() in lexicon.closed.singular_anaphors
     return anaphor and bool(named & lexicon.closed.first_person)
 

@@ -58,7 +58,7 @@ def _may_only(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bo
     tree, root = sketch.part.tree, sketch.part.tree.root
     if not tree.nodes or not _is_order_without_time(before) or not _is_beside(before, sketch, text):
         return False
-    subjects = {tree.nodes[p].lower for p in tree.children(root, *SUBJECTS)}
+    subjects = tree.said(tree.children(root, *SUBJECTS))
     only = any(node.lower == ONLY for node in tree.nodes)
     is_so = tree.nodes[root].lemma in lexicon.closed.lemmas_of_be and bool(
         subjects & lexicon.closed.third_person
@@ -188,5 +188,5 @@ def _has_to_be_so(sketch: Sketch, lexicon: Lexicon) -> bool:
     tree, root = sketch.part.tree, sketch.part.tree.root
     if sketch.operation is None or sketch.operation.lemma not in {BE, "get"}:
         return False
-    helping = {tree.nodes[p].lower for p in (root, *tree.children(root, "aux"))}
+    helping = tree.said((root, *tree.children(root, "aux")))
     return bool(helping & lexicon.closed.verbs_of_obligation) and bool(tree.children(root, *SUBJECTS))

@@ -50,7 +50,7 @@ def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
     """
     closed = lexicon.closed
     node = tree.nodes[verb]
-    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")}
+    helping = tree.said(tree.children(verb, "aux"))
     if node.lower in lexicon.doing.timed and not tree.children(verb, "dobj"):
         return None
     if not helping <= closed.future | closed.obligation | {"to", "can"} or tree.children(verb, "auxpass"):
@@ -71,7 +71,7 @@ def person_due(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
     So it is who is asked for: "can Tim wash the car".
     """
     over = tree.nodes[verb].head if tree.nodes[verb].relation == "xcomp" else verb
-    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")} - {"to"}
+    helping = tree.said(tree.children(verb, "aux")) - {"to"}
     helping |= set() if over == verb else {tree.nodes[over].lower}
     subjects = tree.children(over, "nsubj")
     asked = tree.nodes[0].relation == "aux" and helping <= lexicon.closed.requesting_modals
