@@ -95,6 +95,12 @@ class Sketch:
             ),
         )
 
+    def reaching(self, other: "Sketch") -> "Sketch":
+        """Give the same up to the end of another."""
+        segment = self.part.segment
+        whole = replace(segment, span=(segment.span[0], other.part.segment.span[1]))
+        return replace(self, part=replace(self.part, segment=whole))
+
     def under(self, phrases: Sequence[Phrase], clauses: Sequence[Clause] = ()) -> "Sketch":
         """Give the same with times and clauses from elsewhere before its own."""
         return replace(

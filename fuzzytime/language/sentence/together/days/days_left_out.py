@@ -41,13 +41,8 @@ def left_out_behind(sketches: Sequence[Sketch], lexicon: Lexicon) -> list[Sketch
         if before is None or not denied:
             found.append(sketch)
             continue
-        segment = before.part.segment
-        whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
-        found[-1] = replace(
-            before.also(*denied),
-            part=replace(before.part, segment=whole),
-            joints=(*before.joints, sketch.part.segment.span),
-        )
+        whole = before.also(*denied).reaching(sketch)
+        found[-1] = replace(whole, joints=(*before.joints, sketch.part.segment.span))
     return found
 
 

@@ -108,8 +108,7 @@ def things_or_orders(text: str, part: Part, lexicon: Lexicon) -> Iterator[Remark
         led = any(tree.nodes[p].tag in DETERMINERS for p in tree.children(node.head, "det", "poss"))
         if joined and bare and led and node.lower in lexicon.chores:
             span = (node.start + part.offset, node.end + part.offset)
-            message = f"{text[slice(*span)]!r} is taken for a thing: say 'then' before it if it is to be done"
-            yield Remark(RemarkKind.POLICY, span, message)
+            yield Remark.noted(text, span, "is taken for a thing: say 'then' before it if it is to be done")
 
 
 def unused_front(text: str, part: Part, heard: Sequence[Span]) -> Iterator[Remark]:
@@ -142,7 +141,7 @@ def unused_words(
     for first in (place for place in left if place - 1 not in left):
         last = next(place for place in left if place >= first and place + 1 not in left)
         span = (part.tree.nodes[first].start + part.offset, part.tree.nodes[last].end + part.offset)
-        yield Remark(RemarkKind.POLICY, span, f"{text[slice(*span)]!r} is not used")
+        yield Remark.noted(text, span, "is not used")
 
 
 def _reasons(tree: Tree, lexicon: Lexicon) -> frozenset[int]:

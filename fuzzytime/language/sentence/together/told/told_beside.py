@@ -68,10 +68,8 @@ def _may_only(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bo
 
 def _at_the_only(before: Sketch, sketch: Sketch) -> Sketch:
     """Give an order with the time that is told behind it, and the words that tell it."""
-    told = before.under([phrase for phrase in sketch.phrases if _says_when(phrase)])
-    segment = before.part.segment
-    whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
-    return replace(told, part=replace(before.part, segment=whole))
+    told = [phrase for phrase in sketch.phrases if _says_when(phrase)]
+    return before.under(told).reaching(sketch)
 
 
 def _done_next(sketch: Sketch, operation: Operation, text: str, lexicon: Lexicon) -> Sketch:
