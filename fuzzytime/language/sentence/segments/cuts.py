@@ -117,7 +117,7 @@ def _further(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
 
 
 def _times(one: Waiting, part: Part) -> list[Span]:
-    return [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in one.source.phrases)]
+    return [part.local(phrase.span) for phrase in one.source.phrases]
 
 
 def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> set[int]:
@@ -132,7 +132,7 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> set[int]:
 def _due_too(part: Part, start: int, lexicon: Lexicon) -> str | None:
     """Give who must do this, too: "Tim has to wash the car and feed the dog"; None for nobody."""
     action = action_of(part.tree, lexicon)
-    place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
+    place = next(part.at((start, start + 1)), None)
     if action is None or place is None or part.tree.nodes[place - 1].lower not in {"and", "&"}:
         return None
     node = part.tree.nodes[place]
@@ -145,7 +145,7 @@ def _begins_order(one: Waiting, part: Part, start: int) -> bool:
 
     So is what has an article behind it: "can you hang the curtains after lunch and water the basil at six".
     """
-    place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
+    place = next(part.at((start, start + 1)), None)
     if place is None or place + 1 >= len(part.tree.nodes):
         return False
     node, behind, *further = part.tree.nodes[place : place + 4]

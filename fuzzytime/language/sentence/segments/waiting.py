@@ -22,7 +22,7 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
 )
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.meant.actions import is_doubtful
 from fuzzytime.language.sentence.verbs.statements.statement_trees import leaves
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import happens, may_be_ordered
@@ -52,6 +52,18 @@ class Part:
     tree: Tree
     offset: int
     front: Tree | None = None
+
+    def local(self, span: Span) -> Span:
+        """Give a stretch of the text as one of the tree's."""
+        return span[0] - self.offset, span[1] - self.offset
+
+    def at(self, span: Span) -> Iterator[int]:
+        """Give the words of the tree that lie in a stretch of the text."""
+        return self.tree.at(*self.local(span))
+
+    def span(self, first: Node, last: Node | None = None) -> Span:
+        """Give the stretch of the text from one word of the tree to another, or that of one."""
+        return first.start + self.offset, (last or first).end + self.offset
 
 
 @dataclass(frozen=True, slots=True)

@@ -82,7 +82,7 @@ def _says_no_more(sketch: Sketch, lexicon: Lexicon) -> bool:
     """Whether nothing but small words stands beside times."""
     part = sketch.part
     for node in part.tree.nodes:
-        span = (node.start + part.offset, node.end + part.offset)
+        span = part.span(node)
         timed = any(overlap(span, phrase.span) for phrase in sketch.phrases)
         if not timed and node.text.isalpha() and node.lower not in lexicon.beside.around_denials:
             return False
