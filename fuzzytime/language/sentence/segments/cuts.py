@@ -14,7 +14,7 @@ from fuzzytime.language.sentence.segments.further.further_orders import further_
 from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_left_out
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
-from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
+from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
 from fuzzytime.language.sentence.verbs.statements.called import person_due
@@ -101,7 +101,7 @@ def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
 def _around(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> list[Segment]:
     """Give what stands before a place, without its joint, and what begins there."""
     first, last = one.segment.span
-    end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
+    end = one.end_before(start)
     addressee = one.segment.addressee or _due_too(part, start, lexicon)
     behind = Segment((start, last), addressee=addressee)
     return [replace(one.segment, span=(first, end)), behind] if end > part.offset else []
@@ -197,8 +197,7 @@ def _denied_list(one: Waiting, starts: Sequence[int], lexicon: Lexicon) -> list[
     begins = [first, *(start for start in starts if closing and start <= closing[-1])]
     if len(begins) == 1:
         return []
-    text = one.source.scanned.text
-    ends = [a + len(JOINT.sub("", text[a:b])) for a, b in pairwise(begins)]
+    ends = [one.end_before(b, a) for a, b in pairwise(begins)]
     spans = zip(begins, (*ends, last), strict=True)
     return [
         replace(one.segment, span=span)

@@ -155,29 +155,28 @@ class Waiting:
         places = self.source.places(*self.segment.span)
         if self.main == self.segment.span[0] or not places:
             return None
-        return marker_at(
-            self.source.scanned.words, self.source.phrases, places[0], self.segment.span[1], lexicon
-        )
+        source, end = self.source, self.segment.span[1]
+        return marker_at(source.scanned.words, source.phrases, places[0], end, lexicon)
+
+    def end_before(self, start: int, first: int | None = None) -> int:
+        """Give where what stands before a place ends, without what joins both."""
+        first = self.segment.span[0] if first is None else first
+        return first + len(JOINT.sub("", self.source.scanned.text[first:start]))
 
     def cut_at(self, start: int, main: int, lexicon: Lexicon) -> Iterator["Waiting"]:
         """Give what stands before a clause in front, and what it leads from ``main`` on."""
-        first, end = self.segment.span
-        before = self.source.scanned.text[first:start]
-        kept = first + len(JOINT.sub("", before))
-        if kept > first:
-            yield Waiting.of(self.position, self.source, replace(self.segment, span=(first, kept)), lexicon)
-            led = Segment((start, end), addressee=self.segment.addressee)
-        else:
-            led = self.segment
+        led, kept = self.segment, (self.segment.span[0], self.end_before(start))
+        if kept[1] > kept[0]:
+            yield Waiting.of(self.position, self.source, replace(led, span=kept), lexicon)
+            led = Segment((start, led.span[1]), addressee=led.addressee)
         yield Waiting(self.position, self.source, led, main)
 
     def cut_before(self, start: int, lexicon: Lexicon) -> Iterator["Waiting"]:
         """Give what stands before an order that nothing joins, and that order."""
         first, end = self.segment.span
-        kept = first + len(JOINT.sub("", self.source.scanned.text[first:start]))
-        for span, segment in (((first, kept), self.segment), ((start, end), Segment((start, end)))):
-            part = replace(segment, span=span, addressee=self.segment.addressee)
-            yield Waiting.of(self.position, self.source, part, lexicon)
+        before = replace(self.segment, span=(first, self.end_before(start)))
+        for segment in (before, Segment((start, end), addressee=self.segment.addressee)):
+            yield Waiting.of(self.position, self.source, segment, lexicon)
 
     @property
     def _phrases(self) -> list[Phrase]:
@@ -248,11 +247,8 @@ class Waiting:
         # "Tomorrow at 8:15 pm call mum": what is about time does not happen.
         led_astray = self.behind_time > 0 and tree.root in self.timed(tree)
         if self._phrases and not led_astray and happens(tree, self._phrases, lexicon):
-            return (
-                may_be_ordered(tree)
-                or begins_order(tree, lexicon)
-                or leads_to_order(tree, self.behind_time, lexicon)
-            )
+            ordered = may_be_ordered(tree) or begins_order(tree, lexicon)
+            return ordered or leads_to_order(tree, self.behind_time, lexicon)
         if leaves(tree, tree.root, lexicon.travelling):
             return False
         if is_doubtful(tree) or is_numbered(tree, lexicon):
