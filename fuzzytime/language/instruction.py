@@ -185,6 +185,11 @@ class Remark:
     span: Span
     message: str
 
+    @classmethod
+    def noted(cls, text: str, span: Span, what: str) -> "Remark":
+        """Say what is decided by policy about a stretch of a text: "'at two' is not used"."""
+        return cls(RemarkKind.POLICY, span, f"{text[slice(*span)]!r} {what}")
+
 
 @dataclass(frozen=True, slots=True)
 class Question:

@@ -8,7 +8,7 @@ from enum import StrEnum
 
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.times_of_day import Clock, Part
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 UNIT_SECONDS = {
     Unit.SECOND: 1.0,
@@ -236,10 +236,6 @@ class Goal:
         return wall_of(self.time)
 
 
-ON = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.EVERY})
-"""How a day binds on which something is to be done."""
-
-
 @dataclass(frozen=True, slots=True)
 class Said:
     """A temporal specification: how which time binds.
@@ -275,18 +271,8 @@ class Said:
         """Give what is told here and in other words, with the clock times that are said here."""
         time = self.time
         walls = (*time.walls, time.starting, time.until) if isinstance(time, Repeat) else (time,)
-        own = (wall.clock for wall in walls if isinstance(wall, Wall))
+        own = (wall_of(wall).clock for wall in walls)
         return replace(told, clocks=tuple(clock for clock in own if clock is not None))
-
-    @property
-    def own_walls(self) -> tuple[Wall, ...]:
-        """The times of a repetition that its own words say."""
-        walls = self.time.walls if isinstance(self.time, Repeat) else ()
-        if self.clocks is None:
-            return walls
-        # Which half of the day is meant may be told by what stands beside it.
-        said = {moment for clock in self.clocks for moment in clock.candidates()}
-        return tuple(w for w in walls if w.clock is not None and said.issuperset(w.clock.candidates()))
 
     @property
     def is_day(self) -> bool:
@@ -302,7 +288,8 @@ class Said:
             return bool(time.walls) and not timed and whole
         # "On the 12th" is one, where "the 12th" alone may be something else.
         sure = isinstance(time, Wall) and (not time.weak or self.preposition is not None)
-        return sure and self.wall.clock is None and self.constraint in ON
+        binds = self.constraint in MOMENTS | {Constraint.BETWEEN, Constraint.EVERY}
+        return sure and self.wall.clock is None and binds
 
     @property
     def sure(self) -> "Said":

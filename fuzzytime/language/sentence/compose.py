@@ -44,8 +44,7 @@ from fuzzytime.language.sentence.together.told.lengths import (
     due_when_needed,
     length_of,
     lengths_in_front,
-    second_lengths,
-    second_repetitions,
+    second_ones,
     time_of,
     told_alone,
     unknown_length,
@@ -198,7 +197,7 @@ class _Composer:
         self.explained += [part.span for part in requirements if part.anchor is not None and part.anchor.each]
         said = text[slice(*segment.span)].strip()
         lengths = [one for one in times.found if one.duration is not None]
-        self.remarks += [*second_lengths(lengths), *second_repetitions(times.found)]
+        self.remarks += second_ones(times.found)
         operation, requirements, duration = without_denial(
             sketch.operation,
             requirements,

@@ -1,6 +1,5 @@
 """What stands right before and behind a reading and makes it no time, whatever kind of time it would be."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
@@ -13,12 +12,10 @@ from fuzzytime.language.grammar.judging.beside.titles import Titles
 from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_from_the_past
 from fuzzytime.language.grammar.judging.no_times import NoTime
-from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.measuring import SIGNS, Measures
-from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings.measuring import SIGNS
+from fuzzytime.language.grammar.surroundings.surroundings import Around, Surroundings
 from fuzzytime.language.grammar.understood.due import tells_when_due
 from fuzzytime.language.grammar.understood.lent import counts_one
-from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import is_day_of_month
 from fuzzytime.language.meaning.expressions import Wall
 
@@ -40,23 +37,14 @@ CONDITION = "if_it_is."
 """How names of the rules begin of conditions that the calendar decides."""
 
 
-class Borders:
+class Borders(Around):
     """The words around readings: marks that run on, exceptions, comparisons, nouns."""
 
-    def __init__(self, words: Sequence[Word], lexicon: Lexicon, around: Surroundings) -> None:
-        self.words = words
-        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
-        self.texts = around.texts
-        self.around = around
-        self.measures = Measures(words, lexicon)
-        self.titles = Titles(words, lexicon, self.measures, around)
-        self.no_times = NoTime(words, lexicon, self.measures, around)
-        self.cuts = Cuts(words, lexicon, self.measures, around)
-        self.particles = Particles(lexicon, around)
-        self.doses = Doses(lexicon, around)
-        self.dining = Dining(lexicon, around)
-        self.given = GivenTimes(lexicon, around)
-        self.events = Events(words, lexicon, around, self.measures)
+    def __init__(self, around: Surroundings) -> None:
+        super().__init__(around)
+        self.titles, self.no_times, self.cuts = Titles(around), NoTime(around), Cuts(around)
+        self.particles, self.doses, self.dining = Particles(around), Doses(around), Dining(around)
+        self.given, self.events = GivenTimes(around), Events(around)
 
     def refuse(self, piece: Piece) -> bool:
         """Whether they make a reading no time."""

@@ -7,10 +7,7 @@ from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.judging.beside.cuts import Cuts
 from fuzzytime.language.grammar.judging.beside.doses import Doses
 from fuzzytime.language.grammar.judging.standing import Standing
-from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.measuring import Measures
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
-from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields, is_day_of_month
 from fuzzytime.language.meaning.expressions import Range, Said, Wall, wall_of
 
@@ -25,12 +22,9 @@ ENDS = frozenset({"", ".", "!", ";", ","})
 class Further(Standing):
     """What stands behind times that were chosen, and goes on with them."""
 
-    def __init__(
-        self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
-    ) -> None:
-        super().__init__(words, lexicon, measures, around)
-        self.cuts = Cuts(words, lexicon, measures, around)
-        self.doses = Doses(lexicon, around)
+    def __init__(self, around: Surroundings) -> None:
+        super().__init__(around)
+        self.cuts, self.doses = Cuts(around), Doses(around)
 
     def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
         """Give the number behind a clock time and "and" or "or": "at seven and nine"."""

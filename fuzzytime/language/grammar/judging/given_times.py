@@ -3,19 +3,14 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.measuring import NEAR
-from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings.surroundings import Around
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Wall
 
 
-class GivenTimes:
+class GivenTimes(Around):
     """What stands around a time that something has, or is given."""
-
-    def __init__(self, lexicon: Lexicon, around: Surroundings) -> None:
-        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
-        self.around, self.texts = around, around.texts
 
     def is_put_off(self, piece: Piece) -> bool:
         """Whether it is what has a time, and is given another: "move the 3 pm to five"."""

@@ -11,8 +11,8 @@ from fuzzytime.language.grammar.judging.repeats import Repeats
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS_ALONE, heads_list
 from fuzzytime.language.grammar.judging.walls.walls import Walls
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.surroundings.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings.measuring import NEAR
+from fuzzytime.language.grammar.surroundings.surroundings import Around, Surroundings
 from fuzzytime.language.grammar.understood.due import is_due
 from fuzzytime.language.grammar.understood.lent import Lent, is_left_for, lacks_unit
 from fuzzytime.language.grammar.words import Word
@@ -43,22 +43,14 @@ ANOTHER = "elliptic.another_alone"
 """The rule of a number that goes on with a length: "then another ten"."""
 
 
-class Judge:
+class Judge(Around):
     """What stands around a reading, and whether it makes it doubtful."""
 
     def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
-        self.words = words
-        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
-        self.texts = [word.text for word in words]
-        self.measures = Measures(words, lexicon)
-        self.around = Surroundings(words, lexicon)
-        self.borders = Borders(words, lexicon, self.around)
-        self.walls = Walls(words, lexicon, self.measures, self.around)
-        self.lent = Lent(words, lexicon, self.around)
-        self.ranges = Ranges(words, lexicon, self.measures, self.around)
-        self.lengths = Lengths(words, lexicon, self.measures, self.around)
-        self.repeats = Repeats(words, lexicon, self.measures, self.around)
-        self.further = Further(words, lexicon, self.measures, self.around)
+        super().__init__(Surroundings(words, lexicon))
+        self.borders, self.walls, self.lent = Borders(self.around), Walls(self.around), Lent(self.around)
+        self.ranges, self.lengths = Ranges(self.around), Lengths(self.around)
+        self.repeats, self.further = Repeats(self.around), Further(self.around)
 
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""

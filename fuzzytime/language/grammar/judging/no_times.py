@@ -32,7 +32,7 @@ class NoTime(Standing):
     @cached_property
     def figures(self) -> Figures:
         """What stands around figures."""
-        return Figures(self.words, self.lexicon, self.measures, self.around)
+        return Figures(self.around)
 
     def hold(self, piece: Piece) -> bool:
         """Whether a reading is none."""

@@ -4,8 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings.surroundings import Around
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.times_of_day import Clock
 
@@ -23,11 +22,8 @@ Stretch = tuple[int, int]
 """Places of words, from the first to behind the last."""
 
 
-class RunOnHours:
+class RunOnHours(Around):
     """Lists of clock times within half a day, each behind the one before it, with "and" before the last."""
-
-    def __init__(self, lexicon: Lexicon, around: Surroundings) -> None:
-        self.lexicon, self.around, self.texts = lexicon, around, around.texts
 
     def behind(self, clock: Clock | None, place: int) -> list[Stretch]:
         """Give where the clock times behind the first of a list stand, which ends at a place; [] without."""

@@ -1,33 +1,24 @@
 """A text as those see it who decide whether something is a time where it stands."""
 
-from collections.abc import Sequence
 from itertools import takewhile
 
 from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.run_on_hours import RunOnHours
-from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.surroundings.measuring import NEAR
+from fuzzytime.language.grammar.surroundings.surroundings import Around, Surroundings
 
 WITH = "with"
 
 
-class Standing:
+class Standing(Around):
     """Words, what measures stand among them, and what stands around any of them."""
 
-    def __init__(
-        self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
-    ) -> None:
-        self.words = words
-        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
-        self.texts = [word.text for word in words]
-        self.measures = measures
-        self.around = around
-        self.given = GivenTimes(lexicon, around)
-        self.run_on = RunOnHours(lexicon, around)
+    def __init__(self, around: Surroundings) -> None:
+        super().__init__(around)
+        self.given = GivenTimes(around)
+        self.run_on = RunOnHours(around)
 
     def is_ambiguous(self, place: int) -> bool:
         """Whether the word at a place is an English word with another meaning, too: "may", "sun"."""

@@ -12,7 +12,6 @@ from fuzzytime.language.grammar.leftovers.called_things import is_event, is_play
 from fuzzytime.language.grammar.leftovers.countdowns import counted_from_zero
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.grammar.surroundings.measuring import Measures
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.understood.lent import counts_one, lacks_unit
 from fuzzytime.language.grammar.words import Word
@@ -120,8 +119,7 @@ class _Figures:
 
     @cached_property
     def _places(self) -> frozenset[int]:
-        around, lexicon = self._around, self._around.lexicon
-        figures = Figures(around.words, lexicon, Measures(around.words, lexicon), around)
+        around, figures = self._around, Figures(self._around)
         return frozenset(
             place
             for piece in self._scanned.pieces("said")

@@ -1,10 +1,12 @@
 """What stands before and behind a stretch of words, and whether that makes it a part of a noun."""
 
 from dataclasses import replace
+from functools import cached_property
 
 from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.surroundings.behind_times import BehindTimes
+from fuzzytime.language.grammar.surroundings.measuring import Measures
 from fuzzytime.language.meaning.calendar import Weekend, is_weekday
 from fuzzytime.language.meaning.days.relations import Deictic
 from fuzzytime.language.meaning.expressions import Wall
@@ -19,6 +21,11 @@ HER = "her"
 
 class Surroundings(BehindTimes):
     """The words of a text, and what stands around a piece of it."""
+
+    @cached_property
+    def measures(self) -> Measures:
+        """What is measured in the text."""
+        return Measures(self.words, self.lexicon)
 
     def plays(self, place: int) -> bool:
         """Whether a verb at a place has a title behind it, as "play", or "listen to" with both its words."""
@@ -193,3 +200,12 @@ class Surroundings(BehindTimes):
         return isinstance(days, (Feast, Season)) or (
             owned and is_weekday(days) and not isinstance(wall.days, Deictic)
         )
+
+
+class Around:
+    """A text as those see it who decide about a piece by what stands around it."""
+
+    def __init__(self, around: Surroundings) -> None:
+        self.around, self.words, self.texts = around, around.words, around.texts
+        self.lexicon, self.closed, self.beside = around.lexicon, around.closed, around.beside
+        self.measures = around.measures

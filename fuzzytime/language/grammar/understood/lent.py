@@ -4,8 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.surroundings.surroundings import Around
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Range,
@@ -127,13 +126,8 @@ def is_heated(before: Sequence[str], time: Time | Duration | Repeat) -> bool:
     return at == "at" and degrees.isdecimal() and len(degrees) == DEGREES_DIGITS and number >= FEWEST_MINUTES
 
 
-class Lent:
+class Lent(Around):
     """What stands around numbers without a unit, and whether it tells their unit."""
-
-    def __init__(self, words: Sequence[Word], lexicon: Lexicon, around: Surroundings) -> None:
-        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
-        self.around = around
-        self.texts = [word.text for word in words]
 
     def accept(self, piece: Piece, said: Said) -> bool:
         """Whether a number takes the unit said before: "turning it after 30", "stirring every 10"."""

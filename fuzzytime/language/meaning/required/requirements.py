@@ -1,6 +1,6 @@
 """From a phrase to the time requirement that the rest of the program works with."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
@@ -31,6 +31,7 @@ from fuzzytime.language.meaning.required.denied_times import beside
 from fuzzytime.language.meaning.required.edges import Edges
 from fuzzytime.language.meaning.required.grains import grain_of, zone_in
 from fuzzytime.language.meaning.required.offered_days import on_each_day_offered
+from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 
@@ -194,7 +195,7 @@ class _Grounder:
             recurrence=recurrence,
         )
         deciding = self._deciding
-        chosen = deciding.of_repetition(self.said.own_walls, recurrence)
+        chosen = deciding.of_repetition(_own_walls(time, self.said.clocks), recurrence)
         # What was chosen for bounds is said where they stand, and not of a day that stands apart.
         bounded = () if self.said.clocks == () else deciding.of_bounds(time, recurrence)
         remarks = (*chosen, *bounded)
@@ -246,6 +247,15 @@ class _Grounder:
         yield from self._deciding.of_weekday(time, found)
         if isinstance(time, HourMark) and time.open:
             yield self._deciding.of_hour(found)
+
+
+def _own_walls(repeat: Repeat, own: Sequence[Clock] | None) -> tuple[Wall, ...]:
+    """Give the times of a repetition that its own words say, and no others that are told with it."""
+    if own is None:
+        return repeat.walls
+    # Which half of the day is meant may be told by what stands beside it.
+    said = {moment for clock in own for moment in clock.candidates()}
+    return tuple(w for w in repeat.walls if w.clock is not None and said.issuperset(w.clock.candidates()))
 
 
 def _is_at_place(wall: Wall) -> bool:

@@ -110,7 +110,7 @@ class Contents:
             # "Remind me the day before the exam to print my notes"
             return True
         led = clause.kind in NAMING and self.tree.nodes[nodes[0]].tag.startswith(("NN", *DETERMINERS))
-        if led and place != nodes[0] and any(self.tree.nodes[p].lower == "to" for p in self._before(place)):
+        if led and place != nodes[0] and "to" in self.tree.said(self._before(place)):
             # "Stay behind after class to tidy up"
             return not self.tree.children(place, "nsubj")
         return node.relation in {"aux", "auxpass", "amod", "compound"}

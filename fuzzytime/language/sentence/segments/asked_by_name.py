@@ -28,7 +28,7 @@ def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
         separator = nodes[mark] if name[0] is nodes[0] else nodes[-2]
         dash = separator.text == "-" and mark == 2
         if (dash or separator.text in {",", ":"}) and rest and _is_name(one, part, name, lexicon):
-            span = (rest[0].start + part.offset, rest[-1].end + part.offset)
+            span = part.span(rest[0], rest[-1])
             span = (span[0], last) if name[0] is nodes[0] else (first, span[1])
             called = " ".join(node.text for node in name)
             segment = replace(one.segment, span=span, addressee=called)
@@ -40,7 +40,7 @@ def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
 def _is_name(one: Waiting, part: Part, nodes: Sequence[Node], lexicon: Lexicon) -> bool:
     """Whether words call somebody, or a machine by its number."""
     name = nodes[0]
-    places = one.source.places(name.start + part.offset, nodes[-1].end + part.offset)
+    places = one.source.places(*part.span(name, nodes[-1]))
     known = name.text[0].isupper() or name.lower in lexicon.persons | lexicon.machines
     machine = len(nodes) > 1 and name.lower in lexicon.machines
     # "Bob, mow the lawn": who is called like a verb, before what is done.

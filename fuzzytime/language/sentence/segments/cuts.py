@@ -14,7 +14,7 @@ from fuzzytime.language.sentence.segments.further.further_orders import further_
 from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_left_out
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
-from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
+from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.named import takes_verb
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
@@ -102,7 +102,7 @@ def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
 def _around(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> list[Segment]:
     """Give what stands before a place, without its joint, and what begins there."""
     first, last = one.segment.span
-    end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
+    end = one.end_before(start)
     addressee = one.segment.addressee or _due_too(part, start, lexicon)
     behind = Segment((start, last), addressee=addressee)
     return [replace(one.segment, span=(first, end)), behind] if end > part.offset else []
@@ -118,7 +118,7 @@ def _further(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
 
 
 def _times(one: Waiting, part: Part) -> list[Span]:
-    return [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in one.source.phrases)]
+    return [part.local(phrase.span) for phrase in one.source.phrases]
 
 
 def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> set[int]:
@@ -133,7 +133,7 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> set[int]:
 def _due_too(part: Part, start: int, lexicon: Lexicon) -> str | None:
     """Give who must do this, too: "Tim has to wash the car and feed the dog"; None for nobody."""
     action = action_of(part.tree, lexicon)
-    place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
+    place = next(part.at((start, start + 1)), None)
     if action is None or place is None or part.tree.nodes[place - 1].lower not in {"and", "&"}:
         return None
     node = part.tree.nodes[place]
@@ -146,7 +146,7 @@ def _begins_order(one: Waiting, part: Part, start: int) -> bool:
 
     So is what has an article behind it: "can you hang the curtains after lunch and water the basil at six".
     """
-    place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
+    place = next(part.at((start, start + 1)), None)
     if place is None or place + 1 >= len(part.tree.nodes):
         return False
     node, behind, *further = part.tree.nodes[place : place + 4]
@@ -207,8 +207,7 @@ def _denied_list(one: Waiting, starts: Sequence[int], lexicon: Lexicon) -> list[
     begins = [first, *(start for start in starts if closing and start <= closing[-1])]
     if len(begins) == 1:
         return []
-    text = one.source.scanned.text
-    ends = [a + len(JOINT.sub("", text[a:b])) for a, b in pairwise(begins)]
+    ends = [one.end_before(b, a) for a, b in pairwise(begins)]
     spans = zip(begins, (*ends, last), strict=True)
     return [
         replace(one.segment, span=span)

@@ -21,7 +21,7 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
 )
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.meant.actions import is_doubtful
 from fuzzytime.language.sentence.verbs.statements.statement_trees import leaves
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import happens, may_be_ordered
@@ -54,6 +54,18 @@ class Part:
     tree: Tree
     offset: int
     front: Tree | None = None
+
+    def local(self, span: Span) -> Span:
+        """Give a stretch of the text as one of the tree's."""
+        return span[0] - self.offset, span[1] - self.offset
+
+    def at(self, span: Span) -> Iterator[int]:
+        """Give the words of the tree that lie in a stretch of the text."""
+        return self.tree.at(*self.local(span))
+
+    def span(self, first: Node, last: Node | None = None) -> Span:
+        """Give the stretch of the text from one word of the tree to another, or that of one."""
+        return first.start + self.offset, (last or first).end + self.offset
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,29 +157,28 @@ class Waiting:
         places = self.source.places(*self.segment.span)
         if self.main == self.segment.span[0] or not places:
             return None
-        return marker_at(
-            self.source.scanned.words, self.source.phrases, places[0], self.segment.span[1], lexicon
-        )
+        source, end = self.source, self.segment.span[1]
+        return marker_at(source.scanned.words, source.phrases, places[0], end, lexicon)
+
+    def end_before(self, start: int, first: int | None = None) -> int:
+        """Give where what stands before a place ends, without what joins both."""
+        first = self.segment.span[0] if first is None else first
+        return first + len(JOINT.sub("", self.source.scanned.text[first:start]))
 
     def cut_at(self, start: int, main: int, lexicon: Lexicon) -> Iterator["Waiting"]:
         """Give what stands before a clause in front, and what it leads from ``main`` on."""
-        first, end = self.segment.span
-        before = self.source.scanned.text[first:start]
-        kept = first + len(JOINT.sub("", before))
-        if kept > first:
-            yield Waiting.of(self.position, self.source, replace(self.segment, span=(first, kept)), lexicon)
-            led = Segment((start, end), addressee=self.segment.addressee)
-        else:
-            led = self.segment
+        led, kept = self.segment, (self.segment.span[0], self.end_before(start))
+        if kept[1] > kept[0]:
+            yield Waiting.of(self.position, self.source, replace(led, span=kept), lexicon)
+            led = Segment((start, led.span[1]), addressee=led.addressee)
         yield Waiting(self.position, self.source, led, main)
 
     def cut_before(self, start: int, lexicon: Lexicon) -> Iterator["Waiting"]:
         """Give what stands before an order that nothing joins, and that order."""
         first, end = self.segment.span
-        kept = first + len(JOINT.sub("", self.source.scanned.text[first:start]))
-        for span, segment in (((first, kept), self.segment), ((start, end), Segment((start, end)))):
-            part = replace(segment, span=span, addressee=self.segment.addressee)
-            yield Waiting.of(self.position, self.source, part, lexicon)
+        before = replace(self.segment, span=(first, self.end_before(start)))
+        for segment in (before, Segment((start, end), addressee=self.segment.addressee)):
+            yield Waiting.of(self.position, self.source, segment, lexicon)
 
     @property
     def _phrases(self) -> list[Phrase]:

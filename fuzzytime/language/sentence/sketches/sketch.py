@@ -95,6 +95,12 @@ class Sketch:
             ),
         )
 
+    def reaching(self, other: "Sketch") -> "Sketch":
+        """Give the same up to the end of another."""
+        segment = self.part.segment
+        whole = replace(segment, span=(segment.span[0], other.part.segment.span[1]))
+        return replace(self, part=replace(self.part, segment=whole))
+
     def under(self, phrases: Sequence[Phrase], clauses: Sequence[Clause] = ()) -> "Sketch":
         """Give the same with times and clauses from elsewhere before its own."""
         return replace(
@@ -141,7 +147,7 @@ def _given_new_time(part: Part, phrases: Sequence[Phrase], lexicon: Lexicon) -> 
     """Give what was moved, which happens at its new time: "the dentist has been moved to four"."""
     if not part.tree.nodes:
         return None
-    heard = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in phrases)]
+    heard = [part.local(phrase.span) for phrase in phrases]
     found = given_new_time(part.tree, phrases, Reader(part.tree, lexicon, heard), lexicon)
     return None if found is None else found.moved(part.offset)
 
@@ -160,7 +166,7 @@ def _action_of(part: Part, said: SaidOfTime, lexicon: Lexicon, *, timed: bool) -
 def _asked(draft: Draft, part: Part, said: SaidOfTime, action: Action, lexicon: Lexicon) -> Sketch:
     """Sketch a part whose verb says what is to be done, with the times that are about that."""
     times = own_times(draft, part, said, action, lexicon)
-    reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in times.covered])
+    reader = Reader(part.tree, lexicon, [part.local(span) for span in times.covered])
     operation = with_told(draft, part, as_remembered(reader.operation(action)))
     operation = of_which(draft.text, with_name(part, operation, action), times.of_things)
     phrases, clauses, references = referred(part, times, action, operation, lexicon)
@@ -194,15 +200,15 @@ def _happening(
     if not part.tree.nodes:
         return None
     timed = phrases or clauses
-    places = [place for phrase in phrases for place in _at(part, phrase)]
+    places = [place for phrase in phrases for place in part.at(phrase.span)]
     put = put_there(part.tree, places, lexicon)
     if put is not None and not part.segment.verbless:
         return put.moved(part.offset)
-    due = {place for p in phrases for place in _at(part, p) if p.said.constraint is Constraint.BEFORE}
-    moments = {place for p in phrases for place in _at(part, p) if p.said.preposition == "at"}
-    heard = [*places, *(place for clause in clauses for place in _at(part, clause))]
+    due = {place for p in phrases for place in part.at(p.span) if p.said.constraint is Constraint.BEFORE}
+    moments = {place for p in phrases for place in part.at(p.span) if p.said.preposition == "at"}
+    heard = [*places, *(place for clause in clauses for place in part.at(clause.span))]
     # "Dog walked this morning" may be news.
-    news = {place for p in phrases for place in _at(part, p) if p.said.is_day} - due - moments
+    news = {place for p in phrases for place in part.at(p.span) if p.said.is_day} - due - moments
     heard_now = [place for place in heard if place not in news]
     so = due_by_then(part.tree, due, moments, heard_now, lexicon, listed=draft.listed)
     if so is not None and not part.segment.verbless:
@@ -217,14 +223,9 @@ def _happening(
         deed = deed or chores_at(part.tree, heard, phrases, lexicon, led=bool(clauses))
         return None if deed is None else deed.moved(part.offset)
     said = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
-    names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in said])
+    names = Reader(part.tree, lexicon, [part.local(span) for span in said])
     found = happening_at(root, part.tree, phrases, names, lexicon)
     return found.moved(part.offset)
-
-
-def _at(part: Part, said: Phrase | Clause) -> Sequence[int]:
-    """Give the places of a time, or of a clause about one, in the tree of a part."""
-    return list(part.tree.at(said.span[0] - part.offset, said.span[1] - part.offset))
 
 
 def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexicon: Lexicon) -> Action | None:
@@ -232,7 +233,7 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexic
     closed = lexicon.closed
     if action is None:
         return None
-    timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
+    timed = {place for p in phrases for place in part.at(p.span)}
     denying = {place for place, node in enumerate(part.tree.nodes) if node.lower in closed.negators}
     if denying and denying <= timed:
         # "Not until next week call the plumber": it is the time that is denied.

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.instruction import Operation, Remark, RemarkKind
+from fuzzytime.language.instruction import Operation, Remark
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.told.messages import Message
@@ -79,5 +79,4 @@ def with_name(part: Part, operation: Operation, action: Action) -> Operation:
 
 def of_something_else(text: str, phrase: Phrase) -> Remark:
     """Give what to say of a time that is none of what is to be done."""
-    message = f"{text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
-    return Remark(RemarkKind.POLICY, phrase.span, message)
+    return Remark.noted(text, phrase.span, "is of what is named, and not when to do it")

@@ -78,6 +78,10 @@ class Tree:
                 yield here
                 stack += self.children(here)
 
+    def said(self, places: Iterable[int]) -> set[str]:
+        """Give some words in lower case."""
+        return {self.nodes[place].lower for place in places}
+
     def reach(self, place: int) -> tuple[int, int]:
         """Give the first word and one past the last word of all under a word."""
         under = list(self.below(place))
@@ -122,6 +126,27 @@ class Tree:
             for node in kept
         )
         return Tree(text, nodes, self.lexicon)
+
+    def changed(
+        self, place: int, *, tag: str = "", lemma: str = "", relation: str = "", head: int | None = None
+    ) -> "Tree":
+        """Give the tree with another tag, dictionary form, relation or head of a word."""
+        node = self.nodes[place]
+        changed = replace(
+            node,
+            tag=tag or node.tag,
+            lemma=lemma or node.lemma,
+            relation=relation or node.relation,
+            head=node.head if head is None else head,
+        )
+        return self.with_nodes((*self.nodes[:place], changed, *self.nodes[place + 1 :]))
+
+    def hung(self, places: Iterable[int], head: int, relation: str = "") -> "Tree":
+        """Give the tree with some words hung on another."""
+        tree = self
+        for place in places:
+            tree = tree.changed(place, head=head, relation=relation)
+        return tree
 
     def with_nodes(self, nodes: Iterable[Node]) -> "Tree":
         """Give the tree of the same text with other nodes."""

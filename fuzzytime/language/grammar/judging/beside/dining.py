@@ -5,8 +5,7 @@ is what for: "stop for lunch at one".
 """
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings.surroundings import Around
 from fuzzytime.language.meaning.expressions import Wall
 
 BETWEEN = 6
@@ -15,11 +14,8 @@ BETWEEN = 6
 FOR = "for"
 
 
-class Dining:
+class Dining(Around):
     """The meals of a text for which something is done."""
-
-    def __init__(self, lexicon: Lexicon, around: Surroundings) -> None:
-        self.lexicon, self.around, self.texts = lexicon, around, around.texts
 
     def is_purpose(self, piece: Piece) -> bool:
         """Whether a piece says of a meal what something is for, and not when it is done."""

@@ -1,7 +1,6 @@
 """Numbers that say how many are taken, and are no hours: "take one in the morning and one at night"."""
 
-from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings.surroundings import Around
 
 BETWEEN = 3
 """Words from a verb to the number that it governs, at most: "give the cat two"."""
@@ -9,12 +8,8 @@ BETWEEN = 3
 AT = "at"
 
 
-class Doses:
+class Doses(Around):
     """The numbers of a text that count what is given, taken or used."""
-
-    def __init__(self, lexicon: Lexicon, around: Surroundings) -> None:
-        self.lexicon, self.closed = lexicon, lexicon.closed
-        self.around, self.texts = around, around.texts
 
     def count(self, place: int) -> bool:
         """Whether the number at a place counts what is taken at the time behind it."""

@@ -1,12 +1,8 @@
 """Events that a time names: "before the 3 pm call", "after the night shift"; that is no bound at three."""
 
-from collections.abc import Sequence
-
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.surroundings.measuring import Measures
-from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.surroundings.surroundings import Around
 from fuzzytime.language.meaning.expressions import Offset, Range, Said, Wall
 
 BESIDE = 2
@@ -16,15 +12,8 @@ GIVEN = (["for"], ["to"], ["at"])
 """What stands between a part of the day and the time that it gets."""
 
 
-class Events:
+class Events(Around):
     """The events of a text that have a time in their name."""
-
-    def __init__(
-        self, words: Sequence[Word], lexicon: Lexicon, around: Surroundings, measures: Measures
-    ) -> None:
-        self.words, self.texts = words, around.texts
-        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
-        self.around, self.measures = around, measures
 
     def named(self, piece: Piece) -> bool:
         """Whether a noun behind it is what is meant: "before the 3 pm call", "after my 9 am class"."""

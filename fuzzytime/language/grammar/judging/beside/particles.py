@@ -3,9 +3,8 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.measuring import NEAR
-from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings.surroundings import Around
 from fuzzytime.language.meaning.expressions import Duration, Offset, Wall
 
 HOURS = 12
@@ -15,12 +14,8 @@ FROM_THAT = {("before", "that"), ("after", "that")}
 """Words that make a length a distance from what was said."""
 
 
-class Particles:
+class Particles(Around):
     """The first words of readings, and the verbs before them."""
-
-    def __init__(self, lexicon: Lexicon, around: Surroundings) -> None:
-        self.lexicon, self.beside, self.closed = lexicon, lexicon.beside, lexicon.closed
-        self.around, self.texts = around, around.texts
 
     def hold(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""

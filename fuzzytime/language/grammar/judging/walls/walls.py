@@ -1,7 +1,5 @@
 """Whether a wall-clock expression is a time where it stands, and not a number or a part of a noun."""
 
-from collections.abc import Sequence
-
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.judging.walls.bare_hours import BareHours
@@ -9,11 +7,9 @@ from fuzzytime.language.grammar.judging.walls.counts import Counts
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS, LINE_STARTS
 from fuzzytime.language.grammar.judging.walls.naming import Naming
 from fuzzytime.language.grammar.judging.walls.weak_walls import WeakWalls
-from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.measuring import NEAR, Measures
+from fuzzytime.language.grammar.surroundings.measuring import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import THING, Surroundings
 from fuzzytime.language.grammar.timetables import has_time
-from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Cycle, Fields, is_weekday
 from fuzzytime.language.meaning.days.relations import Deictic, Which
 from fuzzytime.language.meaning.expressions import Said, Wall
@@ -36,14 +32,10 @@ ONE = "one"
 class Walls(Standing):
     """What stands around days and clock times, and whether it makes one doubtful."""
 
-    def __init__(
-        self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
-    ) -> None:
-        super().__init__(words, lexicon, measures, around)
-        self.hours = BareHours(words, lexicon, measures, around)
-        self.weak = WeakWalls(words, lexicon, measures, around)
-        self.counts = Counts(words, lexicon, measures, around)
-        self.naming = Naming(words, lexicon, measures, around)
+    def __init__(self, around: Surroundings) -> None:
+        super().__init__(around)
+        self.hours, self.weak = BareHours(around), WeakWalls(around)
+        self.counts, self.naming = Counts(around), Naming(around)
 
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""

@@ -37,7 +37,7 @@ def is_done_too(wish: Wish) -> list[Stretch] | None:
     first, behind = subject
     being = tree.nodes[verb].lemma == "be"
     front, helping = front_of(wish, first), range(behind, verb + being)
-    said = {tree.nodes[p].lower for p in (*front, *helping)}
+    said = tree.said((*front, *helping))
     wanted = any(tree.nodes[p].tag in {"MD", "TO"} for p in (*front, *helping))
     wanted = wanted or any(tree.nodes[p].lemma in wish.lexicon.wanting - {"be"} for p in (*front, *helping))
     if not wanted or not said:

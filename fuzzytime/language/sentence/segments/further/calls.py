@@ -10,7 +10,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.fronts import is_bare
 from fuzzytime.language.sentence.segments.segment import Segment
-from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
+from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node
 
@@ -50,8 +50,7 @@ def called_next(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
         found = _called_at(one, part, place, timed, lexicon) if joined and not together else None
         if found is None:
             continue
-        text = one.source.scanned.text[first : nodes[place].start + part.offset]
-        end = first + len(JOINT.sub("", text))
+        end = one.end_before(nodes[place].start + part.offset)
         if end > part.offset:
             called, verb = found
             further = Segment((verb.start + part.offset, last), addressee=called)

@@ -202,7 +202,7 @@ def _is_second_statement(tree: Tree, place: int, root: int, timed: set[int], *, 
         and tree.nodes[place - 1].lower in closed.joints_of_orders
     )
     named = told or bool(tree.children(root, *ANY_SUBJECTS))
-    helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
+    helping = tree.said(tree.children(root, "aux"))
     # "The show will last an hour and start at eight"
     expected = node.tag == "VB" and bool(helping) and helping <= closed.future | {"should"}
     states = named and (expected or tree.nodes[root].tag == node.tag == "VBZ")

@@ -87,9 +87,7 @@ def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
 def _goes_on_alone(part: Part, between: Sequence[Word], old: Phrase, new: Phrase) -> bool:
     """Whether a bare word is done so long, and is no thing: "leave dock at 13:00, mow until 15:00"."""
     words = [word for word in between if word.is_letters]
-    nodes = [
-        part.tree.nodes[p] for w in words for p in part.tree.at(w.start - part.offset, w.end - part.offset)
-    ]
+    nodes = [part.tree.nodes[p] for w in words for p in part.at((w.start, w.end))]
     lasts = {phrase.said.preposition in LASTING for phrase in (old, new)}
     bare = len(nodes) == 1 and nodes[0].may_act and nodes[0].lower == nodes[0].lemma
     return bare and len(lasts) > 1 and new.said.preposition in LASTING
@@ -104,7 +102,7 @@ def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase], lexicon: Lexi
         between = [word for word in words if then is not None and end <= word.start < then.span[0]]
         if then is None or not _is_ordering(then) or len(between) <= SHORTEST_GAP:
             continue
-        named = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
+        named = part.at((between[1].start, between[-1].end))
         opened = between[0].text in {"and", ","} and between[1].text in lexicon.closed.noun_openers
         if opened and all(_is_of_thing(part, p, ()) for p in named):
             found.append(between[1].start)
@@ -123,8 +121,8 @@ def _names_another(
     root = part.tree.root
     # "Tomorrow call Ann at eight and Bob at nine": a tree may have whom for what it becomes.
     objects = part.tree.children(root, "dobj", "oprd")
-    things = {part.tree.nodes[p].lower for p in objects}
-    nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
+    things = part.tree.said(objects)
+    nodes = part.at((between[1].start, between[-1].end))
     others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
     happens = not lexicon.happening.isdisjoint(word.text for word in between)
     listed = part.tree.nodes[root].tag in NAMES and between[0].text == ","
@@ -138,7 +136,7 @@ def _names_another(
         return False
     places = part.tree.children(root, "prep")
     # "Stop for a brew at ten and for lunch at noon"
-    prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
+    prepositions = set() if objects else part.tree.said(places)
     led = between[1].text in prepositions
     has_object = one.segment.verbless or bool(part.tree.children(root, "dobj", "oprd", "intj"))
     named = led or opened or (has_object and between[0].text in {"and", ",", "or"})

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Remark, RemarkKind, Span, blanked
+from fuzzytime.language.instruction import Remark, Span, blanked
 
 BOX = r"(?:[-*+•]\s+)?(?:\[\s?\]\s+)?"
 TAG = re.compile(
@@ -46,4 +46,4 @@ def leading_labels(text: str, lexicon: Lexicon) -> list[Span]:
 def remarks_of_tags(text: str, tags: Sequence[Span]) -> Iterator[Remark]:
     """Say that they are not used."""
     for span in tags:
-        yield Remark(RemarkKind.POLICY, span, f"{text[slice(*span)]!r} is not used")
+        yield Remark.noted(text, span, "is not used")

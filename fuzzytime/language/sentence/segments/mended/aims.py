@@ -4,10 +4,9 @@
 """
 
 from collections.abc import Set as AbstractSet
-from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.trees.tree import Tree
 
 TO = "to"
 
@@ -22,25 +21,20 @@ def with_aim(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
             continue
         if tree.nodes[aim].head != root or tree.nodes[aim].relation not in {"advcl", "xcomp"}:
             continue
-        nodes = list(tree.nodes)
         if tree.nodes[thing].lower in lexicon.doing.labels | lexicon.appointing:
-            nodes[aim] = replace(nodes[aim], relation="acl", head=thing)
-            return tree.with_nodes(nodes)
+            return tree.changed(aim, relation="acl", head=thing)
         if tree.nodes[root].lemma in lexicon.letting:
             # "Leave it to soak"
-            nodes[aim] = replace(nodes[aim], relation="xcomp")
-            return tree.with_nodes(nodes)
+            return tree.changed(aim, relation="xcomp")
         setting = lexicon.doing.setting | lexicon.measure_verbs | lexicon.beside.switched
         said = [p for p in tree.below(aim) if p not in {to, aim} and tree.nodes[p].text[0].isalnum()]
         if tree.nodes[root].lemma in setting and set(said) <= timed:
-            return tree.with_nodes(_set_to(tree, root, to))
+            return _set_to(tree, root, to)
     return tree
 
 
-def _set_to(tree: Tree, root: int, to: int) -> list[Node]:
+def _set_to(tree: Tree, root: int, to: int) -> Tree:
     """Make a word behind "to" what something is set to, and give the verb its times."""
     aim = to + 1
-    nodes = [replace(node, head=root) if node.head == aim else node for node in tree.nodes]
-    nodes[to] = replace(nodes[to], tag="IN", relation="prep", head=root)
-    nodes[aim] = replace(nodes[aim], tag="NN", relation="pobj", head=to)
-    return nodes
+    led = tree.hung(tree.children(aim), root).changed(to, tag="IN", relation="prep", head=root)
+    return led.changed(aim, tag="NN", relation="pobj", head=to)

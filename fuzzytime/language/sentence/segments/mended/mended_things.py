@@ -73,11 +73,9 @@ def _with_surname(tree: Tree) -> Tree:
         if node.may_act or not node.text.isalpha() or node.lower in tree.lexicon.function_words:
             continue
         verb = title.head
-        nodes = [replace(n, head=verb) if n.head == place else n for n in tree.nodes]
-        given = any(n.head == place and n.relation == "dobj" for n in tree.nodes)
-        nodes[place] = replace(node, tag="NNP", relation="dative" if given else title.relation, head=verb)
-        nodes[place - 1] = replace(title, relation="compound", head=place)
-        return tree.with_nodes(nodes)
+        relation = "dative" if tree.children(place, "dobj") else title.relation
+        named = tree.hung(tree.children(place), verb).changed(place, tag="NNP", relation=relation, head=verb)
+        return named.changed(place - 1, relation="compound", head=place)
     return tree
 
 
@@ -87,13 +85,10 @@ def _with_apposed(tree: Tree) -> Tree:
         first = tree.reach(second)[0] - 1
         if first not in tree.children(tree.root, "dobj"):
             continue
-        nodes = list(tree.nodes)
-        nodes[second] = replace(nodes[second], relation="dobj")
+        named = tree.changed(second, relation="dobj")
         if tree.children(second, "det", "poss"):
-            nodes[first] = replace(nodes[first], relation="dative")
-        else:
-            nodes[first] = replace(nodes[first], relation="compound", head=second)
-        return tree.with_nodes(nodes)
+            return named.changed(first, relation="dative")
+        return named.changed(first, relation="compound", head=second)
     return tree
 
 
@@ -122,24 +117,19 @@ def _with_second(tree: Tree) -> Tree:
             both = second == thing + 2 and {tree.nodes[thing].tag, tree.nodes[second].tag} <= PERSONS
             joint = tree.reach(second)[0] - 1
             if both or (named and joint in joints):
-                nodes = list(tree.nodes)
-                nodes[joint] = replace(nodes[joint], head=thing)
-                nodes[second] = replace(nodes[second], head=thing)
-                return tree.with_nodes(nodes)
+                return tree.hung((joint, second), thing)
     return tree
 
 
 def _with_somebody(tree: Tree) -> Tree:
     """Give "help grandpa after lunch" who is helped, whom a tree has for what is done."""
     root = tree.root
-    behind = root + 1
     for person in tree.children(root, "xcomp", "ccomp"):
         node = tree.nodes[person]
-        if person != behind or node.may_act or node.tag not in {"VB", "VBP"}:
+        if person != root + 1 or node.may_act or node.tag not in {"VB", "VBP"}:
             continue
-        nodes = [replace(n, head=behind - 1) if n.head == person else n for n in tree.nodes]
-        nodes[person] = replace(node, tag="NN", relation="dobj", lemma=node.lower, head=behind - 1)
-        return tree.with_nodes(nodes)
+        helped = tree.hung(tree.children(person), root)
+        return helped.changed(person, tag="NN", relation="dobj", lemma=node.lower, head=root)
     return tree
 
 
@@ -153,12 +143,9 @@ def _with_last_noun(tree: Tree) -> Tree:
         helps = node.relation == "aux"
         if not (node.is_verb or helps) or node.may_act or node.head != tree.root or tree.children(place):
             continue
-        nodes = [
-            replace(n, head=place) if n.head == thing and p < thing else n for p, n in enumerate(tree.nodes)
-        ]
-        nodes[place] = replace(node, tag="NN", relation="dobj", lemma=node.lower)
-        nodes[thing] = replace(nodes[thing], relation="compound", head=place)
-        return tree.with_nodes(nodes)
+        named = tree.hung((p for p in tree.children(thing) if p < thing), place)
+        named = named.changed(place, tag="NN", relation="dobj", lemma=node.lower)
+        return named.changed(thing, relation="compound", head=place)
     return tree
 
 
@@ -171,7 +158,7 @@ def _with_numbered_subject(tree: Tree) -> Tree:
             continue
         node = tree.nodes[0]
         if node.relation == "npadvmod" and node.tag in SINGULAR:
-            return tree.with_nodes((replace(node, relation="compound", head=subject), *tree.nodes[1:]))
+            return tree.changed(0, relation="compound", head=subject)
     return tree
 
 
@@ -183,48 +170,43 @@ def _with_next_one(tree: Tree) -> Tree:
     first = tree.nodes[0]
     if first.relation != "advmod" or first.tag != "JJ" or first.head != root or tree.reach(0) != (0, root):
         return tree
-    return tree.with_nodes((replace(first, relation="nsubj", tag="NN"), *tree.nodes[1:]))
+    return tree.changed(0, relation="nsubj", tag="NN")
 
 
 def _with_level(tree: Tree) -> Tree:
     """Give "keep it below -60" its number, which was taken for a bracket."""
-    nodes = list(tree.nodes)
-    for place, node in enumerate(nodes[1:], start=1):
+    for place in range(1, len(tree.nodes)):
+        before, node = tree.nodes[place - 1 : place + 1]
         bare = not any(p > place - 1 for p in tree.children(place - 1))
-        if BELOW_ZERO.match(node.text) and node.relation == "punct" and nodes[place - 1].tag == "IN" and bare:
-            nodes[place] = replace(node, tag="CD", relation="pobj", head=place - 1)
-    return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+        if BELOW_ZERO.match(node.text) and node.relation == "punct" and before.tag == "IN" and bare:
+            tree = tree.changed(place, tag="CD", relation="pobj", head=place - 1)
+    return tree
 
 
 def with_event_names(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "have a quiz night" its thing, whose last word a tree has for when that is."""
-    nodes = list(tree.nodes)
-    for place in range(1, len(nodes)):
-        node, before = nodes[place], nodes[place - 1]
+    for place in range(1, len(tree.nodes)):
+        before, node = tree.nodes[place - 1 : place + 1]
         known = node.lower in tree.lexicon.beside.ending_names and node.relation == "npadvmod"
-        if not known or place in timed or place - 1 in timed or not nodes[node.head].is_verb:
+        if not known or place in timed or place - 1 in timed or not tree.nodes[node.head].is_verb:
             continue
         beside = before.head == node.head and before.relation in {"dobj", "pobj"}
         if beside and before.tag.startswith("NN"):
-            nodes = [
-                replace(n, head=place) if n.head == place - 1 and p < place else n
-                for p, n in enumerate(nodes)
-            ]
-            nodes[place - 1] = replace(before, relation="compound", head=place)
+            tree = tree.hung((p for p in tree.children(place - 1) if p < place), place)
+            tree = tree.changed(place - 1, relation="compound", head=place)
         elif before.head != place:
             continue
-        nodes[place] = replace(node, relation="dobj")
-    return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+        tree = tree.changed(place, relation="dobj")
+    return tree
 
 
 def with_her(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "turn her two-hourly" who is turned, whom a tree takes for an owner: nobody owns a time."""
-    nodes = list(tree.nodes)
-    for place in range(1, len(nodes) - 1):
-        node, before = nodes[place], nodes[place - 1]
+    for place in range(1, len(tree.nodes) - 1):
+        before, node = tree.nodes[place - 1 : place + 1]
         if node.tag == "PRP$" and node.relation == "poss" and place + 1 in timed and before.is_verb:
-            nodes[place] = replace(node, tag="PRP", relation="dobj", head=place - 1)
-    return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+            tree = tree.changed(place, tag="PRP", relation="dobj", head=place - 1)
+    return tree
 
 
 def with_thing_before_time(tree: Tree, timed: AbstractSet[int]) -> Tree:
@@ -237,12 +219,11 @@ def with_thing_before_time(tree: Tree, timed: AbstractSet[int]) -> Tree:
         verb = parts[0] - 1 if tree.nodes[parts[0] - 1].is_verb else node.head
         if not tree.nodes[verb].is_verb or verb in timed or node.head == place:
             continue
-        nodes = [replace(n, head=thing) if p in parts else n for p, n in enumerate(tree.nodes)]
-        nodes[thing] = replace(nodes[thing], relation="dobj", head=verb)
-        nodes[place] = replace(node, relation="npadvmod", head=verb)
-        if nodes[verb].head == place:
-            nodes[verb] = replace(nodes[verb], relation=node.relation, head=node.head)
-        return tree.with_nodes(nodes)
+        given = tree.hung(parts, thing).changed(thing, relation="dobj", head=verb)
+        given = given.changed(place, relation="npadvmod", head=verb)
+        if given.nodes[verb].head == place:
+            given = given.changed(verb, relation=node.relation, head=node.head)
+        return given
     return tree
 
 
@@ -253,7 +234,5 @@ def with_object_of_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:
         behind = (p for p in tree.children(root, "npadvmod") if tree.reach(p)[0] == aim + 1)
         thing = next((p for p in behind if timed.isdisjoint(range(aim + 1, p + 1))), None)
         if thing is not None and tree.nodes[thing].tag in NAMES and not tree.children(aim, "dobj"):
-            nodes = list(tree.nodes)
-            nodes[thing] = replace(nodes[thing], relation="dobj", head=aim)
-            return tree.with_nodes(nodes)
+            return tree.changed(thing, relation="dobj", head=aim)
     return tree

@@ -1,7 +1,5 @@
 """Trees mended where a word that is done was taken for a thing, or a thing for what is done."""
 
-from dataclasses import replace
-
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.mended.mended_verbs import (
     does_to_person,
@@ -38,14 +36,12 @@ def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
 
 def _with_manner(tree: Tree) -> Tree:
     """Give "start the addition, dropwise over an hour" its adverb, which a tree takes for a second verb."""
-    nodes = list(tree.nodes)
-    for place, node in enumerate(nodes):
+    for place in range(1, len(tree.nodes)):
+        node = tree.nodes[place]
         known = node.may_act or not node.lower.endswith(tuple(tree.lexicon.closed.endings_of_manner))
-        if place and node.is_verb and not known and node.relation == "conj":
-            nodes[place] = replace(node, tag="RB", relation="advmod")
-            for below in tree.children(place):
-                nodes[below] = replace(nodes[below], head=node.head)
-    return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+        if node.is_verb and not known and node.relation == "conj":
+            tree = tree.changed(place, tag="RB", relation="advmod").hung(tree.children(place), node.head)
+    return tree
 
 
 def _does_named(tree: Tree) -> Tree | None:
@@ -57,40 +53,34 @@ def _does_named(tree: Tree) -> Tree | None:
     led = bool(subjects) and tree.nodes[root - 1] is tree.nodes[subjects[0]] and tree.nodes[1].tag == "DT"
     if not led or tree.nodes[0].head != root or tree.nodes[-1].text == "?" or tree.children(root, "dobj"):
         return None
-    moved = with_thing_done(tree, root, root)
-    moved[root - 1] = replace(moved[root - 1], relation="compound", head=root)
-    return tree.with_nodes(moved)
+    return with_thing_done(tree, root).changed(root - 1, relation="compound", head=root)
 
 
 def _lets_know(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "let ben know" its verb, which a tree takes for one that helps another."""
-    root, nodes = tree.root, list(tree.nodes)
+    root, nodes = tree.root, tree.nodes
     helps = bool(nodes) and nodes[0].lower in lexicon.letting and nodes[0].relation == "aux"
     if not helps or nodes[0].head != root or nodes[root].lemma != "know":
         return None
-    nodes[0] = replace(nodes[0], head=0, relation="ROOT", tag="VB")
-    nodes[root] = replace(nodes[root], head=0, relation="ccomp")
-    return tree.with_nodes(nodes)
+    return tree.changed(0, head=0, relation="ROOT", tag="VB").changed(root, head=0, relation="ccomp")
 
 
 def _with_numbered_things(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give what has a number as a thing, which was taken for what is done: "start pump 2", "test pump 1"."""
-    nodes = list(tree.nodes)
-    for thing in range(1, len(nodes) - 1):
-        verb, node, number = nodes[thing - 1 : thing + 2]
+    for thing in range(1, len(tree.nodes) - 1):
+        verb, node, number = tree.nodes[thing - 1 : thing + 2]
         named = node.tag.startswith("VB") and node.lower in lexicon.machines and number.tag == "CD"
         if not named or not verb.may_act or verb.lower != verb.lemma or verb.tag not in {"VB", "VBP", "NN"}:
             continue
         first = node.head == thing or (node.head == thing - 1 and node.relation in {"xcomp", "ccomp", "dobj"})
         if not first:
             continue
-        nodes = [replace(one, head=thing - 1) if one.head == thing else one for one in nodes]
+        tree = tree.hung(tree.children(thing), thing - 1).changed(thing - 1, tag="VB")
         if node.head == thing:
-            verb = replace(verb, relation="ROOT", head=thing - 1)
-        nodes[thing - 1] = replace(verb, tag="VB")
-        nodes[thing] = replace(node, tag="NN", relation="dobj", head=thing - 1)
-        nodes[thing + 1] = replace(number, relation="nummod", head=thing)
-    return tree.with_nodes(nodes) if nodes != list(tree.nodes) else tree
+            tree = tree.changed(thing - 1, relation="ROOT", head=thing - 1)
+        tree = tree.changed(thing, tag="NN", relation="dobj", head=thing - 1)
+        tree = tree.changed(thing + 1, relation="nummod", head=thing)
+    return tree
 
 
 def _with_name_in_front(tree: Tree, lexicon: Lexicon) -> Tree:
@@ -99,9 +89,7 @@ def _with_name_in_front(tree: Tree, lexicon: Lexicon) -> Tree:
         return tree
     if tree.nodes[0].lower not in lexicon.happening | lexicon.taken:
         return tree
-    nodes = [replace(tree.nodes[0], tag="NN", relation="ROOT", head=0), *tree.nodes[1:]]
-    nodes[1] = replace(nodes[1], relation="prep", head=0)
-    return tree.with_nodes(nodes)
+    return tree.changed(0, tag="NN", relation="ROOT", head=0).changed(1, relation="prep", head=0)
 
 
 def _does_nth(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -112,10 +100,7 @@ def _does_nth(tree: Tree, lexicon: Lexicon) -> Tree | None:
     counted = led.tag == "DT" and number.lower in lexicon.ordinals and number.relation == "nsubj"
     if not counted or number.head != NTH or thing.tag != "VBD" or not first.may_act:
         return None
-    moved = with_thing_done(tree, NTH, NTH)
-    moved[1] = replace(led, head=NTH)
-    moved[2] = replace(number, relation="amod", head=NTH)
-    return tree.with_nodes(moved)
+    return with_thing_done(tree, NTH).changed(1, head=NTH).changed(2, relation="amod", head=NTH)
 
 
 def _wants_done(tree: Tree) -> Tree:
@@ -129,24 +114,17 @@ def _wants_done(tree: Tree) -> Tree:
     for done in tree.children(root, "ccomp"):
         if tree.nodes[done].tag == "VBD" and _is_of_thing(tree, done):
             # "I want the van washed": what is to be done was taken for what was.
-            nodes = list(tree.nodes)
-            nodes[done] = replace(nodes[done], tag="VBN")
-            return tree.with_nodes(nodes)
+            return tree.changed(done, tag="VBN")
     for thing in tree.children(root, "dobj"):
         for done in tree.children(root, "xcomp"):
-            if thing < done and any(tree.nodes[p].lower == "to" for p in tree.children(done, "aux")):
+            if thing < done and "to" in tree.said(tree.children(done, "aux")):
                 # "I'd like the kettle to come on at six"
-                nodes = list(tree.nodes)
-                nodes[done] = replace(nodes[done], relation="ccomp")
-                nodes[thing] = replace(nodes[thing], relation="nsubj", head=done)
-                return tree.with_nodes(nodes)
+                return tree.changed(done, relation="ccomp").changed(thing, relation="nsubj", head=done)
         for done in tree.children(thing, "acl"):
             named = [p for p in tree.children(done) if tree.nodes[p].relation not in BESIDE_DONE]
             if done == thing + 1 and tree.nodes[done].tag == "VBN" and not named:
-                nodes = list(tree.nodes)
-                nodes[done] = replace(nodes[done], relation="ccomp", head=root)
-                nodes[thing] = replace(nodes[thing], relation="nsubj", head=done)
-                return tree.with_nodes(nodes)
+                told = tree.changed(done, relation="ccomp", head=root)
+                return told.changed(thing, relation="nsubj", head=done)
     return tree
 
 
@@ -170,10 +148,7 @@ def _with_list(tree: Tree) -> Tree:
     listed = next((p for p in further if tree.nodes[p].tag in NOUNS and _is_led(tree, p, comma + 1)), None)
     if listed is None or not tree.children(listed, "conj"):
         return tree
-    nodes = list(tree.nodes)
-    nodes[listed] = replace(nodes[listed], head=thing, relation="conj")
-    nodes[comma] = replace(nodes[comma], head=thing)
-    return tree.with_nodes(nodes)
+    return tree.changed(listed, head=thing, relation="conj").changed(comma, head=thing)
 
 
 def _is_led(tree: Tree, place: int, first: int) -> bool:
@@ -188,10 +163,7 @@ def _lets(tree: Tree) -> Tree | None:
     us, done = tree.nodes[1], tree.nodes[LET]
     if us.lower not in {"'s", "’s", "us"} or us.head != LET or done.tag != "NN" or not done.may_act:
         return None
-    nodes = list(tree.nodes)
-    nodes[LET] = replace(done, tag="VB", relation="ccomp")
-    nodes[1] = replace(us, relation="nsubj")
-    return tree.with_nodes(nodes)
+    return tree.changed(LET, tag="VB", relation="ccomp").changed(1, relation="nsubj")
 
 
 def as_order(tree: Tree) -> Tree:
@@ -201,11 +173,11 @@ def as_order(tree: Tree) -> Tree:
     first = tree.nodes[0] if tree.nodes else None
     if first is None or root != 0 or not first.tag.startswith("NN") or not first.may_act:
         return tree
-    return tree.with_nodes((replace(first, tag="VB"), *tree.nodes[1:])) if tree.children(0, "dobj") else tree
+    return tree.changed(0, tag="VB") if tree.children(0, "dobj") else tree
 
 
 def as_acting(tree: Tree) -> Tree:
     """Give what one does next its verb, which may be a plural too: "robot 2 cleans the tank, then docks"."""
     if not tree.nodes or tree.root != 0 or tree.nodes[0].tag not in {"NNS", "VB"}:
         return tree
-    return tree.with_nodes((replace(tree.nodes[0], tag="VBZ"), *tree.nodes[1:]))
+    return tree.changed(0, tag="VBZ")

@@ -1,7 +1,5 @@
 """Orders whose tree takes another word for their verb, given it: "feed grandpa", "press start"."""
 
-from dataclasses import replace
-
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
@@ -40,7 +38,7 @@ def does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     called = person.lower in lexicon.names_like_words and (person.lower != person.lemma or not leads)
     if not acts or not (known or called):
         return None
-    return None if first.lower in lexicon.persons else tree.with_nodes(with_thing_done(tree, 1, 1))
+    return None if first.lower in lexicon.persons else with_thing_done(tree, 1)
 
 
 def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -51,7 +49,7 @@ def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
     orders = called and tree.nodes[0].lower in lexicon.ordering
     numbered = any(node.tag == "CD" and node.text.isalpha() for node in tree.nodes[LET:])
     orders = orders or (not numbered and _orders_several(tree.nodes[0], tree.nodes[1], lexicon))
-    return tree.with_nodes(with_thing_done(tree, 1, 1)) if orders else None
+    return with_thing_done(tree, 1) if orders else None
 
 
 def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:
@@ -77,11 +75,7 @@ def _does_event(tree: Tree, lexicon: Lexicon) -> Tree | None:
         or tree.nodes[root - 1].tag not in {"NN", "JJ"}
     ):
         return None
-    moved = with_thing_done(tree, root, root)
-    for place in range(1, root):
-        moved[place] = replace(moved[place], head=root)
-    moved[root - 1] = replace(moved[root - 1], relation="compound")
-    return tree.with_nodes(moved)
+    return with_thing_done(tree, root).hung(range(1, root), root).changed(root - 1, relation="compound")
 
 
 def _does_led(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -95,7 +89,7 @@ def _does_led(tree: Tree, lexicon: Lexicon) -> Tree | None:
     named = led.tag in DETERMINERS and led.head == root and lexicon.entries.keys().isdisjoint({first.lower})
     if not bare or not beside or not named or first.lower in lexicon.places | lexicon.particles.keys():
         return None
-    return tree.with_nodes(with_thing_done(tree, root, root))
+    return with_thing_done(tree, root)
 
 
 def _does_owned(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -106,18 +100,17 @@ def _does_owned(tree: Tree, lexicon: Lexicon) -> Tree | None:
     first, owner = tree.nodes[:LET]
     orders = first.lower in lexicon.orders - lexicon.persons and first.lower == first.text
     owned = owner.relation == "poss" and owner.head == root and tree.nodes[root].tag in NOUNS
-    return tree.with_nodes(with_thing_done(tree, root, root)) if orders and owned else None
+    return with_thing_done(tree, root) if orders and owned else None
 
 
 def _has_done(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "have ben slice the tomato" who does it, whom a tree takes for a part of what is done."""
-    root, nodes = tree.root, list(tree.nodes)
+    root, nodes = tree.root, tree.nodes
     helps = nodes[0].lower in lexicon.causing and nodes[0].relation == "aux" and nodes[0].head == root
     if not helps or root != LET or nodes[1].relation not in {"compound", "npadvmod", "nmod"}:
         return None
     person = nodes[1].lower in lexicon.persons or nodes[1].tag == "NNP"
-    nodes[1] = replace(nodes[1], relation="nsubj")
-    return tree.with_nodes(nodes) if person and nodes[root].is_bare else None
+    return tree.changed(1, relation="nsubj") if person and nodes[root].is_bare else None
 
 
 def _does_that(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -141,10 +134,8 @@ def _does_that(tree: Tree, lexicon: Lexicon) -> Tree | None:
         or any(node.tag in DETERMINERS | NOUNS or node.tag.startswith(("VB", "MD")) for node in behind)
     ):
         return None
-    nodes = [replace(node, head=0) if node.head == LET else node for node in tree.nodes]
-    nodes[1] = replace(that, tag="DT", relation="det", head=LET)
-    nodes[LET] = replace(thing, tag="NN", lemma=thing.lower, relation="dobj", head=0)
-    return tree.with_nodes(nodes)
+    named = tree.hung(tree.children(LET), 0).changed(1, tag="DT", relation="det", head=LET)
+    return named.changed(LET, tag="NN", lemma=thing.lower, relation="dobj", head=0)
 
 
 def _calls_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -160,7 +151,7 @@ def _calls_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     things = lexicon.taken | lexicon.happening | lexicon.events | lexicon.doing.letters
     person = person or (who[-1].may_act and who[-1].lower not in things)
     calls = tree.nodes[0].lower in lexicon.addressing - lexicon.persons
-    return tree.with_nodes(with_thing_done(tree, root, root)) if calls and person else None
+    return with_thing_done(tree, root) if calls and person else None
 
 
 def _is_asked(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -175,24 +166,19 @@ def _is_asked(tree: Tree, lexicon: Lexicon) -> Tree | None:
         or tree.nodes[root].lower not in lexicon.orders
     ):
         return None
-    nodes = list(tree.nodes)
-    nodes[root] = replace(nodes[root], tag="VB", lemma=nodes[root].lower)
-    return tree.with_nodes(nodes)
+    return tree.changed(root, tag="VB", lemma=tree.nodes[root].lower)
 
 
 def _lists_order(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "add mop the hall to my chores" its verb, which a tree takes for one that helps another."""
-    root, nodes = tree.root, list(tree.nodes)
+    root, nodes = tree.root, tree.nodes
     things = tree.children(root, "dobj")
     listed = root == 1 and nodes[0].lower in lexicon.beside.listing and nodes[0].relation == "aux"
     if not listed or not things or not any(nodes[p].lower == "to" for p in tree.children(root, "prep")):
         return None
-    behind = tree.children(root, "prep")
-    nodes = [replace(one, head=0) if place in behind else one for place, one in enumerate(nodes)]
-    nodes[0] = replace(nodes[0], tag="VB", relation="ROOT", head=0)
-    nodes[root] = replace(nodes[root], tag="NN", relation="compound", head=things[0])
-    nodes[things[0]] = replace(nodes[things[0]], relation="dobj", head=0)
-    return tree.with_nodes(nodes)
+    listing = tree.hung(tree.children(root, "prep"), 0).changed(0, tag="VB", relation="ROOT", head=0)
+    named = listing.changed(root, tag="NN", relation="compound", head=things[0])
+    return named.changed(things[0], relation="dobj", head=0)
 
 
 def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -207,10 +193,8 @@ def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
     bare = first.tag == "NN" and first.may_act and second.tag in {"VB", "VBP"} and third.tag in {"NN", "NNS"}
     if not bare or first.lower in lexicon.persons | lexicon.workers or not things:
         return None
-    nodes = [replace(node, head=0) if node.head == 1 else node for node in tree.nodes]
-    nodes[0] = replace(first, tag="VB", relation="ROOT", head=0)
-    nodes[1] = replace(second, tag="NN", relation="compound", head=things[0])
-    return tree.with_nodes(nodes)
+    done = tree.hung(tree.children(1), 0).changed(0, tag="VB", relation="ROOT", head=0)
+    return done.changed(1, tag="NN", relation="compound", head=things[0])
 
 
 def _goes_to_do(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -222,24 +206,18 @@ def _goes_to_do(tree: Tree, lexicon: Lexicon) -> Tree | None:
     bare = done.tag == "VB" or (done.tag in NOUNS and done.may_act and tree.nodes[2].tag in DETERMINERS)
     if not bare or done.head != 0 or tree.children(1, "aux", "mark", "det"):
         return None
-    nodes = [replace(node, head=1) if node.head == 0 else node for node in tree.nodes]
-    nodes[0] = replace(nodes[0], relation="aux")
-    nodes[1] = replace(nodes[1], tag="VB", relation="ROOT")
-    return tree.with_nodes(nodes)
+    led = tree.hung(tree.children(0), 1).changed(0, relation="aux", head=1)
+    return led.changed(1, tag="VB", relation="ROOT")
 
 
-def with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:
-    """Make the first word the verb, a thing its object, and what hung on that behind a word the verb's.
+def with_thing_done(tree: Tree, thing: int) -> Tree:
+    """Make the first word the verb, a thing its object, and what hung on that behind it the verb's.
 
     What else is named stays with the thing: "email tom and ben".
     """
     joined = tree.children(thing, "cc", "conj")
     named = all(tree.nodes[p].tag in NOUNS for p in joined if tree.nodes[p].relation == "conj")
     kept = joined if named else ()
-    moved = [
-        replace(node, head=0) if node.head == thing and place > last and place not in kept else node
-        for place, node in enumerate(tree.nodes)
-    ]
-    moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
-    moved[thing] = replace(moved[thing], tag="NN", relation="dobj", head=0)
-    return moved
+    moved = tree.hung((p for p in tree.children(thing) if p > thing and p not in kept), 0)
+    moved = moved.changed(0, tag="VB", relation="ROOT", head=0)
+    return moved.changed(thing, tag="NN", relation="dobj", head=0)

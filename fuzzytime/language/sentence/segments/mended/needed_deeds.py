@@ -4,11 +4,10 @@ Who speaks needs things: "we need cleaning products"; and so does what has a nou
 """
 
 from collections.abc import Set as AbstractSet
-from dataclasses import replace
 
 from fuzzytime.english import PARTICIPLE
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.trees.tree import Tree
 
 NOUNS = "NN"
 
@@ -23,7 +22,7 @@ def with_needed_deed(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> T
     """Give "the cars need washing" what must be done with which thing."""
     for need in range(1, len(tree.nodes) - 1):
         if tree.root in {need, need + 1} and _needs_deed(tree, need, timed, lexicon):
-            return tree.with_nodes(_mended(tree, need, lexicon))
+            return _mended(tree, need, lexicon)
     return tree
 
 
@@ -41,24 +40,23 @@ def _needs_deed(tree: Tree, need: int, timed: AbstractSet[int], lexicon: Lexicon
     return called and needs and done and not any(node.tag.startswith((NOUNS, "DT", "PRP")) for node in behind)
 
 
-def _mended(tree: Tree, need: int, lexicon: Lexicon) -> list[Node]:
+def _mended(tree: Tree, need: int, lexicon: Lexicon) -> Tree:
     thing, deed = need - 1, need + 1
-    nodes = list(tree.nodes)
+    nodes = tree.nodes
     for place, node in enumerate(nodes):
         if place in {thing, need, deed} or node.head not in {need, deed}:
             continue
         of_thing = place < thing and node.relation in OF_THINGS
         head = thing if of_thing else need if place < need or node.relation in JOINED else deed
-        nodes[place] = replace(node, head=head)
+        tree = tree.changed(place, head=head)
     finite = "VBZ" if nodes[need].lower.endswith("s") else "VBP"
-    nodes[need] = replace(
-        nodes[need], tag=finite, lemma=nodes[need].lower.removesuffix("s"), relation="ROOT", head=need
+    tree = tree.changed(
+        need, tag=finite, lemma=nodes[need].lower.removesuffix("s"), relation="ROOT", head=need
     )
     named = "NN" if nodes[thing].tag == "JJ" else nodes[thing].tag
-    nodes[thing] = replace(nodes[thing], tag=named, relation="nsubj", head=need)
+    tree = tree.changed(thing, tag=named, relation="nsubj", head=need)
     lemma = nodes[deed].lemma if nodes[deed].tag == "VBG" else _bare(nodes[deed].lower, lexicon)
-    nodes[deed] = replace(nodes[deed], tag="VBG", lemma=lemma, relation="xcomp", head=need)
-    return nodes
+    return tree.changed(deed, tag="VBG", lemma=lemma, relation="xcomp", head=need)
 
 
 def _bare(deed: str, lexicon: Lexicon) -> str:

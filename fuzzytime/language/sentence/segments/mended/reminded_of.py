@@ -1,7 +1,5 @@
 """What somebody is reminded of behind a clause: "remind me when i get home to put the wash on"."""
 
-from dataclasses import replace
-
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -29,9 +27,7 @@ def with_reminded(tree: Tree, lexicon: Lexicon) -> Tree:
             continue
         if not _ends_clause(tree, to - 1, lexicon):
             continue
-        nodes = list(tree.nodes)
-        nodes[verb] = replace(node, head=root, relation="xcomp")
-        return tree.with_nodes(nodes)
+        return tree.changed(verb, head=root, relation="xcomp")
     return tree
 
 

@@ -11,7 +11,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
+from fuzzytime.language.instruction import Remark, Span, overlap
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.segment import ENDS
@@ -100,8 +100,7 @@ def remarks_of(text: str, messages: Sequence[Message]) -> Iterator[Remark]:
     """Give what to say of the times in what is told."""
     for message in messages:
         for phrase in message.times:
-            said = f"{text[slice(*phrase.span)]!r} is of what is told, and not when to do it"
-            yield Remark(RemarkKind.POLICY, phrase.span, said)
+            yield Remark.noted(text, phrase.span, "is of what is told, and not when to do it")
 
 
 def _starts(source: _Source) -> Iterator[tuple[int, int]]:

@@ -58,7 +58,7 @@ def clauses_of(
     covered = places_in(phrases)
     named_so = {place for start, end in names_in(words, lexicon) for place in range(start, end)}
     titled = written_out(words, lexicon) | named_so
-    reader = _Clauses(tree, words, phrases, lexicon, covered, named)
+    reader = _Clauses(tree, words, phrases, named)
     place = 0
     while place < len(words):
         is_name = place in titled or (place > 0 and words[place - 1].text in lexicon.closed.sure_noun_openers)
@@ -93,24 +93,14 @@ def _named_at(event: Clause, named: Phrase, day: Phrase | None) -> Clause:
 
 class _Clauses:
     def __init__(
-        self,
-        tree: Tree,
-        words: Sequence[Word],
-        phrases: Sequence[Phrase],
-        lexicon: Lexicon,
-        covered: frozenset[int],
-        named: Sequence[Phrase],
+        self, tree: Tree, words: Sequence[Word], phrases: Sequence[Phrase], named: Sequence[Phrase]
     ) -> None:
-        self.tree = tree
-        self.words = words
-        self.phrases = phrases
-        self.lexicon = lexicon
-        self.covered = covered
-        self.named = named
-        self.contents = Contents(tree, phrases, lexicon)
-        self.before = BeforeMarker(words, phrases, lexicon, covered)
-        self.ends = ClauseEnds(tree, words, phrases, lexicon, covered)
-        self.markers = ClauseMarkers(tree, words, lexicon, self.before, self.ends)
+        self.tree, self.words, self.phrases, self.named = tree, words, phrases, named
+        self.lexicon, self.covered = tree.lexicon, places_in(phrases)
+        self.contents = Contents(tree, phrases, self.lexicon)
+        self.before = BeforeMarker(words, phrases, self.lexicon, self.covered)
+        self.ends = ClauseEnds(tree, words, phrases)
+        self.markers = ClauseMarkers(self.before, self.ends)
 
     def leads_to_distance(self, place: int, form: tuple[str, ...]) -> bool:
         """Whether a marker bounds so long before or after an event: "until ten minutes before the parade"."""

@@ -2,9 +2,10 @@
 
 from collections.abc import Sequence
 
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.waiting import goes_on_behind
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Constraint
@@ -28,16 +29,9 @@ ASKED = 4
 class ClauseEnds:
     """The ends of clauses among the words of an instruction, of which some are covered by times."""
 
-    def __init__(
-        self,
-        tree: Tree,
-        words: Sequence[Word],
-        phrases: Sequence[Phrase],
-        lexicon: Lexicon,
-        covered: frozenset[int],
-    ) -> None:
-        self.tree = tree
-        self.words, self.phrases, self.lexicon, self.covered = words, phrases, lexicon, covered
+    def __init__(self, tree: Tree, words: Sequence[Word], phrases: Sequence[Phrase]) -> None:
+        self.tree, self.words, self.phrases = tree, words, phrases
+        self.lexicon, self.covered = tree.lexicon, places_in(phrases)
 
     def of(self, first: int) -> int:
         """Give where a clause ends that begins at a word: at a mark, or at "and" and a time."""

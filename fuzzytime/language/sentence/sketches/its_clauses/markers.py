@@ -8,7 +8,6 @@ from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.conditions import IF, is_wish
 from fuzzytime.language.sentence.segments.events.event_edges import BY, OF_EDGES, edge_of, is_event
 from fuzzytime.language.sentence.sketches.its_clauses.ends import ASKED, ClauseEnds
-from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Edge
 
 AFTER, AS, WHEN = "after", "as", "when"
@@ -17,10 +16,8 @@ AFTER, AS, WHEN = "after", "as", "when"
 class ClauseMarkers:
     """The words of an instruction that begin clauses."""
 
-    def __init__(
-        self, tree: Tree, words: Sequence[Word], lexicon: Lexicon, before: BeforeMarker, ends: ClauseEnds
-    ) -> None:
-        self.tree, self.words, self.lexicon = tree, words, lexicon
+    def __init__(self, before: BeforeMarker, ends: ClauseEnds) -> None:
+        self.tree, self.words, self.lexicon = ends.tree, ends.words, ends.lexicon
         self.before, self.ends, self.covered = before, ends, ends.covered
 
     def begins_none(self, place: int, form: tuple[str, ...]) -> bool:

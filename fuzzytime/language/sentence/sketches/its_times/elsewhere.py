@@ -36,8 +36,8 @@ def elsewhere(
     part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Lexicon, *, told: bool = False
 ) -> list[Phrase]:
     """Give the times that are no times of what is to be done, of which a clause may have ``told`` when."""
-    starts = {phrase.span: next(part.tree.at(*_local(part, phrase)), None) for phrase in phrases}
-    timed = {place for phrase in phrases for place in part.tree.at(*_local(part, phrase))}
+    starts = {phrase.span: next(part.at(phrase.span), None) for phrase in phrases}
+    timed = {place for phrase in phrases for place in part.at(phrase.span)}
     said = told_from(part, action, timed, lexicon)
     own = said is not None and any(place is None or place < said for place in starts.values())
     if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
@@ -61,7 +61,7 @@ def elsewhere(
 
 def is_of_subject(part: Part, phrase: Phrase, action: Action) -> bool:
     """Whether a time is of what a verb behind it is about: "meeting at 3.30, should be done by four"."""
-    place = next(iter(part.tree.at(*_local(part, phrase))), None)
+    place = next(part.at(phrase.span), None)
     subjects = part.tree.children(action.place, *GRAMMATICAL_SUBJECTS)
     is_when = phrase.said.constraint in {None, Constraint.AT}
     return is_when and place is not None and any(place in part.tree.below(subject) for subject in subjects)
@@ -71,7 +71,7 @@ def _of_subject(part: Part, phrases: Sequence[Phrase], action: Action, *, told: 
     """Give what something is for, beside when it happens: "the sheet for Monday goes out at six"."""
     subjects = [p for p in part.tree.children(action.place, *SUBJECTS) if p < action.place]
     inside = {p for subject in subjects for p in part.tree.below(subject)}
-    places = {phrase.span: set(part.tree.at(*_local(part, phrase))) for phrase in phrases}
+    places = {phrase.span: set(part.at(phrase.span)) for phrase in phrases}
     own = [phrase for phrase in phrases if not places[phrase.span] <= inside]
     verb = part.tree.nodes[action.place]
     if verb.tag != "VBZ" or verb.lemma in part.tree.lexicon.doing.happening or not (own or told):
@@ -98,7 +98,7 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
         if nodes[so].lower != "so" or (own_end and nodes[verb].lemma not in lexicon.doing.arriving):
             # "Soak it overnight so it's ready by six"; but "order it today so that it comes on friday"
             continue
-        start, end = nodes[so].start + part.offset, nodes[-1].end + part.offset
+        start, end = part.span(nodes[so], nodes[-1])
         own = any(phrase.span[1] <= start for phrase in phrases)
         behind = any(phrase.span[0] >= start for phrase in phrases)
         thing = {nodes[p].lower for p in part.tree.children(action.place, "dobj")}
@@ -114,19 +114,14 @@ def reason_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | N
         opening = f"{nodes[place].lower} {nodes[place + 1].lower}"
         if opening in closed.subordinators_of_precaution and nodes[place + 2].lower != "of":
             # "Take a coat in case it rains at noon"
-            return nodes[place].start + part.offset, nodes[-1].end + part.offset
+            return part.span(nodes[place], nodes[-1])
     for place in range(action.place + 1, len(nodes)):
         if nodes[place].lower in closed.subordinators_of_reason and nodes[place].relation == "mark":
             reach = part.tree.reach(nodes[place].head)
-            start, end = nodes[place].start + part.offset, nodes[reach[1] - 1].end + part.offset
+            start, end = part.span(nodes[place], nodes[reach[1] - 1])
             if any(start <= phrase.span[0] < end for phrase in phrases):
                 return start, end
     return None
-
-
-def _local(part: Part, phrase: Phrase) -> tuple[int, int]:
-    first, end = phrase.span
-    return first - part.offset, end - part.offset
 
 
 def _of_moved(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Lexicon) -> list[Phrase]:
@@ -179,7 +174,7 @@ def _of_prepared(part: Part, phrases: Sequence[Phrase], action: Action) -> list[
     """Give when that is which is prepared, where another time says when: "the rota for monday by friday"."""
     nodes = part.tree.nodes
     for place, phrase in enumerate(phrases):
-        first = next(iter(part.tree.at(*_local(part, phrase))), None)
+        first = next(part.at(phrase.span), None)
         named = first is not None and first > action.place + 1 and nodes[first - 1].tag.startswith("NN")
         if named and phrase.said.preposition == FOR and phrase.said.constraint is None:
             listed = [phrase, *takewhile(_is_listed, phrases[place + 1 :])]
@@ -192,7 +187,7 @@ def _of_inner(part: Part, phrases: Sequence[Phrase]) -> list[Phrase]:
     """Give how long a part of it is, where words say of the whole: "from 9 to 11 with a ten minute break"."""
     nodes, found = part.tree.nodes, []
     for phrase in phrases:
-        first = next(iter(part.tree.at(*_local(part, phrase))), 0)
+        first = next(part.at(phrase.span), 0)
         led, article = ["", "", *(node.lower for node in nodes[:first])][-2:]
         inner = isinstance(phrase.said.time, Duration) and phrase.said.preposition is None
         if inner and led == WITH and article in ARTICLES and len(phrases) > 1:

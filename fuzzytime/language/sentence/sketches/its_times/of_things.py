@@ -5,7 +5,6 @@ They say which is meant, and not when to do it.
 
 from collections.abc import Iterator, Sequence
 
-from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.days.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.expressions import Offset, Phrase, Range, Repeat, Wall
 from fuzzytime.language.sentence.segments.waiting import Part
@@ -60,11 +59,8 @@ class _Things:
 
     def _behind(self, phrase: Phrase) -> int | None:
         """Give the word right before a time, behind the verb."""
-        first = next(iter(self.tree.at(*self._local(phrase.span))), 0)
+        first = next(self.part.at(phrase.span), 0)
         return first - 1 if first - 1 > self.verb else None
-
-    def _local(self, span: Span) -> tuple[int, int]:
-        return span[0] - self.part.offset, span[1] - self.part.offset
 
     def _name(self, place: int) -> list[Node]:
         """Give the words of a name that ends at a place: "the half marathon"."""
@@ -230,7 +226,7 @@ class _Things:
     def _is_purpose(self, own: Phrase, place: int) -> bool:
         """Whether a name that ends at a place is of what "for" or "about" begins, behind an own time."""
         led = place - len(self._name(place))
-        inside = next(iter(self.tree.at(*self._local(own.span))), 0) < led
+        inside = next(self.part.at(own.span), 0) < led
         return inside and self.nodes[led].lower in {FOR, "about", TO}
 
 

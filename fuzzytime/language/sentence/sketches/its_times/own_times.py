@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
+from fuzzytime.language.instruction import Remark, Span, overlap
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
@@ -66,4 +66,4 @@ def own_times(draft: Draft, part: Part, said: SaidOfTime, action: Action, lexico
 
 
 def _left_out(text: str, aim: Span, what: str) -> Remark:
-    return Remark(RemarkKind.POLICY, aim, f"{text[slice(*aim)]!r} is {what}, and not when to do it")
+    return Remark.noted(text, aim, f"is {what}, and not when to do it")

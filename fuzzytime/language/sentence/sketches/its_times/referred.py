@@ -75,7 +75,7 @@ def _reference(
 
 def _reference_at(part: Part, span: Span, action: Action, lexicon: Lexicon) -> Reference | None:
     """Give which moment words in a stretch are about, by the verb nearest above them."""
-    first, end = (place - part.offset for place in span)
+    first, end = part.local(span)
     for place in part.tree.at(first, end):
         for above in part.tree.above(place):
             if above == action.place:

@@ -16,8 +16,7 @@ BINDING = SAID_WHEN | BOUNDS
 
 def not_used(text: str, span: Span) -> Remark:
     """Say that a time which "or" joins to another is left out."""
-    message = f"{text[slice(*span)]!r} is not used: of times joined by 'or', the first is taken"
-    return Remark(RemarkKind.POLICY, span, message)
+    return Remark.noted(text, span, "is not used: of times joined by 'or', the first is taken")
 
 
 def offered(

@@ -41,13 +41,8 @@ def left_out_behind(sketches: Sequence[Sketch], lexicon: Lexicon) -> list[Sketch
         if before is None or not denied:
             found.append(sketch)
             continue
-        segment = before.part.segment
-        whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
-        found[-1] = replace(
-            before.also(*denied),
-            part=replace(before.part, segment=whole),
-            joints=(*before.joints, sketch.part.segment.span),
-        )
+        whole = before.also(*denied).reaching(sketch)
+        found[-1] = replace(whole, joints=(*before.joints, sketch.part.segment.span))
     return found
 
 
@@ -87,7 +82,7 @@ def _says_no_more(sketch: Sketch, lexicon: Lexicon) -> bool:
     """Whether nothing but small words stands beside times."""
     part = sketch.part
     for node in part.tree.nodes:
-        span = (node.start + part.offset, node.end + part.offset)
+        span = part.span(node)
         timed = any(overlap(span, phrase.span) for phrase in sketch.phrases)
         if not timed and node.text.isalpha() and node.lower not in lexicon.beside.around_denials:
             return False

@@ -45,7 +45,7 @@ def _is_time_alone(sketch: Sketch) -> bool:
     """Whether nothing but times is said: not "maths until ten"."""
     part = sketch.part
     names = (node for node in part.tree.nodes if node.tag.startswith("NN"))
-    spans = ((node.start + part.offset, node.end + part.offset) for node in names)
+    spans = list(map(part.span, names))
     return bool(sketch.phrases) and all(any(overlap(s, p.span) for p in sketch.phrases) for s in spans)
 
 

@@ -36,12 +36,9 @@ def requested_too(
             asked = asked.removesuffix(text[slice(*phrase.span)]).strip()
         told = replace(again, object=f"{whom}{TO}{asked}", manner=None)
         return [before, _named(sketch, of_which(text, told, sketch.phrases), text)]
-    segment = before.part.segment
-    whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
     both = replace(first, object=f"{said} and {whom}")
     named = _named(sketch, both, text)
-    part = replace(before.part, segment=whole)
-    kept = replace(before, part=part, operation=both, named=(*before.named, *named.named))
+    kept = replace(before.reaching(sketch), operation=both, named=(*before.named, *named.named))
     return [replace(kept, remarks=(*before.remarks, *named.remarks))]
 
 

@@ -20,7 +20,7 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
     closed = lexicon.closed
     part = sketch.part
-    spans = [(node.start + part.offset, node.end + part.offset) for node in part.tree.nodes]
+    spans = list(map(part.span, part.tree.nodes))
     said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
     rest = text[said[0][0] : said[-1][1]] if said else ""
     shortly = _said_shortly(before, rest, lexicon) if sketch.heard else None

@@ -69,8 +69,7 @@ def _is_or_else(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> 
 def _not_chosen(sketch: Sketch, text: str) -> Remark:
     """Say that the second of two things is left out."""
     span = sketch.part.segment.span
-    message = f"{text[slice(*span)]!r} is not used: of what 'or' joins, the first is taken"
-    return Remark(RemarkKind.POLICY, span, message)
+    return Remark.noted(text, span, "is not used: of what 'or' joins, the first is taken")
 
 
 def _retracted(before: Sketch, sketch: Sketch, text: str) -> Remark:
@@ -83,7 +82,7 @@ def _retracted(before: Sketch, sketch: Sketch, text: str) -> Remark:
 def _is_done_by_oneself(sketch: Sketch, lexicon: Lexicon) -> bool:
     """Whether who lets something be says who does it: "forget that, I'll do it myself"."""
     operation, tree = sketch.operation, sketch.part.tree
-    named = {tree.nodes[p].lower for p in tree.children(tree.root, "nsubj")}
+    named = tree.said(tree.children(tree.root, "nsubj"))
     anaphor = operation is not None and (operation.object or "").lower() in lexicon.closed.singular_anaphors
     return anaphor and bool(named & lexicon.closed.first_person)
 
@@ -99,9 +98,7 @@ def _instead(operation: Operation, old: str, new: str) -> Operation:
 
 def _timed(before: Sketch, sketch: Sketch) -> Sketch:
     """Give a sketch with what is said of time beside the thing that is meant, and its words."""
-    segment = before.part.segment
-    whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
-    before = replace(before, part=replace(before.part, segment=whole))
+    before = before.reaching(sketch)
     if sketch.phrases:
         return replace(before, phrases=sketch.phrases, references=sketch.references)
     return replace(before, clauses=(*before.clauses, *sketch.clauses))

@@ -10,7 +10,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Remark, RemarkKind
+from fuzzytime.language.instruction import Remark
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Constraint
 
@@ -40,10 +40,9 @@ def denied_together(
                 break
         if joint in AND:
             span = sketch.part.segment.span
-            message = (
-                f"{text[slice(*span)]!r} is taken as denied, too: what is to be done stands behind 'but'"
+            remarks.append(
+                Remark.noted(text, span, "is taken as denied, too: what is to be done stands behind 'but'")
             )
-            remarks.append(Remark(RemarkKind.POLICY, span, message))
     return found, remarks
 
 

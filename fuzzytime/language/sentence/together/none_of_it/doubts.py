@@ -93,7 +93,7 @@ def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[S
         if tree.children(place, *SUBJECTS, "aux", "mark") or not tree.children(place, *OBJECTS, "prt"):
             continue
         below = [p for p in tree.below(place) if tree.nodes[p].relation != "punct"]
-        span = (tree.nodes[min(below)].start + part.offset, tree.nodes[max(below)].end + part.offset)
+        span = part.span(tree.nodes[min(below)], tree.nodes[max(below)])
         message = f"{text[slice(*span)]!r} is not planned: say it as an instruction of its own"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
 
@@ -107,9 +107,8 @@ def things_or_orders(text: str, part: Part, lexicon: Lexicon) -> Iterator[Remark
         bare = node.tag == "NN" and not tree.children(place) and tree.nodes[place - 1].lower in {"and", "&"}
         led = any(tree.nodes[p].tag in DETERMINERS for p in tree.children(node.head, "det", "poss"))
         if joined and bare and led and node.lower in lexicon.chores:
-            span = (node.start + part.offset, node.end + part.offset)
-            message = f"{text[slice(*span)]!r} is taken for a thing: say 'then' before it if it is to be done"
-            yield Remark(RemarkKind.POLICY, span, message)
+            span = part.span(node)
+            yield Remark.noted(text, span, "is taken for a thing: say 'then' before it if it is to be done")
 
 
 def unused_front(text: str, part: Part, heard: Sequence[Span]) -> Iterator[Remark]:
@@ -141,8 +140,8 @@ def unused_words(
     ]
     for first in (place for place in left if place - 1 not in left):
         last = next(place for place in left if place >= first and place + 1 not in left)
-        span = (part.tree.nodes[first].start + part.offset, part.tree.nodes[last].end + part.offset)
-        yield Remark(RemarkKind.POLICY, span, f"{text[slice(*span)]!r} is not used")
+        span = part.span(part.tree.nodes[first], part.tree.nodes[last])
+        yield Remark.noted(text, span, "is not used")
 
 
 def _reasons(tree: Tree, lexicon: Lexicon) -> frozenset[int]:

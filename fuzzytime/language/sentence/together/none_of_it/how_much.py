@@ -40,8 +40,7 @@ def counted(text: str, sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) 
     people = "how many it is for", f"at {number}"
     how, meant = people if said[joint].text == FOR else ("how much", f"{number} o'clock")
     span = (said[joint].start, said[-1].end)
-    message = f"{text[slice(*span)]!r} is taken for {how}: say {meant!r} for a time"
-    yield Remark(RemarkKind.POLICY, span, message)
+    yield Remark.noted(text, span, f"is taken for {how}: say {meant!r} for a time")
 
 
 def _joint(said: Sequence[Word], lexicon: Lexicon) -> int:

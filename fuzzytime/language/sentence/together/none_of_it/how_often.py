@@ -13,7 +13,7 @@ def unknown_moments(text: str, part: Part, heard: Sequence[Span], lexicon: Lexic
     """Point at what is repeated as often as something that is not known, and at what lies between events."""
     for place in _unknown(part, lexicon):
         first, end = part.tree.reach(place)
-        span = (part.tree.nodes[first].start + part.offset, part.tree.nodes[end - 1].end + part.offset)
+        span = part.span(part.tree.nodes[first], part.tree.nodes[end - 1])
         if not any(overlap(span, other) for other in heard):
             message = f"{text[slice(*span)]!r} says when, and is not understood"
             yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)

@@ -36,7 +36,7 @@ def _is_somebody(span: Span, sketch: Sketch) -> bool:
     part, operation = sketch.part, sketch.operation
     if operation is None or operation.lemma not in part.tree.lexicon.addressing or span[0] < part.offset:
         return False
-    places = list(part.tree.at(span[0] - part.offset, span[1] - part.offset))
+    places = list(part.at(span))
     said = (operation.object or "").lower().split()
     nodes = part.tree.nodes
     return len(places) == 1 and any(
@@ -47,7 +47,7 @@ def _is_somebody(span: Span, sketch: Sketch) -> bool:
 def _describes(span: Span, part: Part) -> bool:
     """Whether every word of a stretch hangs on a noun right behind it, or on one behind other nouns."""
     tree = part.tree
-    places = list(tree.at(span[0] - part.offset, span[1] - part.offset))
+    places = list(part.at(span))
     if not places or span[0] < part.offset:
         return False
     last = places[-1]

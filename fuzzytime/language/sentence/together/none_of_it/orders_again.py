@@ -25,11 +25,8 @@ def told_again(
     lengths = [(one, about) for one, about in pairs if one.said.constraint is Constraint.FOR]
     times = [one for one, _ in pairs if one.said.constraint is not Constraint.FOR]
     pairs = [*lengths, *zip(sketch.phrases, sketch.references, strict=True)]
-    segment = before.part.segment
-    whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
     mended = replace(
-        before,
-        part=replace(before.part, segment=whole),
+        before.reaching(sketch),
         phrases=tuple(phrase for phrase, _ in pairs),
         references=tuple(reference for _, reference in pairs),
         clauses=sketch.clauses,

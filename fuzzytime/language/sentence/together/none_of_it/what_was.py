@@ -29,7 +29,7 @@ def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
         # "The dentist was moved to four": it is then; but "I moved the meeting to four".
         return not sketch.operation.stated
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
-    helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
+    helping = tree.said(tree.children(root, "aux", "auxpass"))
     # "The meeting has been moved"
     moved = node.tag == "VBN" and "been" in helping and helping - {"been"} <= closed.have
     # "Dad has dug the bed"; but "they have arrived at six"
@@ -66,7 +66,7 @@ def is_over(sketch: Sketch, lexicon: Lexicon) -> bool:
 def _is_past(tree: Tree, root: int, lexicon: Lexicon) -> bool:
     """Whether a verb is in the past itself: "fed", "was fed"; but not "has been moved to four"."""
     node = tree.nodes[root]
-    helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
+    helping = tree.said(tree.children(root, "aux", "auxpass"))
     alone = node.tag == "VBD" and node.lower != node.lemma and not helping
     return alone or bool(helping & lexicon.closed.past_be)
 

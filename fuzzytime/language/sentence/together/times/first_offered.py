@@ -4,7 +4,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from fuzzytime.language.instruction import Remark, RemarkKind, Span
+from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.sketches.meaning.alternatives import not_used
@@ -95,11 +95,7 @@ def _until_the_latest(
     found = {b: a for a, b in heard if a in events and b in left and isinstance(phrases[b].said.time, Wall)}
     bounded = {span: _until(phrases[span]) for span in found}
     remarks = [
-        Remark(
-            RemarkKind.POLICY,
-            event,
-            f"{text[slice(*event)]!r} is not used: it is over by {text[slice(*span)]!r}, if not before",
-        )
+        Remark.noted(text, event, f"is not used: it is over by {text[slice(*span)]!r}, if not before")
         for span, event in found.items()
     ]
     told = replace(
@@ -133,8 +129,7 @@ def _offered(phrase: Phrase, chosen: Collection[Span]) -> Phrase:
 
 def _either(text: str, span: Span) -> Remark:
     """Say that the condition of the second of two times is left out."""
-    message = f"{text[slice(*span)]!r} is not used: either of the times joined by 'or' is taken"
-    return Remark(RemarkKind.POLICY, span, message)
+    return Remark.noted(text, span, "is not used: either of the times joined by 'or' is taken")
 
 
 def _is_other(first: Span, second: Span, lasting: Collection[Span], clauses: Collection[Span]) -> bool:

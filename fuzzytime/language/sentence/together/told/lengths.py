@@ -137,23 +137,15 @@ def _may_bound(part: TimeRequirement) -> bool:
     return part.anchor is None or (part.constraint is Constraint.BEFORE and not part.anchor.exact)
 
 
-def second_lengths(lengths: Sequence[Grounded]) -> Iterator[Remark]:
-    """Say which lengths of what is to be done are not used: all but the first, where they differ from it."""
-    for one in lengths[1:]:
-        if one.duration != lengths[0].duration:
-            required = one.requirement
-            message = f"{required.text!r} is not used: of two lengths of one thing, the first is taken"
-            yield Remark(RemarkKind.POLICY, required.span, message)
-
-
-def second_repetitions(times: Sequence[Grounded]) -> Iterator[Remark]:
-    """Say which repetitions of what is to be done are not used: all but the first that differ from it."""
-    series = [one for one in times if one.recurrence is not None]
-    for one in series[1:]:
-        if one.recurrence != series[0].recurrence:
-            required = one.requirement
-            message = f"{required.text!r} is not used: of two repetitions of one thing, the first is taken"
-            yield Remark(RemarkKind.POLICY, required.span, message)
+def second_ones(times: Sequence[Grounded]) -> Iterator[Remark]:
+    """Say which lengths, and which repetitions, of one thing are not used: all that differ from the first."""
+    lengths = [(one.requirement, one.duration) for one in times if one.duration is not None]
+    series = [(one.requirement, one.recurrence) for one in times if one.recurrence is not None]
+    for kind, said in (("lengths", lengths), ("repetitions", series)):
+        for required, meant in said[1:]:
+            if meant != said[0][1]:
+                message = f"{required.text!r} is not used: of two {kind} of one thing, the first is taken"
+                yield Remark(RemarkKind.POLICY, required.span, message)
 
 
 def unknown_length(anchor: Anchor | None, span: Span) -> Iterator[Remark]:

@@ -58,7 +58,7 @@ def _may_only(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bo
     tree, root = sketch.part.tree, sketch.part.tree.root
     if not tree.nodes or not _is_order_without_time(before) or not _is_beside(before, sketch, text):
         return False
-    subjects = {tree.nodes[p].lower for p in tree.children(root, *SUBJECTS)}
+    subjects = tree.said(tree.children(root, *SUBJECTS))
     only = any(node.lower == ONLY for node in tree.nodes)
     is_so = tree.nodes[root].lemma in lexicon.closed.lemmas_of_be and bool(
         subjects & lexicon.closed.third_person
@@ -68,10 +68,8 @@ def _may_only(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bo
 
 def _at_the_only(before: Sketch, sketch: Sketch) -> Sketch:
     """Give an order with the time that is told behind it, and the words that tell it."""
-    told = before.under([phrase for phrase in sketch.phrases if _says_when(phrase)])
-    segment = before.part.segment
-    whole = replace(segment, span=(segment.span[0], sketch.part.segment.span[1]))
-    return replace(told, part=replace(before.part, segment=whole))
+    told = [phrase for phrase in sketch.phrases if _says_when(phrase)]
+    return before.under(told).reaching(sketch)
 
 
 def _done_next(sketch: Sketch, operation: Operation, text: str, lexicon: Lexicon) -> Sketch:
@@ -188,5 +186,5 @@ def _has_to_be_so(sketch: Sketch, lexicon: Lexicon) -> bool:
     tree, root = sketch.part.tree, sketch.part.tree.root
     if sketch.operation is None or sketch.operation.lemma not in {BE, "get"}:
         return False
-    helping = {tree.nodes[p].lower for p in (root, *tree.children(root, "aux"))}
+    helping = tree.said((root, *tree.children(root, "aux")))
     return bool(helping & lexicon.closed.verbs_of_obligation) and bool(tree.children(root, *SUBJECTS))

@@ -35,7 +35,7 @@ def is_doubtful(tree: Tree) -> bool:
     if tree.nodes[root].tag == "VBG" and tree.children(root, "det"):
         # "Do the ironing"
         return True
-    return any(tree.nodes[p].lower == "to" for p in tree.children(root, "aux"))
+    return "to" in tree.said(tree.children(root, "aux"))
 
 
 def _is_title(tree: Tree, root: int) -> bool:
@@ -146,7 +146,7 @@ def _reference_of_verb(tree: Tree, root: int, below: int, lexicon: Lexicon) -> R
 def _needless(tree: Tree, root: int) -> int | None:
     """Give what there is no need to do: "no need to call", "there's no need to call mum"."""
     for need in (root, *tree.children(root, "xcomp", "attr", "dobj", "nsubj")):
-        denied = any(tree.nodes[p].lower == "no" for p in tree.children(need, "det", "advmod", "neg"))
+        denied = "no" in tree.said(tree.children(need, "det", "advmod", "neg"))
         if tree.nodes[need].lemma == "need" and denied:
             verbs = tree.children(need, "xcomp", "acl", "relcl", "advcl")
             return next((p for p in verbs if p > need and _has_to(tree, p)), None)
@@ -189,7 +189,7 @@ def _keeps_on(tree: Tree, root: int) -> bool:
 
 def _only_is(tree: Tree, root: int) -> bool:
     """Whether something is so and nothing is to be done: "it's hot in here"; but "it's time to eat"."""
-    told = any(tree.nodes[p].lower == "it" for p in tree.children(root, *SUBJECTS))
+    told = "it" in tree.said(tree.children(root, *SUBJECTS))
     return (
         told
         and tree.nodes[root].lemma in tree.lexicon.closed.lemmas_of_be
@@ -207,7 +207,7 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
         whose = [tree.nodes[p].lower for p in tree.children(node.head, *SUBJECTS)]
         return bool(whose) and whose[0] not in closed.second_person
     subjects = [p for p in tree.children(verb, *SUBJECTS) if p < verb]
-    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux", "auxpass")}
+    helping = tree.said(tree.children(verb, "aux", "auxpass"))
     if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in closed.second_person:
         return False
     is_so = node.lemma in closed.lemmas_of_be and node.tag in PRESENT and not helping
@@ -246,7 +246,7 @@ def is_numbered_place(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether what a tree takes for a verb is called by the number behind it: "take it to station 4"."""
     counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
     known = lexicon.machines | lexicon.measure_nouns
-    led = any(tree.nodes[p].lower == "to" for p in tree.children(place, "aux"))
+    led = "to" in tree.said(tree.children(place, "aux"))
     return counted and led and tree.nodes[place].lower in known
 
 

@@ -248,5 +248,5 @@ class Reader(Particles):
         return aims or [
             place
             for place in self.tree.children(verb, "advcl")
-            if any(self.tree.nodes[p].lower == "to" for p in self.tree.children(place, "aux"))
+            if "to" in self.tree.said(self.tree.children(place, "aux"))
         ]

@@ -1,7 +1,6 @@
 """Who or what is called by a number or a letter, and acts: "robot 2 cleans the tank", "truck A arrives"."""
 
 from collections.abc import Set as AbstractSet
-from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
@@ -28,10 +27,8 @@ def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
     behind = verb + 1 if particle is None or verb + 1 in timed else verb + 2
     if behind not in timed:
         return tree
-    nodes = _acting(tree, verb, {*range(verb + 1), tree.root})
-    if behind == verb + 2:
-        nodes[verb + 1] = replace(nodes[verb + 1], tag="RP", relation="prt")
-    return tree.with_nodes(nodes)
+    told = _acting(tree, verb, {*range(verb + 1), tree.root})
+    return told.changed(verb + 1, tag="RP", relation="prt") if behind == verb + 2 else told
 
 
 def _acts(name: Node, called: Node, word: Node, lexicon: Lexicon) -> bool:
@@ -53,7 +50,7 @@ def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
     """
     closed = lexicon.closed
     node = tree.nodes[verb]
-    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")}
+    helping = tree.said(tree.children(verb, "aux"))
     if node.lower in lexicon.doing.timed and not tree.children(verb, "dobj"):
         return None
     if not helping <= closed.future | closed.obligation | {"to", "can"} or tree.children(verb, "auxpass"):
@@ -74,7 +71,7 @@ def person_due(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
     So it is who is asked for: "can Tim wash the car".
     """
     over = tree.nodes[verb].head if tree.nodes[verb].relation == "xcomp" else verb
-    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")} - {"to"}
+    helping = tree.said(tree.children(verb, "aux")) - {"to"}
     helping |= set() if over == verb else {tree.nodes[over].lower}
     subjects = tree.children(over, "nsubj")
     asked = tree.nodes[0].relation == "aux" and helping <= lexicon.closed.requesting_modals
@@ -95,7 +92,7 @@ def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
     verb = next((p for p in (root, root + 2) if _is_numbered(tree, p, lexicon)), None)
     if verb is None:
         return tree
-    return tree.with_nodes(_acting(tree, verb, {root}))
+    return _acting(tree, verb, {root})
 
 
 def with_event(tree: Tree, lexicon: Lexicon) -> Tree:
@@ -106,25 +103,20 @@ def with_event(tree: Tree, lexicon: Lexicon) -> Tree:
         outside = [node.head for node in (name, called, word) if node.head not in own]
         begins = (marker.lower,) in lexicon.clauses and word.tag == "NNS"
         if begins and outside and tree.root not in own and _acts(name, called, word, lexicon):
-            nodes = _acting(tree, verb, {verb - 2})
-            nodes[verb] = replace(nodes[verb], head=outside[0], relation="advcl")
-            nodes[verb - 3] = replace(marker, head=verb, relation="advmod")
-            return tree.with_nodes(nodes)
+            told = _acting(tree, verb, {verb - 2}).changed(verb, head=outside[0], relation="advcl")
+            return told.changed(verb - 3, head=verb, relation="advmod")
     return tree
 
 
-def _acting(tree: Tree, verb: int, heads: AbstractSet[int | None]) -> list[Node]:
-    """Give the nodes of a tree in which what stands before a word does it, and has what hung on ``heads``."""
-    nodes = [replace(node, head=verb) if node.head in heads else node for node in tree.nodes]
-    word = tree.nodes[verb]
-    nodes[verb] = replace(word, tag="VBZ", lemma=singular_verb(word.lower), head=verb, relation="ROOT")
+def _acting(tree: Tree, verb: int, heads: AbstractSet[int | None]) -> Tree:
+    """Give a tree in which what stands before a word does it, and has what hung on ``heads``."""
+    lemma = singular_verb(tree.nodes[verb].lower)
+    tree = tree.hung([p for p, node in enumerate(tree.nodes) if node.head in heads], verb)
+    tree = tree.changed(verb, tag="VBZ", lemma=lemma, head=verb, relation="ROOT")
     # "Drone 4 films the dam"
-    taken = (p for p, node in enumerate(nodes) if p > verb and node.head == verb and node.relation == "appos")
-    for thing in list(taken)[:1]:
-        nodes[thing] = replace(nodes[thing], relation="dobj")
-    nodes[verb - 2] = replace(nodes[verb - 2], tag="NN", head=verb, relation="nsubj")
-    nodes[verb - 1] = replace(nodes[verb - 1], head=verb - 2, relation="nummod")
-    return nodes
+    taken = [p for p in tree.children(verb, "appos") if p > verb]
+    tree = tree.hung(taken[:1], verb, "dobj").changed(verb - 2, tag="NN", head=verb, relation="nsubj")
+    return tree.changed(verb - 1, head=verb - 2, relation="nummod")
 
 
 def _is_numbered(tree: Tree, place: int | None, lexicon: Lexicon) -> bool:
@@ -150,13 +142,8 @@ def with_clause(tree: Tree, lexicon: Lexicon) -> Tree:
         )
         if kind not in ACTED or not (named and plural and ends):
             continue
-        nodes = list(tree.nodes)
-        root = verb if word.head == verb else word.head
-        relation = "ROOT" if root == verb else "advcl"
-        nodes[verb] = replace(word, tag="VBZ", lemma=singular_verb(word.lower), head=root, relation=relation)
-        nodes[verb - 1] = replace(name, relation="nsubj")
-        for place in range(first, verb - 1):
-            nodes[place] = replace(nodes[place], head=verb - 1)
-        nodes[first - 1] = replace(nodes[first - 1], head=verb, relation="mark")
-        return tree.with_nodes(nodes)
+        relation = "ROOT" if word.head == verb else "advcl"
+        told = tree.changed(verb, tag="VBZ", lemma=singular_verb(word.lower), relation=relation)
+        told = told.changed(verb - 1, relation="nsubj").hung(range(first, verb - 1), verb - 1)
+        return told.changed(first - 1, head=verb, relation="mark")
     return tree

@@ -1,7 +1,6 @@
 """Trees of what several things do, where the verb was taken for how they are: "the shops open at nine"."""
 
 from collections.abc import Set as AbstractSet
-from dataclasses import replace
 
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -21,13 +20,9 @@ def with_plural(tree: Tree, timed: AbstractSet[int]) -> Tree:
         or tree.nodes[verb].head != root
     ):
         return tree
-    nodes = [
-        replace(node, head=verb) if node.head == root and p > verb else node
-        for p, node in enumerate(tree.nodes)
-    ]
-    nodes[verb] = replace(nodes[verb], tag="VBP", lemma=nodes[verb].lower, head=verb, relation="ROOT")
-    nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
-    return tree.with_nodes(nodes)
+    told = tree.hung((p for p in tree.children(root) if p > verb), verb)
+    told = told.changed(verb, tag="VBP", lemma=tree.nodes[verb].lower, head=verb, relation="ROOT")
+    return told.changed(root, head=verb, relation="nsubj")
 
 
 def is_led_by_plural(tree: Tree, verb: int) -> bool:

@@ -36,7 +36,7 @@ class Stated(Places):
             if wished and alone not in closed.first_and_second_person:
                 # "I want it cleaned by six"
                 return alone
-            helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux")}
+            helping = self.tree.said(self.tree.children(verb, "aux"))
             return (
                 alone
                 if alone in closed.third_person_singular and others_do(self.tree, verb, helping, self.lexicon)
@@ -52,7 +52,7 @@ class Stated(Places):
         verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
         subjects = [self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, *SUBJECTS)]
         helping = {self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, "aux", "auxpass")}
-        helping |= {self.tree.nodes[v].lower for v in verbs[1:]}
+        helping |= self.tree.said(verbs[1:])
         due = not helping.isdisjoint(self.lexicon.closed.verbs_of_obligation)
         return {"it": "it", "they": "them"}.get(subjects[0]) if subjects and due else None
 
@@ -70,7 +70,7 @@ class Stated(Places):
 
     def _is_attended(self, verb: int) -> bool:
         """Whether it is said where somebody is, or what they have, and that takes them: "I'm out at noon"."""
-        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        subjects = self.tree.said(self.tree.children(verb, "nsubj"))
         if self._is_own(verb):
             return True
         if (
@@ -95,7 +95,7 @@ class Stated(Places):
                 for owner in self.tree.children(p, "poss")
             )
         ]
-        names = {self.tree.nodes[p].lower for p in owned}
+        names = self.tree.said(owned)
         taken = self.lexicon.taken - self.lexicon.happening - self.lexicon.frames
         return self.tree.nodes[verb].lemma in self.lexicon.doing.happening and not names.isdisjoint(taken)
 
@@ -113,7 +113,7 @@ class Stated(Places):
 
     def _has_frame(self, verb: int) -> bool:
         """Whether who speaks has what goes on around other work: "I have the late shift from 2 to 10"."""
-        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        subjects = self.tree.said(self.tree.children(verb, "nsubj"))
         objects = (self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj", "attr"))
         has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
         return has and not self.lexicon.frames.isdisjoint(objects)
@@ -125,7 +125,7 @@ class Stated(Places):
         """
         closed = self.lexicon.closed
         helping, timed = self._helping(verb), [p for p in self.tree.children(verb) if self.timed(p)]
-        points = {self.tree.nodes[p].lower for p in timed} & closed.prepositions_of_points
+        points = self.tree.said(timed) & closed.prepositions_of_points
         named = bool(self.tree.children(verb, "nsubjpass", "nsubj")) and bool(timed) and not points
         return (
             named
@@ -136,8 +136,8 @@ class Stated(Places):
 
     def _has_visitors(self, verb: int) -> bool:
         """Whether who speaks has somebody there: "we have the electricians in from eight to noon"."""
-        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
-        named = {self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj")}
+        subjects = self.tree.said(self.tree.children(verb, "nsubj"))
+        named = self.tree.said(self.tree.children(verb, "dobj"))
         named |= {name.removesuffix("s") for name in named}
         has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
         return has and not self.lexicon.persons.isdisjoint(named)
@@ -154,8 +154,8 @@ class Stated(Places):
         """Whether it is only told that something is to come: "rain is expected at three"."""
         node, closed, doing = self.tree.nodes[verb], self.lexicon.closed, self.lexicon.doing
         over = self.tree.nodes[node.head]
-        called = {self.tree.nodes[p].lower for p in self.tree.children(verb, *SUBJECTS)}
-        called |= {self.tree.nodes[p].lower for p in self.tree.children(node.head, *SUBJECTS)}
+        called = self.tree.said(self.tree.children(verb, *SUBJECTS))
+        called |= self.tree.said(self.tree.children(node.head, *SUBJECTS))
         if not called.isdisjoint(closed.first_and_second_person):
             return False
         if node.relation == "xcomp" and node.tag == "VB" and not self.tree.children(verb, "auxpass"):
@@ -172,7 +172,7 @@ class Stated(Places):
 
     def _helping(self, verb: int) -> set[str]:
         """Give the verbs that help one, and what denies it."""
-        return {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
+        return self.tree.said(self.tree.children(verb, "aux", "auxpass", "neg"))
 
     def _is_stated(self, verb: int) -> bool:
         """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
@@ -180,7 +180,7 @@ class Stated(Places):
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
         governing = self.tree.children(self.tree.nodes[verb].head, "nsubj")
         named = subjects or [self.tree.nodes[p].lower for p in governing]
-        words = {self.tree.nodes[p].lower for p in (verb, *self.tree.children(verb, "acomp", "attr"))}
+        words = self.tree.said((verb, *self.tree.children(verb, "acomp", "attr")))
         if named == [IT] and not self.lexicon.impersonal.isdisjoint(words):
             # "It's going to rain at four"
             return True

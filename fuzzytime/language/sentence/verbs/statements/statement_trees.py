@@ -1,7 +1,6 @@
 """Trees of what happens, mended where a model takes the verb for a noun: "the train leaves at 8:40"."""
 
 from collections.abc import Set as AbstractSet
-from dataclasses import replace
 
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
@@ -22,11 +21,10 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
         return tree
     if tree.nodes[root].tag in {"NN", "JJ"} and tree.nodes[root].may_act and is_led_by_plural(tree, root):
         # "My parents land at four", "the guests in room 12 check out at ten"
-        nodes = list(tree.nodes)
-        nodes[root] = replace(nodes[root], tag="VBP", lemma=nodes[root].lower)
+        tree = tree.changed(root, tag="VBP", lemma=tree.nodes[root].lower)
         for place in tree.children(root, "nummod"):
-            nodes[place] = replace(nodes[place], head=place - 1)
-        return tree.with_nodes(nodes)
+            tree = tree.changed(place, head=place - 1)
+        return tree
     if root + 1 not in timed:
         return tree
     if tree.nodes[root].tag not in {"NNS", "VBZ"}:
@@ -41,12 +39,8 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
     if subject is None or ordered or tree.children(root, *GRAMMATICAL_SUBJECTS):
         return tree
     described = set(tree.children(root, "det", "poss", "amod", "compound")) - {subject}
-    nodes = list(tree.nodes)
-    nodes[root] = replace(nodes[root], tag="VBZ", lemma=singular_verb(nodes[root].lower))
-    nodes[subject] = replace(nodes[subject], relation="nsubj")
-    for place in described:
-        nodes[place] = replace(nodes[place], head=subject)
-    return tree.with_nodes(nodes)
+    tree = tree.changed(root, tag="VBZ", lemma=singular_verb(tree.nodes[root].lower))
+    return tree.changed(subject, relation="nsubj").hung(described, subject)
 
 
 def _with_sure(tree: Tree, root: int) -> Tree | None:
@@ -55,9 +49,7 @@ def _with_sure(tree: Tree, root: int) -> Tree | None:
     node = tree.nodes[root]
     if node.tag != "NNS" or not named or node.lower not in tree.lexicon.doing.surely_timed:
         return None
-    nodes = list(tree.nodes)
-    nodes[root] = replace(node, tag="VBZ", lemma=singular_verb(node.lower))
-    return tree.with_nodes(nodes)
+    return tree.changed(root, tag="VBZ", lemma=singular_verb(node.lower))
 
 
 def leaves(tree: Tree, place: int, travelling: AbstractSet[str]) -> bool:
@@ -85,19 +77,10 @@ def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str
     if any(node.tag in DETERMINERS or node.tag in {"IN", ",", "CC"} for node in nodes[1:verb]):
         # "Check what starts at ten", "take the bus that leaves at ten"
         return tree
-    turned = [
-        replace(node, head=verb - 1, relation="compound")
-        if p < verb
-        else replace(node, head=verb)
-        if node.head == root
-        else node
-        for p, node in enumerate(nodes)
-    ]
-    turned[verb] = replace(
-        nodes[verb], tag="VBZ", lemma=singular_verb(nodes[verb].lower), head=verb, relation="ROOT"
-    )
-    turned[verb - 1] = replace(nodes[verb - 1], tag="NN", head=verb, relation="nsubj")
-    return tree.with_nodes(turned)
+    behind = [p for p in tree.children(root) if p > verb]
+    tree = tree.hung(range(verb), verb - 1, "compound").hung(behind, verb)
+    tree = tree.changed(verb, tag="VBZ", lemma=singular_verb(nodes[verb].lower), head=verb, relation="ROOT")
+    return tree.changed(verb - 1, tag="NN", head=verb, relation="nsubj")
 
 
 def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
@@ -109,15 +92,9 @@ def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
         told = tree.nodes[verb].tag == "NNS" and verb + 1 in timed and tree.nodes[verb].may_act
         if not told or named is None or not second:
             continue
-        nodes = list(tree.nodes)
-        nodes[verb] = replace(
-            nodes[verb], tag="VBZ", relation="ccomp", lemma=singular_verb(nodes[verb].lower)
-        )
-        for place in tree.children(verb, "det", "poss", "amod", "compound"):
-            nodes[place] = replace(nodes[place], head=named)
-        nodes[named] = replace(nodes[named], head=verb, relation="nsubj")
-        nodes[second[0]] = replace(nodes[second[0]], head=root, relation="nsubj")
-        return tree.with_nodes(nodes)
+        tree = tree.hung(tree.children(verb, "det", "poss", "amod", "compound"), named)
+        tree = tree.changed(verb, tag="VBZ", relation="ccomp", lemma=singular_verb(tree.nodes[verb].lower))
+        return tree.changed(named, head=verb, relation="nsubj").hung(second[:1], root, "nsubj")
     return tree
 
 
@@ -132,9 +109,7 @@ def _with_subject(tree: Tree) -> Tree:
     subjects = [p for verb in helping for p in tree.children(verb, "nsubj")]
     if not subjects:
         return tree
-    nodes = list(tree.nodes)
-    nodes[subjects[0]] = replace(nodes[subjects[0]], head=root, relation="nsubjpass")
-    return tree.with_nodes(nodes)
+    return tree.changed(subjects[0], head=root, relation="nsubjpass")
 
 
 def _with_done(tree: Tree) -> Tree:
@@ -142,16 +117,14 @@ def _with_done(tree: Tree) -> Tree:
     root = tree.root
     if tree.children(root, "aux", "dobj"):
         return tree
-    nodes = list(tree.nodes)
+    nodes = tree.nodes
     taken = [p for p in tree.children(root, "auxpass") if p == root - 1 == 0 and nodes[p].tag == "VB"]
     if nodes[root].tag == "VBN" and taken and nodes[0].lemma not in tree.lexicon.causing:
-        nodes[0] = replace(nodes[0], tag="NN", relation="nsubjpass")
-        return tree.with_nodes(nodes)
+        return tree.changed(0, tag="NN", relation="nsubjpass")
     named = [p for p in tree.children(root, "nsubj") if p == root - 1 and nodes[p].tag in {"NN", "NNS"}]
     so = nodes[root].lower in tree.lexicon.standing | tree.lexicon.results
     if nodes[root].tag == "VBD" and so and named and not tree.children(named[0], "det", "poss"):
-        nodes[root] = replace(nodes[root], tag="VBN")
-        return tree.with_nodes(nodes)
+        return tree.changed(root, tag="VBN")
     return tree
 
 
@@ -163,9 +136,7 @@ def _with_name(tree: Tree) -> Tree:
     named = [p for p in tree.children(root, "compound", "npadvmod") if p == root - 1]
     if not named or tree.nodes[named[0]].tag != "NNP":
         return tree
-    nodes = list(tree.nodes)
-    nodes[named[0]] = replace(nodes[named[0]], relation="nsubj")
-    return tree.with_nodes(nodes)
+    return tree.changed(named[0], relation="nsubj")
 
 
 def _with_got(tree: Tree) -> Tree:
@@ -178,21 +149,14 @@ def _with_got(tree: Tree) -> Tree:
         for p in tree.children(root, "aux", "auxpass")
         if tree.nodes[p].lower in tree.lexicon.closed.have_before_got
     ]
-    nodes = list(tree.nodes)
     coming = [p for p in tree.children(root, "ccomp") if tree.nodes[p].tag == "VBG"]
     if coming and helping and tree.children(coming[0], "nsubj"):
-        for place in (root, *(p for p in tree.children(root) if p != coming[0])):
-            nodes[place] = replace(nodes[place], head=coming[0], relation="dep")
-        nodes[coming[0]] = replace(nodes[coming[0]], head=coming[0], relation="ROOT", tag="VBZ")
-        return tree.with_nodes(nodes)
+        told = tree.hung((root, *tree.children(root)), coming[0], "dep")
+        return told.changed(coming[0], relation="ROOT", tag="VBZ")
     if not helping or not tree.children(root, "dobj"):
         return tree
-    nodes[root] = replace(nodes[root], lemma="have", tag="VBP")
-    for place in helping:
-        nodes[place] = replace(nodes[place], relation="dep")
-    for place in tree.children(root, "nsubjpass"):
-        nodes[place] = replace(nodes[place], relation="nsubj")
-    return tree.with_nodes(nodes)
+    having = tree.changed(root, lemma="have", tag="VBP").hung(helping, root, "dep")
+    return having.hung(tree.children(root, "nsubjpass"), root, "nsubj")
 
 
 def _with_having(tree: Tree) -> Tree:
@@ -203,12 +167,8 @@ def _with_having(tree: Tree) -> Tree:
     helping = tree.children(root, "aux")
     if len(helping) != 1 or tree.nodes[helping[0]].lemma != "have" or helping[0] != root - 1:
         return tree
-    have, nodes = helping[0], list(tree.nodes)
-    for place in tree.children(root):
-        nodes[place] = replace(nodes[place], head=have)
-    nodes[have] = replace(nodes[have], head=have, relation="ROOT")
-    nodes[root] = replace(nodes[root], head=have, relation="dobj", tag="NN")
-    return tree.with_nodes(nodes)
+    having = tree.hung(tree.children(root), helping[0]).changed(helping[0], relation="ROOT")
+    return having.changed(root, head=helping[0], relation="dobj", tag="NN")
 
 
 def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
@@ -221,25 +181,19 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     ]
     if owner and owner[0] + 2 == root and tree.nodes[owner[0] + 1].tag == "POS":
         mark = owner[0] + 1
-        turned = [replace(node, head=mark) if node.head == root else node for node in tree.nodes]
-        turned[mark] = replace(tree.nodes[mark], tag="VBZ", lemma="be", head=mark, relation="ROOT")
-        turned[owner[0]] = replace(tree.nodes[owner[0]], head=mark, relation="nsubj")
-        turned[root] = replace(tree.nodes[root], head=mark, relation="advmod")
-        return tree.with_nodes(turned)
+        being = tree.hung(tree.children(root), mark).changed(owner[0], relation="nsubj")
+        being = being.changed(mark, tag="VBZ", lemma="be", head=mark, relation="ROOT")
+        return being.changed(root, head=mark, relation="advmod")
     doing = _with_one_doing(tree)
     if doing is not None:
         return doing
-    being = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in timed)
-    verb = next(being, None)
+    marks = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in timed)
+    verb = next(marks, None)
     if verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):
         return tree
-    nodes = [
-        replace(node, head=verb) if node.head == root and p > root else node
-        for p, node in enumerate(tree.nodes)
-    ]
-    nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
-    nodes[verb] = replace(nodes[verb], tag="VBZ", lemma="be", head=verb, relation="ROOT")
-    return tree.with_nodes(nodes)
+    being = tree.hung((p for p in tree.children(root) if p > root), verb)
+    being = being.changed(root, head=verb, relation="nsubj")
+    return being.changed(verb, tag="VBZ", lemma="be", head=verb, relation="ROOT")
 
 
 OWNED = frozenset({"'s", "’s"})
@@ -252,14 +206,12 @@ def _with_one_doing(tree: Tree) -> Tree | None:
     mark = root - 1
     if mark < 1 or tree.nodes[mark].lower not in OWNED or not tree.nodes[root].lower.endswith("ing"):
         return None
-    who, nodes = tree.nodes[mark].head, list(tree.nodes)
+    who, nodes = tree.nodes[mark].head, tree.nodes
     if nodes[who].head != root or nodes[who].relation not in {"nsubj", "poss"} or not nodes[root].may_act:
         return None
-    nodes[who] = replace(nodes[who], relation="nsubj")
-    nodes[mark] = replace(nodes[mark], tag="VBZ", lemma="be", head=root, relation="aux")
     lemma = nodes[root].lemma if nodes[root].is_verb else nodes[root].lower.removesuffix("ing")
-    nodes[root] = replace(nodes[root], tag="VBG", lemma=lemma)
-    return tree.with_nodes(nodes)
+    being = tree.changed(mark, tag="VBZ", lemma="be", head=root, relation="aux")
+    return being.changed(who, relation="nsubj").changed(root, tag="VBG", lemma=lemma)
 
 
 def singular_verb(verb: str) -> str:

@@ -136,7 +136,7 @@ def _is_told_so(tree: Tree, joint: int) -> bool:
     root = tree.root
     if root >= joint or not tree.children(root, *GRAMMATICAL_SUBJECTS):
         return False
-    helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
+    helping = tree.said(tree.children(root, "aux", "auxpass"))
     return helping <= closed.present_be and (
         tree.nodes[root].lower in closed.present_be or (bool(helping) and tree.nodes[root].tag == "VBN")
     )
@@ -148,7 +148,7 @@ def _start_of_statement(tree: Tree, place: int) -> int | None:
     doing = tree.lexicon.doing
     node = tree.nodes[place]
     subjects = [p for p in tree.children(place, *GRAMMATICAL_SUBJECTS) if p < place]
-    helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
+    helping = tree.said(tree.children(place, "aux"))
     coming = node.tag == "VB" and bool(helping) and helping <= closed.future
     if (node.tag in FINITE - {"VBG"} or coming) and subjects:
         return min(tree.below(subjects[-1]))
@@ -187,7 +187,7 @@ def being_behind_order(tree: Tree, place: int, timed: AbstractSet[int]) -> int |
 def result_behind_statement(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> int | None:
     """Give where begins what should be so by then: "the boss arrives at ten, coffee should be ready"."""
     closed = tree.lexicon.closed
-    helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
+    helping = tree.said(tree.children(place, "aux"))
     if (
         place <= root
         or not (helping & closed.obligation or _is_brought_about(tree, place))
@@ -209,7 +209,7 @@ def due_too(tree: Tree, place: int, root: int) -> int | None:
     subjects = [p for p in tree.children(place, *GRAMMATICAL_SUBJECTS) if root < p < place]
     if node.relation != "conj" or node.head != root or not subjects or not tree.nodes[root].is_verb:
         return None
-    helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
+    helping = tree.said(tree.children(place, "aux"))
     # "Ann has to go", but "Ann has a cold"
     must = bool(tree.children(place, "xcomp")) and node.lower in closed.verbs_of_obligation
     first = min(tree.below(subjects[0]))
@@ -219,7 +219,7 @@ def due_too(tree: Tree, place: int, root: int) -> int | None:
 
 def _is_brought_about(tree: Tree, place: int) -> bool:
     """Whether it is what is done so that all is prepared: "they come at six so the table is set by five"."""
-    helping = {tree.nodes[p].lower for p in tree.children(place, "aux", "auxpass")}
+    helping = tree.said(tree.children(place, "aux", "auxpass"))
     told = tree.nodes[place].tag == "VBN" and bool(helping) and helping <= tree.lexicon.closed.present_be
     if not told:
         return False
@@ -267,6 +267,6 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon
     finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= closed.future | {"can"}
     if helping == {"can"} and subjects[0].tag in NOUNS:
         # "The surveyor can only come before noon": nobody else can help that.
-        only = any(tree.nodes[p].lower == "only" for p in tree.children(verb, "advmod"))
+        only = "only" in tree.said(tree.children(verb, "advmod"))
         named = named or (only and subjects[0].lower not in lexicon.machines)
     return named and finite

@@ -5,7 +5,6 @@ behind such a name stands its time alone.
 """
 
 from collections.abc import Collection, Sequence
-from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
@@ -35,14 +34,9 @@ def with_named_deed(tree: Tree, timed: Collection[int], lexicon: Lexicon) -> Tre
     alone = all(place in timed or not tree.nodes[place].text[0].isalnum() for place in apart)
     if not alone or any(first <= place <= root for place in timed):
         return tree
-    nodes = list(tree.nodes)
-    nodes[root] = replace(nodes[root], tag="NN", lemma=nodes[root].lower)
-    for place in range(first, root):
-        nodes[place] = replace(nodes[place], relation=COMPOUND, head=root)
-    for place in apart:
-        if nodes[place].head == root:
-            nodes[place] = replace(nodes[place], relation="npadvmod")
-    return tree.with_nodes(nodes)
+    beside = [place for place in tree.children(root) if place in apart]
+    named = tree.changed(root, tag="NN", lemma=tree.nodes[root].lower)
+    return named.hung(range(first, root), root, COMPOUND).hung(beside, root, "npadvmod")
 
 
 def _first_word(tree: Tree, timed: Collection[int]) -> int:
