@@ -93,7 +93,7 @@ def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     for start in sorted(_gaps(one, part, lexicon)) if part.tree.nodes else ():
         pieces = _around(one, part, start, lexicon)
         if pieces:
-            whole = _begins_order(one, part, start) or _is_told(one, start, lexicon)
+            whole = _begins_order(one, part, start) or _is_told(one, part, start, lexicon)
             whole = whole or _is_back(one, part, start, lexicon) or not _takes_verb(one, part, start, lexicon)
             return [pieces[0], replace(pieces[1], verbless=not whole)]
     return []
@@ -153,6 +153,8 @@ def _begins_order(one: Waiting, part: Part, start: int) -> bool:
     counted = behind.tag == "IN" and bool(further) and further[0].tag == "CD"
     measured = counted and len(further) > 1 and not node.tag.startswith("NNP")
     led = behind.tag in DETERMINERS or measured or _is_terse(one, part, place)
+    # "Walk the dog at six, order pizza at seven"
+    led = led or node.lower in part.tree.lexicon.ordering
     return node.may_act and node.lower == node.lemma and led
 
 
@@ -179,11 +181,24 @@ def _takes_verb(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:
     return takes_verb(verb.lemma, first, other, lexicon)
 
 
-def _is_told(one: Waiting, start: int, lexicon: Lexicon) -> bool:
-    """Whether what was taken for another thing happens: "wake me at six, my train leaves at seven"."""
+def _is_told(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:
+    """Whether what was taken for another thing happens: "wake me at six, my train leaves at seven".
+
+    So does what somebody does: "wake me at seven and mum cooks tonight".
+    """
     before = [p.first for p in one.source.phrases if p.span[0] > start and p.first]
     last = one.source.scanned.words[min(before) - 1] if before else None
-    return last is not None and last.start > start and last.text in lexicon.doing.timed
+    place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), 0)
+    # "Send dad tickets today and mum flowers tomorrow"
+    acts = _does(part, place, lexicon) and not _does(part, part.tree.root + 1, lexicon)
+    return acts or (last is not None and last.start > start and last.text in lexicon.doing.timed)
+
+
+def _does(part: Part, place: int, lexicon: Lexicon) -> bool:
+    """Whether somebody is named at a place, and what may be done behind it: "mum cooks"."""
+    known = lexicon.names | lexicon.names_like_words | lexicon.called["him"] | lexicon.called["her"]
+    who, what = part.tree.nodes[place : place + 1], part.tree.nodes[place + 1 : place + 2]
+    return any(node.lower in known for node in who) and any(n.may_act and n.lower != n.lemma for n in what)
 
 
 def _is_back(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:

@@ -97,8 +97,8 @@ def is_asked_too(wish: Wish) -> list[Stretch] | None:
     if node.lower == "to":
         return [(wish.start, front_of(wish, to))] if behind and behind[0].may_act else None
     also = next((p for p in range(wish.start + 1, wish.end) if tree.nodes[p].tag == "TO"), None)
-    if also is not None and wish.names(wish.start, also) and wish.is_called(root + 1):
-        return [(wish.start, front_of(wish, root + 1))] if wish.is_called(wish.start) else None
+    if also is not None and wish.calls(root + 1, to) and wish.calls(wish.start, also):
+        return [(wish.start, front_of(wish, root + 1))]
     reminds = tree.nodes[root].lemma in wish.lexicon.doing.recalling
     # "Remind me to water the plants at six and call mum at seven"
     somebody = bool(behind) and wish.is_called(wish.start + 1) > 0

@@ -54,6 +54,10 @@ class Wish:
         """Give how many words name somebody at a place where a name stands, also one like a word: "bob"."""
         return self.is_name(place) or int(self.tree.nodes[place].lower in self.lexicon.names_like_words)
 
+    def calls(self, first: int, end: int) -> bool:
+        """Whether words before what somebody is asked name them: one word that is no pronoun, or a name."""
+        return self.names(first, end) or (end == first + 1 and self.tree.nodes[first].tag != "PRP")
+
 
 def front_of(wish: Wish, end: int) -> range:
     """Give the words in front of a place, behind a time in front of them all."""

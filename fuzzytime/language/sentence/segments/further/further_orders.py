@@ -35,6 +35,7 @@ SHORTEST = 2
 """Words of an order at least, before a participle that goes on beside it."""
 
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
+WANTED = "xcomp"
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
 
 
@@ -122,9 +123,11 @@ def _follows_statement(tree: Tree, place: int, root: int, timed: set[int]) -> bo
 def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
     """Give where begins what a bare verb asks for that the tree joins to the first: "…, and fry them"."""
     node = tree.nodes[place]
-    if place in {0, root} or not _is_bare(node, lexicon) or node.relation not in COORDINATE:
+    if place in {0, root} or not _is_bare(node, lexicon) or node.relation not in {*COORDINATE, WANTED}:
         return None
     wanted = _is_wanted_too(tree, place, root, lexicon)
+    if node.relation == WANTED and not wanted:
+        return None
     denied = denied_from(tree, place)
     helping = [p for p in tree.children(place, "aux") if not (wanted and tree.nodes[p].lower == "to")]
     if tree.children(place, *ANY_SUBJECTS, "mark") or (denied is None and helping):
@@ -162,6 +165,9 @@ def _is_wanted_too(tree: Tree, place: int, root: int, lexicon: Lexicon) -> bool:
     remembered = tree.nodes[action.place].lemma in lexicon.doing.remembering
     meant = {*tree.children(action.place, "xcomp")} if remembered else {action.place}
     over = tree.nodes[place].head
+    if tree.nodes[place].relation == WANTED:
+        # "I have to worm the sheep on friday, wash the car at seven"
+        return any(tree.nodes[p].head == over and p < place for p in meant - {root})
     while tree.nodes[over].relation in {"conj", "dep"} and over not in meant:
         over = tree.nodes[over].head
     return over in meant - {root} and gone_to_do(tree, over, lexicon) != place

@@ -28,12 +28,13 @@ NOUN = "NN"
 class _Try:
     """A place at which a further order may begin, in the text and behind its joint, with both parts.
 
-    It is ``sure`` where its words alone say that it is one.
+    It is ``sure`` where its words alone say that it is one; ``apart`` behind a time or a particle.
     """
 
     one: int
     start: int
     sure: bool
+    apart: bool
     before: str
     behind: str
 
@@ -53,7 +54,9 @@ def orders_behind_joints(
     for attempt, first, second in zip(tries, before, behind, strict=True):
         one = first.without_carrier(CARRIER, attempt.before, 0)
         other = second.without_carrier(CARRIER, attempt.behind, 0)
-        whole = is_whole(one, lexicon, timed=True) and governs(one)
+        # "Swim at seven and ring Bob at nine", "clean up and order pizza"
+        alone = attempt.apart and bool(one.nodes) and _is_done_alone(one, lexicon)
+        whole = alone or (is_whole(one, lexicon, timed=True) and governs(one))
         if whole and (attempt.sure or (governs(other) and other.nodes[0].tag in IMPERATIVE)):
             cut.setdefault(attempt.one, attempt.start)
     return cut
@@ -74,7 +77,15 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             # "Stir it when the chef salts the soup and pepper the steak": what is in a clause.
             return
         before = source.sound[main : led.start + one.main].strip()
-        yield _Try(place, start, sure, before, source.sound[start : one.segment.span[1]])
+        apart = here - 2 in timed or tree.nodes[here - 2].tag == "RP"
+        yield _Try(place, start, sure, apart, before, source.sound[start : one.segment.span[1]])
+
+
+def _is_done_alone(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether words begin with an order that has no thing: "swim", "clean up"."""
+    first, *behind = tree.nodes
+    carried = any(first.lower in lexicon.particles.get(node.lower, ()) for node in behind[:1])
+    return first.lower in lexicon.needing_nothing or carried
 
 
 def _behind_asking(tree: Tree, lexicon: Lexicon) -> int:

@@ -19,8 +19,7 @@ def order_behind_order(tree: Tree, root: int, timed: AbstractSet[int]) -> int | 
     """
     closed = tree.lexicon.closed
     # "Dust, lock the door": a tree may have an order for who does the second.
-    named = tree.children(root, *ANY_SUBJECTS)
-    subjects = [p for p in named if not _names_nothing(tree, p) or tree.nodes[p + 1].text != ","]
+    subjects = [p for p in tree.children(root, *ANY_SUBJECTS) if not _names_nothing(tree, p)]
     start = min([root, *tree.below(subjects[0])]) if subjects else first_of(tree, root)
     brought = [
         p
@@ -85,7 +84,7 @@ def _orders_before(tree: Tree, root: int, start: int, joint: str, timed: Abstrac
         # "Deglaze with wine, reduce it": a verb that the model does not know; "hoover, put the bins out".
         taken = tree.children(root, "advmod", "nsubj", "npadvmod")
         orders += [p for p in taken if _is_unknown(tree, p, start)]
-        orders += [0] if tree.nodes[0].head == root and _names_nothing(tree, 0) else []
+    orders += [0] if tree.nodes[0].head == root and _names_nothing(tree, 0) else []
     return orders
 
 
@@ -112,7 +111,8 @@ def _is_unknown(tree: Tree, place: int, end: int) -> bool:
 
 def _names_nothing(tree: Tree, place: int) -> bool:
     """Whether the first word of all is an order that needs no thing: "dust, lock the door"."""
-    return place == 0 and tree.nodes[0].lower in tree.lexicon.needing_nothing and not tree.children(0)
+    alone = place == 0 and tree.nodes[0].lower in tree.lexicon.needing_nothing and not tree.children(0)
+    return alone and tree.nodes[1].lower in tree.lexicon.closed.joints_of_orders
 
 
 def first_of(tree: Tree, place: int) -> int:

@@ -35,9 +35,11 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
 
 
 def is_bare_order(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
-    """Whether what was taken for a thing is done to somebody, or behind a time with several things."""
+    """Whether what was taken for a thing is done to somebody, or with things: several, behind a time."""
     behind_time = not timed.isdisjoint({place - 1, place - 2})
-    return _is_done_to_somebody(tree, place, lexicon) or (behind_time and _is_chore(tree, place, lexicon))
+    ordered = tree.nodes[place].lower in lexicon.ordering
+    chore = (behind_time or ordered) and _is_chore(tree, place, lexicon)
+    return chore or _is_done_to_somebody(tree, place, lexicon)
 
 
 def _is_done_to_somebody(tree: Tree, place: int, lexicon: Lexicon) -> bool:
@@ -60,13 +62,13 @@ def _is_chore(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """
     node, things = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     bought = tree.nodes[tree.root].lemma in lexicon.ordering | lexicon.doing.errands
-    if bought or not node.tag.startswith(("NN", "JJ")):
+    if not node.tag.startswith(("NN", "JJ")):
         return False
     if node.lower in lexicon.ordering:
         # "… and order pizza at seven"
         return any(one.tag.startswith("NN") and not one.may_act for one in things)
     several = any(one.tag == "NNS" or says_where(one.lower, lexicon) for one in things)
-    return node.lower in lexicon.chores and several
+    return node.lower in lexicon.chores and several and not bought
 
 
 def _is_done_between(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
