@@ -3,6 +3,7 @@
 from dataclasses import replace
 from datetime import datetime
 
+from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import later_by
@@ -86,13 +87,8 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         return About(kind=AboutKind.DROP, names=denied.names, thing=denied.text, certain=place > 0)
     if len(said.words) > 1 and (placed := _placed(said)) is not None:
         return placed
-    later = later_by(said)
-    if later is not None and later[1].names:
-        return replace(later[0], names=later[1].names, certain=True)
-    if said.forms[-1:] in SOONER and said.until(len(said.words) - 1).names:
-        # "Call mum earlier": by how much is not said
-        names = said.until(len(said.words) - 1).names
-        return About(kind=AboutKind.DELAY, names=names, earlier=True, certain=True)
+    if (later := _later(said)) is not None:
+        return later
     thing, time = said.parted(bare=True)
     if not thing:
         return None
@@ -104,15 +100,30 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if time:
         names = Said(thing, now, lexicon).names
         return About(kind=AboutKind.MOVE, names=names, thing=thing, time=time, corrects=place > 0)
-    if place and COMMA not in said.forms:
-        return About(kind=AboutKind.INSTEAD, thing=thing, certain=True)
-    return None
+    if not place or COMMA in said.forms:
+        return None
+    # "Actually no salad", but "no, the salad"
+    none_wanted = whole.forms[place - 1] == NO and said.forms[0] not in EMPTY
+    instead = About(kind=AboutKind.INSTEAD, thing=thing, certain=True)
+    return About(kind=AboutKind.DROP, names=said.names, thing=thing) if none_wanted else instead
 
 
 def _without_and(said: Said) -> Said:
     """Leave out what goes on in front of another thing, or time: "and make it Ann", "and at six not five"."""
     rest = said.behind(1) if said.forms[:1] == (AND,) and len(said.words) > 1 else said
     return rest if rest.opens_with("naming anew") or NOT in rest.forms else said
+
+
+def _later(said: Said) -> About | None:
+    """Read what is to be later, or earlier: "the call an hour later", "call mum earlier"."""
+    later, named = later_by(said), said.until(len(said.words) - 1)
+    if later is not None and later[1].names:
+        # "Start the salad ten minutes earlier", which was to be made
+        names = later[1].names - said.lexicon.doing.beginning or later[1].names
+        return replace(later[0], names=names, certain=True)
+    if said.forms[-1:] in SOONER and named.names:
+        return About(kind=AboutKind.DELAY, names=named.names, earlier=True, certain=True)
+    return None
 
 
 def _placed(said: Said) -> About | None:
