@@ -140,6 +140,9 @@ def _until(instruction: Instruction) -> Instruction:
         return instruction
     whole = replace(ends[0], constraint=Constraint.AT, reference=Reference.START, t_spec=begin)
     whole = replace(whole, earliest=begin, latest=begin, unit=None, number=None)
+    if hours and hours[0].span[1] < whole.span[0]:
+        said = " ".join(part.text for part in (hours[0], whole))
+        whole = replace(whole, text=said, span=(hours[0].span[0], whole.span[1]))
     return replace(instruction, requirements=(whole,), duration=last - begin)
 
 

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from datetime import datetime
 
+from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import later_by
@@ -80,8 +81,8 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         return About(kind=AboutKind.DROP, names=denied.names, thing=denied.text, certain=place > 0)
     if len(said.words) > 1 and (placed := _placed(said)) is not None:
         return placed
-    if (delayed := _delayed(said)) is not None:
-        return delayed
+    if (later := _later(said)) is not None:
+        return later
     thing, time = said.parted(bare=True)
     if not thing:
         return None
@@ -93,9 +94,12 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if time:
         names = Said(thing, now, lexicon).names
         return About(kind=AboutKind.MOVE, names=names, thing=thing, time=time, corrects=place > 0)
-    if place and COMMA not in said.forms:
-        return About(kind=AboutKind.INSTEAD, thing=thing, certain=True)
-    return None
+    if not place or COMMA in said.forms:
+        return None
+    # "Actually no salad", but "no, the salad"
+    none_wanted = whole.forms[place - 1] == NO and said.forms[0] not in EMPTY
+    instead = About(kind=AboutKind.INSTEAD, thing=thing, certain=True)
+    return About(kind=AboutKind.DROP, names=said.names, thing=thing) if none_wanted else instead
 
 
 def _without_and(said: Said) -> Said:
@@ -111,11 +115,13 @@ def _kept(thing: Said) -> About | None:
     )
 
 
-def _delayed(said: Said) -> About | None:
-    """Read what is to be later or sooner: "call mum ten minutes later", "call mum earlier"."""
+def _later(said: Said) -> About | None:
+    """Read what is to be later, or earlier: "the call an hour later", "call mum earlier"."""
     later = later_by(said)
     if later is not None and later[1].names:
-        return replace(later[0], names=later[1].names, certain=True)
+        # "Start the salad ten minutes earlier", which was to be made
+        names = later[1].names - said.lexicon.doing.beginning or later[1].names
+        return replace(later[0], names=names, certain=True)
     names = said.until(len(said.words) - 1).names if said.forms[-1:] in SOONER else frozenset()
     # By how much is not said.
     return About(kind=AboutKind.DELAY, names=names, earlier=True, certain=True) if names else None

@@ -65,7 +65,7 @@ def _named(scene: Scene, about: About) -> list[Entry]:
 def _repeated(scene: Scene, about: About) -> list[Entry]:
     """Give the entries that are named, and of something done again and again."""
     named = _named(scene, about)
-    return [entry for entry in named if any(_repeats(one) for _, one in waiting(scene, entry.number))]
+    return [entry for entry in named if any(repeats(one) for _, one in waiting(scene, entry.number))]
 
 
 def next_left_out(scene: Scene, about: About) -> Reply | None:
@@ -77,7 +77,7 @@ def next_left_out(scene: Scene, about: About) -> Reply | None:
         If there are others on its day, as only days can be left out.
     """
     (entry,) = entries_meant(scene, about)
-    if not any(_repeats(one) for _, one in waiting(scene, entry.number)):
+    if not any(repeats(one) for _, one in waiting(scene, entry.number)):
         return None
     days = sorted(start.date() for start in starts_of_entry(scene, entry))
     if days.count(days[0]) > 1:
@@ -107,7 +107,7 @@ def left_out_then(scene: Scene, about: About) -> Reply | None:
     ):
         return None
     entry = entry_of(scene, frozenset())
-    repeated = [] if entry is None else [one for _, one in waiting(scene, entry.number) if _repeats(one)]
+    repeated = [] if entry is None else [one for _, one in waiting(scene, entry.number) if repeats(one)]
     if entry is None or not repeated or repeated[0].instruction is None:
         return None
     every = (p for p in repeated[0].instruction.requirements if p.constraint is Constraint.EVERY)
@@ -123,7 +123,8 @@ def left_out_then(scene: Scene, about: About) -> Reply | None:
     return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
 
 
-def _repeats(one: Interpreted) -> bool:
+def repeats(one: Interpreted) -> bool:
+    """Whether something is done again and again."""
     return one.instruction is not None and any(
         part.constraint is Constraint.EVERY for part in one.instruction.requirements
     )

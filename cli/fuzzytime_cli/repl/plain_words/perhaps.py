@@ -7,9 +7,9 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpretation, Interpreted
 from fuzzytime.language import AboutKind, Lexicon, Operation, about_wishes, content_words, news_in
-from fuzzytime.requirement import Constraint
 from fuzzytime.times import instant_after
 from fuzzytime_cli.render import plain
+from fuzzytime_cli.repl.plain_words.leaving_out import repeats
 from fuzzytime_cli.repl.scene import Reply, Scene, number_of, waiting
 
 
@@ -56,9 +56,9 @@ def second_lines(
     own = [one for one in made.everything if one.wish.identifier == f"s{number}"]
     known = (lexicon.conversation[name] for name in ("closing", "again", "more"))
     said_so = {form[0] for form in frozenset().union(*known) if len(form) == 1}
-    if len(own) != 1 or _repeats(own[0]) or not said_so.isdisjoint(words.lower().split()):
+    if len(own) != 1 or repeats(own[0]) or not said_so.isdisjoint(words.lower().split()):
         return ()
-    others = [one for one in made.everything if one is not own[0] and not _repeats(one)]
+    others = [one for one in made.everything if one is not own[0] and not repeats(one)]
     same = [one for one in others if _is_same(one, own[0], lexicon) and _day(one, now) == _day(own[0], now)]
     if len(same) != 1:
         return ()
@@ -66,10 +66,6 @@ def second_lines(
     times = ", ".join(part.text for part in one.requirements)
     first = f"{one.identifier} {one.skill.name}{f' ({times})' if times else ''}"
     return (Text(plain(f"beside {first}, which stays; if they are one: drop s{number_of(one.identifier)}")),)
-
-
-def _repeats(one: Interpreted) -> bool:
-    return any(part.constraint is Constraint.EVERY for part in one.requirements)
 
 
 def _day(one: Interpreted, now: datetime) -> date | None:
@@ -83,7 +79,9 @@ def _is_same(one: Interpreted, other: Interpreted, lexicon: Lexicon) -> bool:
     if operation is None or behind is None or operation.negated or behind.negated:
         return False
     things = content_words(operation.object)
-    if things and operation.particle and things == content_words(behind.object):
+    begins = behind.stated or not behind.object or behind.lemma in lexicon.doing.beginning
+    if things and things == content_words(behind.object or behind.verb) and (operation.particle or begins):
+        # "Rice at ten", beside "cook the rice at nine"
         return operation.particle == behind.particle
     return _essence(operation, lexicon) == _essence(behind, lexicon)
 

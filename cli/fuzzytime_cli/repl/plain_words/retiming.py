@@ -198,6 +198,10 @@ def with_time(
     FuzzytimeError
         If it has several.
     """
+    said = find_times(about.time, scene.now, scene.conversation.interpreter.language.lexicon).requirements
+    if [one.constraint for one in said] == [Constraint.FOR] and said[0].span == (0, len(about.time)):
+        # "Half an hour for the call"
+        about = replace(about, time=f"{FOR}{about.time.removeprefix(FOR)}")
     if part is not None:
         return with_time_of_part(scene, entry, about.time, part)
     mine = [one for one in scene.plan.everything if one.wish.identifier == entry.identifier]

@@ -198,7 +198,8 @@ def _taken(scene: Scene, about: About) -> Reply | None:
 
 def _when_then(scene: Scene, about: About) -> Reply | None:
     """Ask when something is to be that cannot be: "Jo can't make it"; None where nothing is about that."""
-    entry = entry_of(scene, about.names)
+    known = not about.told or is_named_itself(scene, about.names)
+    entry = entry_of(scene, about.names) if known else None
     return None if entry is None else Reply((ASKED_BACK[about.kind],), focus=entry.number)
 
 

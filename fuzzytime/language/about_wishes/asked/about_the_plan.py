@@ -1,7 +1,7 @@
 """Questions about the plan: "what's next?", "how long until dinner?", "why so late?"."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import BESIDE, Said
 from fuzzytime.language.sentence.trees.content_words import content_words
 
 
@@ -27,12 +27,19 @@ def _supposed(said: Said) -> About | None:
 
 def _why(said: Said) -> About | None:
     rest = said.after("why")
-    named = None if rest is None or rest.as_time() else rest.without("last")[0]
+    named = None if rest is None or rest.as_time() else _in_front(rest.without("last")[0])
     # "Why friday?"
     names = frozenset() if named is None else _names(named)
     if rest is None or (names and _asks_for_something(said)):
         return None
     return About(kind=AboutKind.WHY, names=names, certain=True)
+
+
+def _in_front(said: Said) -> Said:
+    """Leave out what a thing comes before, or after: "the salad after the rice"."""
+    joints = (n for n in range(1, len(said.words)) if said.forms[n] in BESIDE and said.behind(n + 1).names)
+    place = next(joints, len(said.words))
+    return said.until(place) if said.until(place).names else said
 
 
 def _asks_for_something(said: Said) -> bool:

@@ -38,8 +38,12 @@ def delayed(said: Said) -> About | None:
     whole = thing.is_in("everything") or is_last(thing)
     found = None if whole else thing.length() or minutes_alone(thing, directed=bool(directions))
     if found is None:
-        if thing.has_time or (delaying is None and not directions):
+        if thing.has_time:
             return None
+        if delaying is None and not directions:
+            # "Move the gym": when to is not said
+            known = said.forms[0] in said.lexicon.moving and thing.names
+            return replace(about_thing(AboutKind.UNABLE, thing), told=True) if known else None
     elif delaying is None and (
         found.joint == FOR or not (directions or said.forms[0] in said.lexicon.moving)
     ):

@@ -27,6 +27,7 @@ ANEW = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
 SEVERAL = r"\bthey"
 PERSON = re.compile(r"\b\w+")
 BE = "be"
+NO = "no"
 NOW = "now"
 ABSENT = "absent"
 HAPPENED = "happened"
@@ -153,6 +154,9 @@ class _Clause:
         words = CONTRACTED.sub(_blank, self.text[self.span[0] : self.span[1]])
         said = Said(words, self.now, self.lexicon)
         left, tables = said.without(*TABLES)
+        if said.forms[:1] == (NO,) and left.words and left.forms[0] == said.forms[1] not in EMPTY:
+            # "No gym today"
+            return None
         if any((form,) in self.lexicon.conversation[HAPPENED] for form in said.forms):
             tables |= {HAPPENED}
         if not tables:
@@ -205,6 +209,10 @@ class _Clause:
             for one in said:
                 time, questions = replace(one.requirement, text=time.text), one.questions
         if time.constraint not in ANEW or time.recurrence is not None:
+            return None
+        bare = time.preposition is None and time.grain in CLOCKED
+        if bare and not left.text and tables <= {"they", "being"}:
+            # "It's nearly six" tells what time it is.
             return None
         told = replace(time, span=(self.span[0] + first, self.span[0] + end))
         marked = moved or bool(tables - {"they", "being"})

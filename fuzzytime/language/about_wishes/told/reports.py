@@ -14,6 +14,7 @@ ON = "on"
 TO = "to"
 MAKE = "make"
 ADD = "add"
+GIVE = "give"
 COMMA = ","
 
 
@@ -86,7 +87,10 @@ def _more(said: Said) -> About | None:
             return None
         return About(kind=AboutKind.MORE, names=left.names, certain=True)
     named, parts = found.rest.without("needing", "last", "more")
-    certain = not named.names or "needing" in parts
+    # "Five more minutes for the rice", "give the rice five more minutes"
+    given = named.behind(1) if named.forms[:1] in {(GIVE,), (FOR.strip(),)} else named
+    certain = not named.names or "needing" in parts or given is not named
+    named = given
     return About(kind=AboutKind.MORE, names=named.meant, by=found.seconds, certain=certain)
 
 
@@ -169,6 +173,11 @@ def _protest(said: Said) -> About | None:
         rest = said.after(kind.value)
         if rest is not None and not rest.without("yet", "first", "last")[0].words:
             return About(kind=kind, certain=True)
+    unable = said.after("unable of") if said.is_one else None
+    thing = None if unable is None else Said(unable.parted()[0], said.now, said.lexicon)
+    if thing is not None and thing.names:
+        # "I can't make the gym today"
+        return About(kind=AboutKind.UNABLE, names=thing.names, told=True)
     # "Jo can't make it", and "today"
     whole = Said(said.parted()[0], said.now, said.lexicon) if said.has_time else said
     who = whole.without_end(said.table("unable then"))
@@ -204,6 +213,9 @@ def _finished(said: Said) -> About | None:
         with_it = thing.forms[:1] == (WITH,)
         thing = thing.behind(1) if with_it else thing
         having = with_it or not thing.words or rest.opens_with("having")
+        if rest != said and thing.words and thing.as_time():
+            # "I'm done for today"
+            return About(kind=AboutKind.NEXT, certain=True)
         if not having or thing.has_time:
             return None
         if thing.is_in("everything"):

@@ -14,6 +14,8 @@ SMALL = ("being", "anew")
 
 SOONER = frozenset({"early", "earlier"})
 WILL = "will"
+TO, BE = ("to",), ("be",)
+ALREADY = "already"
 DONE = "ed"
 """How what was done ends: "gym cancelled"."""
 
@@ -57,12 +59,18 @@ def _thing_and_state(said: Said) -> tuple[Said, Said]:
     stating = (
         said.lexicon.closed.third_person_be | {WILL} | {f"{verb}s" for verb in said.lexicon.doing.happening}
     )
-    places = (place for place, word in enumerate(said.forms) if word in stating)
+    places = (n for n, word in enumerate(said.forms) if word in stating or _obliges(said.behind(n)))
     place = next(places, 0)
     off = max((len(form) for form in said.table("cancelled") if said.forms[-len(form) :] == form), default=0)
     if not place and off and said.forms[-1].endswith(DONE):
         return said.until(len(said.words) - off), said.behind(len(said.words) - off)
     return (said.until(place), said.behind(place + 1)) if place else (said.until(0), said.until(0))
+
+
+def _obliges(said: Said) -> bool:
+    """Whether words say how something has to be: "should be at six", "needs to be before lunch"."""
+    obliges = said.forms[0] in said.lexicon.closed.obligation
+    return obliges and BE in {said.forms[1:2], said.forms[2:3] if said.forms[1:2] == TO else ()}
 
 
 def _off(how: Said) -> About | None:
@@ -108,11 +116,18 @@ def _later(how: Said) -> About | None:
 def _then(how: Said, *, last: bool) -> About | None:
     """Read when it is: "is at seven", "is on friday now"; but "it's friday" tells the day."""
     how, _ = how.without("being")
+    how = how.behind(1) if how.forms[:1] == TO else how
+    beside = None if last else how.beside()
+    if beside is not None and beside[1].names and not how.has_time:
+        return About(kind=AboutKind.MOVE, time=beside[0], others=beside[1].names, told=True)
     left, _ = how.without("anew")
     time = left.as_time() if left.words else ""
     told = one_time(time, how.now, how.lexicon) if time else None
     joint = told is not None and (told.preposition is not None or left.forms[0] == FOR.strip())
     if told is None or told.constraint is Constraint.FOR or not (joint or left != how):
+        return None
+    if last and (ALREADY in how.forms or told.constraint is Constraint.AFTER):
+        # "It's six already", "it's gone six" tell what time it is.
         return None
     if not left.text.lower().endswith(time.lower()) and left == how:
         return None

@@ -197,7 +197,7 @@ _ROWS = {
         "supposing", "filling", "first", "instead", "letting", "answering", "going ahead", "beginning now",
         "on time", "having left", "lasting so long", "greeting",
         "again", "like", "continuing", "following", "closing", "naming anew", "meaning", "other",
-        "reversing", "stopping", "no longer", "restoring", "staying", "unable at", "asking to",
+        "reversing", "stopping", "no longer", "restoring", "staying", "unable at", "unable of", "asking to",
         "saying", "slightly", "several", "skipping",
         "letting go", "denying",
         "proposing", "exclaiming", "free", "may do", "having time", "done already",
