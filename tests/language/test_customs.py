@@ -148,6 +148,8 @@ def test_word_tables_are_told_from_rule_tables(tmp_path: Path) -> None:
     rules = rules_directory()
     assert is_word_table(rules / "calendar.yaml")
     assert is_word_table(ROOT / "examples" / "tables" / "customs.yaml")
+    (tmp_path / "no_language.yaml").write_text("fuzzytime: 1\nparts: {evening: {from: 16:00}}\n")
+    assert is_word_table(tmp_path / "no_language.yaml")
     assert not is_word_table(rules / "lookup.yaml")
     (tmp_path / "broken.yaml").write_text("language: [", encoding="utf-8")
     assert not is_word_table(tmp_path / "broken.yaml")

@@ -32,7 +32,7 @@ EVENTS: list[tuple[Event, str]] = [
     ),
     (told.End(**WHO, agent=1), "end "),
     (told.Done(**WHO), "done "),
-    (told.Moved(**WHO, before_s=None, after_s=120.0), ": never → 18:02:00"),
+    (told.Moved(**WHO, before_s=None, after_s=120.0), ": no time → 18:02:00"),
     (told.Rejected(**WHO, reason=EVIL), "rejected"),
     (told.Waits(**WHO, reason=EVIL), "waits"),
     (told.Failed(**WHO, reason=EVIL), "failed"),

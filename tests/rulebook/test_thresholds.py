@@ -57,6 +57,14 @@ def test_a_number_is_soft_on_the_side_that_it_leaves_open(side: Side, degrees: d
         assert held == pytest.approx(degree, abs=1e-9), value
 
 
+@pytest.mark.parametrize(
+    "thing", ["pan's temperature", "pan 's temperature", "pan\u2019s temperature", "temperature of the pan"]
+)
+def test_what_is_read_of_a_thing_is_about_it(thing: str) -> None:
+    above = clause(number(Side.ABOVE, 150), subject=thing, before=f"the {thing} is")
+    assert (now(above, pan_temp=140), now(above, pan_temp=160)) == (0.0, 1.0)
+
+
 def test_a_range_is_full_between_its_ends() -> None:
     between = clause(number(Side.BETWEEN, 150, until=180.0))
     assert [now(between, pan_temp=value) for value in (140, 150, 180, 190)] == pytest.approx([0, 1, 1, 0])

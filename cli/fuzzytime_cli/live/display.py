@@ -71,7 +71,7 @@ class EventScreen:
         return Text(f"{self._clock(at)}  {kind:<{_NAME}} {words}", style=style)
 
     def _clock(self, at: float | None) -> str:
-        return "never" if at is None else Clock(self.origin, with_seconds=True).of(at)
+        return "no time" if at is None else Clock(self.origin, with_seconds=True).of(at)
 
     def _lines(self, event: Event) -> list[Text]:
         at, kind = event.at, event.type

@@ -84,7 +84,7 @@ def is_of_another(ways: Iterable[str], subject: str) -> bool:
     What is read of a thing is about it, and what stands in it is not about another: "the oven temperature",
     "water in the pot".
     """
-    said = plain(subject.replace("'s ", " "))
+    said = plain(subject)
     behind = [f" {said} ".partition(f" {way} ")[2].split() for way in ways if within(way, said)]
     rests = [[word for word in rest if not word.isdigit()] for rest in behind]
     return bool(rests) and not any(
@@ -112,9 +112,9 @@ def ways_to_say(term: Term) -> tuple[str, ...]:
 
 @lru_cache(maxsize=REMEMBERED)
 def plain(text: str) -> str:
-    """Give a text in lower case, without punctuation and determiners."""
-    said = text.lower().replace("\u2019", "'").replace(" 's", "'s")
-    words = re.findall(r"[^\W_]+(?:['\u2019-][^\W_]+)*", said)
+    """Give a text in lower case, without punctuation and determiners: "the oven's light" is "oven light"."""
+    said = re.sub(r"\s?'s\b", "", text.lower().replace("\u2019", "'"))
+    words = re.findall(r"[^\W_]+(?:['-][^\W_]+)*", said)
     return " ".join(word for word in words if word not in DETERMINERS)
 
 

@@ -14,7 +14,10 @@ WHOLE = frozenset({"holidays"})
 """Sections in which an upper row says anew all that is said of its thing but ALSO: a feast has one day."""
 
 LANGUAGE = "language"
-"""The key by which a word table is told from a rule table."""
+"""The key that a word table has, and a rule table has not."""
+
+TELLING = frozenset({LANGUAGE, "parts", "day_parts", "holidays", "seasons", "zones", "usual_hours", "policy"})
+"""Keys by which a word table is told from a rule table, also where it forgets to say its language."""
 
 HEAD = ("fuzzytime", LANGUAGE)
 """What every word table begins with."""
@@ -23,7 +26,7 @@ Form = tuple[str, ...]
 
 
 def is_word_table(path: Path) -> bool:
-    """Whether a file says of what language it is, as word tables do and rule tables do not.
+    """Whether a file says of what language it is or what the parts of a day are, as no rule table does.
 
     Raises
     ------
@@ -34,7 +37,7 @@ def is_word_table(path: Path) -> bool:
         root = Reader.of_file(path).root()
     except DocumentError:
         return False
-    return isinstance(root, Mapping) and any(name.text == LANGUAGE for name, _ in root.entries)
+    return isinstance(root, Mapping) and any(name.text in TELLING for name, _ in root.entries)
 
 
 class LayeredReader(Reader):
