@@ -37,7 +37,7 @@ def naming(variables: Iterable[Variable], subject: str, word: str) -> Naming | N
     for variable in variables:
         named = _longest(in_numbers(ways_to_name(variable)), subject)
         for term in variable.terms.values():
-            said = _longest(ways_to_say(term), word)
+            said = _longest(ways_to_name(term), word)
             if named and said:
                 found.append(Naming(named, said, variable, term))
     return max(found, key=lambda one: len(one.subject) + len(one.word), default=None)
@@ -100,14 +100,9 @@ def in_numbers(ways: Iterable[str]) -> set[str]:
     return found
 
 
-def ways_to_name(variable: Variable) -> tuple[str, ...]:
-    """Give the plain names of a variable's thing."""
-    return (plain(variable.name), *map(plain, variable.words))
-
-
-def ways_to_say(term: Term) -> tuple[str, ...]:
-    """Give the plain words for a term."""
-    return (plain(term.name), *map(plain, term.words))
+def ways_to_name(named: Variable | Term) -> tuple[str, ...]:
+    """Give the plain names of a variable's thing, or the plain words for a term."""
+    return (plain(named.name), *map(plain, named.words))
 
 
 @lru_cache(maxsize=REMEMBERED)

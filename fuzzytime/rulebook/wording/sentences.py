@@ -20,7 +20,6 @@ from fuzzytime.rulebook.wording.phrases import (
     naming,
     plain,
     ways_to_name,
-    ways_to_say,
     within,
 )
 from fuzzytime.rulebook.wording.thresholds import threshold, without
@@ -139,7 +138,7 @@ def _by_parts(condition: Condition, subject: str, word: str, tables: Tables) -> 
         (way, variable, term)
         for variable in named
         for term in variable.terms.values()
-        for way in ways_to_say(term)
+        for way in ways_to_name(term)
         if way == plain(word) or (plain(word) in way.split() and within(way, text))
     ]
     if ways:

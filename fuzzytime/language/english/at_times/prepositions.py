@@ -10,7 +10,7 @@ from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal,
 from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.meaning.joined.distances import LOWER, UPPER
 from fuzzytime.language.meaning.times_of_day import Clock, Part
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 grammar = Grammar()
 
@@ -209,7 +209,7 @@ def or_shortly_before(said: Said) -> Said | None:
 
 
 def _a_little_off(said: Said, hedge: str) -> Said | None:
-    point = said.constraint in {None, Constraint.AT} and not said.beside
+    point = said.constraint in MOMENTS and not said.beside
     if not point or not isinstance(said.time, (Wall, Ending)):
         return None
     return replace(

@@ -11,7 +11,7 @@ from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat, is
 from fuzzytime.language.meaning.joined.first_times import ending_with
 from fuzzytime.language.meaning.joined.intervals_on_days import on_days
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 grammar = Grammar()
 
@@ -104,7 +104,7 @@ def to_last_time(repeat: Repeat, said: Said) -> Repeat | None:
 
 def _moment_of(repeat: Repeat, said: Said) -> Wall | None:
     """Give the moment that an interval may begin or end at; None for other times, and other repetitions."""
-    is_moment = said.constraint in {None, Constraint.AT} and bool(repeat.every)
+    is_moment = said.constraint in MOMENTS and bool(repeat.every)
     return said.time if isinstance(said.time, Wall) and is_moment else None
 
 

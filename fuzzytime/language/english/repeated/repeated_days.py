@@ -10,7 +10,7 @@ from fuzzytime.language.meaning.expressions import Duration, Edge, Offset, Repea
 from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 grammar = Grammar()
 
@@ -60,7 +60,7 @@ def parts_alone(parts: Repeat, bound: Said | None = None) -> Said | None:
     """Morning and evening this week, morning and night until friday."""
     if bound is None:
         return Said(parts, Constraint.EVERY)
-    days = bound.time if bound.constraint in {None, Constraint.AT} else None
+    days = bound.time if bound.constraint in MOMENTS else None
     found = narrowed_repeat(parts, days) if isinstance(days, Wall) else bounded_repeat(parts, bound)
     return None if found is None else Said(found, Constraint.EVERY)
 

@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 AT = "at"
 TO = "to"
@@ -277,7 +277,7 @@ class Measures:
 def _is_near_hour(said: Said) -> bool:
     """Whether it is near a number that can be an hour: "around ten"."""
     clock = said.wall.clock
-    near = said.constraint in {None, Constraint.AT} and (
+    near = said.constraint in MOMENTS and (
         said.preposition in NEARLY or (said.preposition is None and bool(said.hedges))
     )
     return near and clock is not None and clock.grain is Unit.HOUR

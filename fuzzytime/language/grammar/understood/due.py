@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Edge, Phrase
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 FOR, BY, GET = "for", "by", "get"
 
@@ -64,7 +64,7 @@ def due_then(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     """Read "for" before a clock time as "by", behind what must be there, or ready, then."""
     said = phrase.said
     clocked = said.wall.clock is not None
-    at = said.constraint in {None, Constraint.AT} and said.preposition == FOR
+    at = said.constraint in MOMENTS and said.preposition == FOR
     if not clocked or not at or not is_due([word.text for word in words], phrase.first, lexicon):
         return phrase
     due = replace(said, preposition=BY, constraint=Constraint.BEFORE, edge=Edge.DUE)

@@ -38,7 +38,7 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
     if again is not None and isinstance(said.time, Repeat) and said.time.every and said.time.every.bare_end:
         # "Every two hours, then every four"
         counted = _counted(said.time.every, again.terms[-1][1])
-        return replace(phrase, said=replace(said, time=replace(said.time, every=counted)))
+        return phrase.at(replace(said.time, every=counted))
     if not isinstance(length.time, Duration):
         return phrase
     unit = length.time.terms[-1][1]
@@ -47,8 +47,7 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
         near = not _ends_between(before, phrase, words)
         alone = said.time.bare_end and said.time.until is None and len(said.time.terms) == 1
         hours = near and alone and said.time.terms[0][0] <= DAY_HOURS
-        counted = _counted(said.time, unit) if hours else said.time
-        return replace(phrase, said=replace(said, time=counted))
+        return phrase.at(_counted(said.time, unit) if hours else said.time)
     if AFTER == said.preposition == length.preposition and isinstance(said.time, Wall) and said.time.bare:
         return _further_after(phrase, length.time, unit, near=not _ends_between(before, phrase, words))
     if length.constraint is not Constraint.FOR:
@@ -57,14 +56,16 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
         many = said.constraint is Constraint.FOR and said.time.terms[0][0] > DAY_HOURS
         # "Cool it for an hour and chill it for 40" minutes
         unit = Unit.MINUTE if many and unit is Unit.HOUR else unit
-        counted = replace(_counted(said.time, unit), unsaid=length.time.unsaid)
-        return replace(phrase, said=replace(said, time=counted))
+        return phrase.at(replace(_counted(said.time, unit), unsaid=length.time.unsaid))
     if isinstance(said.time, Repeat) and said.time.every is not None and said.time.every.bare_end:
-        return replace(phrase, said=replace(said, time=Repeat(_counted(said.time.every, unit))))
-    if not isinstance(said.time, Wall) or not said.time.bare or said.preposition not in {"for", "after"}:
-        return phrase
-    clock = said.time.clock
-    between = words[before.end : phrase.first]
+        return phrase.at(Repeat(_counted(said.time.every, unit)))
+    number = said.wall.bare and said.preposition in {"for", "after"}
+    return _hour_in_unit(phrase, words[before.end : phrase.first], unit, lexicon) if number else phrase
+
+
+def _hour_in_unit(phrase: Phrase, between: Sequence[Word], unit: Unit, lexicon: Lexicon) -> Phrase:
+    """Lend a number that would be an hour the unit of the length before it, where it is so long."""
+    said, clock = phrase.said, phrase.said.wall.clock
     meanwhile = any(word.text.endswith(PARTICIPLE) for word in between)
     if clock is None or clock.grain is not Unit.HOUR or (said.preposition == "after" and not meanwhile):
         return phrase
@@ -82,7 +83,7 @@ def _further_after(phrase: Phrase, length: Duration, unit: Unit, *, near: bool) 
     hour = clock is not None and clock.grain is Unit.HOUR and clock.half is None
     if clock is None or not hour or not near or len(length.terms) > 1 or clock.hour <= length.terms[0][0]:
         return phrase
-    return replace(phrase, said=replace(phrase.said, time=Duration(((clock.hour, unit),))))
+    return phrase.at(Duration(((clock.hour, unit),)))
 
 
 def _ends_between(before: Phrase, phrase: Phrase, words: Sequence[Word]) -> bool:
@@ -252,4 +253,4 @@ def in_half(phrase: Phrase, following: Phrase, words: Sequence[Word], lexicon: L
     if first.clock.seconds % NOON == second.clock.seconds % NOON:
         half = Half.PM if half is Half.AM else Half.AM
     clock = replace(first.clock, half=half, bare=False)
-    return replace(phrase, said=replace(phrase.said, time=replace(first, clock=clock)))
+    return phrase.at(replace(first, clock=clock))

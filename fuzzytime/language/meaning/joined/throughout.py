@@ -24,7 +24,7 @@ def is_clock_time(said: Said) -> bool:
     time = said.time
     clock = isinstance(time, Wall) and time.clock is not None and time.days is None and not said.hedges
     sure = isinstance(time, Wall) and (said.preposition is not None or not time.bare)
-    return clock and sure and said.constraint in {None, Constraint.AT}
+    return clock and sure and said.constraint in MOMENTS
 
 
 def daily_at(said: Said) -> Repeat | None:

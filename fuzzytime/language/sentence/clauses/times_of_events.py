@@ -4,7 +4,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, TimeWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 OVER = frozenset({"after", "when"})
 """Clauses that wait for the end of something, or for what becomes so."""
@@ -36,7 +36,7 @@ def dates(phrase: Phrase, distance: Duration | None, kind: str) -> bool:
     its day does: "before the show on Saturday".
     """
     time = phrase.said.time
-    if not isinstance(time, Wall) or phrase.said.constraint not in {None, Constraint.AT}:
+    if not isinstance(time, Wall) or phrase.said.constraint not in MOMENTS:
         return False
     if kind in OVER | AHEAD and distance is None and time.clock is None and time.part is None:
         return False

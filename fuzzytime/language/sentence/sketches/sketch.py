@@ -67,6 +67,16 @@ class Sketch:
         return self.operation is not None and self.operation.is_asked
 
     @property
+    def times(self) -> list[Phrase]:
+        """Its times that say when, and not for how long."""
+        return [phrase for phrase in self.phrases if phrase.said.constraint is not Constraint.FOR]
+
+    @property
+    def is_open(self) -> bool:
+        """Whether something is asked for, and not when."""
+        return self.asks and not self.clauses and not self.times
+
+    @property
     def repeats(self) -> bool:
         """Whether one of its times is a repetition."""
         return any(isinstance(phrase.said.time, Repeat) for phrase in self.phrases)

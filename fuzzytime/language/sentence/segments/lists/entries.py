@@ -11,7 +11,7 @@ from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Offset, Phrase, Wall
 from fuzzytime.language.meaning.phrases import places_in
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 NUMERIC = frozenset({"-", ":", "."})
 """Marks in a number, or between two."""
@@ -61,7 +61,7 @@ class Entry:
         """Whether it has a time of day, or a day."""
         if self.words and names_day(self.words[-1], self.lexicon):
             return True
-        return self._has_wall({None, Constraint.AT})
+        return self._has_wall(MOMENTS)
 
     @property
     def bounded(self) -> bool:

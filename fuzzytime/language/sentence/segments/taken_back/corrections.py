@@ -24,7 +24,7 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.joined.beside import in_hour_of
 from fuzzytime.language.meaning.joined.weekdays_left_out import weekdays_in
 from fuzzytime.language.meaning.times_of_day import Clock
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
 
@@ -263,11 +263,7 @@ def _counted(old: Said, new: Quantity) -> Said | None:
 
 def _fitting(old: Said, new: Said) -> str | None:
     """Give the old preposition, which stays before a new time of the same kind."""
-    return (
-        old.preposition
-        if type(old.time) is type(new.time) and new.constraint in {None, Constraint.AT}
-        else None
-    )
+    return old.preposition if type(old.time) is type(new.time) and new.constraint in MOMENTS else None
 
 
 def _in_half(clock: Clock, old: Clock) -> Clock:

@@ -37,8 +37,7 @@ def in_turns(sketch: Sketch, anchors: Anchors, draft: Draft) -> tuple[list[TimeR
         elif not targets and singular(name.split()[-1].lower()) in anchors.lexicon.persons:
             message = f"{said!r} is planned once: when they come and go is not told"
             remarks.append(Remark(RemarkKind.POLICY, span, message))
-    timed = any(phrase.said.constraint is not Constraint.FOR for phrase in sketch.phrases)
-    if not required and not timed and not sketch.clauses:
+    if not required and not sketch.times and not sketch.clauses:
         required += _with_each_that_comes(operation, anchors)
     return required, remarks
 

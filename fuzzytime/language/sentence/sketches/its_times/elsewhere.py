@@ -63,7 +63,7 @@ def is_of_subject(part: Part, phrase: Phrase, action: Action) -> bool:
     """Whether a time is of what a verb behind it is about: "meeting at 3.30, should be done by four"."""
     place = next(part.at(phrase.span), None)
     subjects = part.tree.children(action.place, *GRAMMATICAL_SUBJECTS)
-    is_when = phrase.said.constraint in {None, Constraint.AT}
+    is_when = phrase.said.constraint in MOMENTS
     return is_when and place is not None and any(place in part.tree.below(subject) for subject in subjects)
 
 

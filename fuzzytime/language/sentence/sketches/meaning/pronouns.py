@@ -30,11 +30,8 @@ def resolved_object(
     if person is not None:
         return person
     pronoun, _, rest = (operation.object or "").partition(" ")
-    if (
-        rest
-        and pronoun.lower() in pronouns.anaphors
-        and rest.split()[0] in pronouns.prepositions_of_recipients
-    ):
+    given = rest and rest.split()[0] in pronouns.prepositions_of_recipients
+    if given and pronoun.lower() in pronouns.anaphors:
         # "Print the plans and send them to her"
         alone = replace(operation, object=pronoun)
         return f"{resolved_object(alone, own, mentions, first)} {rest}"
@@ -48,7 +45,14 @@ def resolved_object(
     undone = _undone(operation, before, several=several, lexicon=lexicon)
     if undone is not None:
         return undone
-    near = Mentions(lexicon)
+    return _fitting(operation, own, mentions, first, several=several) or operation.object
+
+
+def _fitting(
+    operation: Operation, own: Sequence[Operation | None], mentions: Mentions, first: int, *, several: bool
+) -> str | None:
+    """Give the last thing that was named and fits in number; else the last, here or in what is before it."""
+    lexicon, near = mentions.lexicon, Mentions(mentions.lexicon)
     for earlier in own:
         passed = _is_setting(earlier, lexicon) and not _is_changing(operation, lexicon)
         near.add(None if passed else earlier)
@@ -61,7 +65,7 @@ def resolved_object(
     fitting = (
         thing for thing in (here, there) if thing is not None and is_several(thing, lexicon) is several
     )
-    return next(fitting, here or there or operation.object)
+    return next(fitting, here or there)
 
 
 def _is_moment(thing: str | None, operation: Operation, lexicon: Lexicon) -> bool:

@@ -53,7 +53,7 @@ def under_heading(sketch: Sketch, heading: Heading) -> Sketch:
         _tells_when(phrase) or _is_on_another_day(phrase, heading) for phrase in sketch.phrases
     ):
         return sketch
-    if operation.stated and all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases):
+    if operation.stated and not sketch.times:
         # "It takes an hour"
         return sketch
     if sketch.part.segment.connective not in JOINED and not sketch.phrases:
@@ -91,7 +91,7 @@ def _bounded(time: Time | Duration | Repeat, hours: Range) -> Time | Duration | 
 def _counts_from_another(sketch: Sketch) -> bool:
     """Whether it is so long before or after something else, and nothing else is said of when."""
     measured = any(clause.distance is not None and not clause.excepted for clause in sketch.clauses)
-    return measured and all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
+    return measured and not sketch.times
 
 
 def _is_whole_day(phrase: Phrase) -> bool:

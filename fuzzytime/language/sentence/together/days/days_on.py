@@ -32,7 +32,7 @@ def days_on(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Ske
         told = sketch if first is None else _from_day_on(sketch, first, text, lexicon)
         if own is not None:
             # "Starting tomorrow take the pill every morning and call Ann at six" asks for one call.
-            alone = not any(isinstance(phrase.said.time, Repeat) for phrase in sketch.phrases)
+            alone = not sketch.repeats
             held = own if alone and told is not sketch else None
         found.append(told)
     return found

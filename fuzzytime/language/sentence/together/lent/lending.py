@@ -137,7 +137,7 @@ def _beside(
     if operation.object is not None or not tree.nodes:
         return operation
     node = tree.nodes[tree.root]
-    alone = all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
+    alone = not sketch.times
     begins = before.stated and before.lemma in doing.beginning | {BE} and bool(sketch.phrases)
     if before.object is None or before.attended:
         # "We're on at nine and play for an hour"; but "I'm out at noon, feed the cat"

@@ -12,7 +12,6 @@ from itertools import pairwise
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
-from fuzzytime.requirement import Constraint
 
 AND = frozenset({"and", "&"})
 """Words that join what is denied to what may be asked for, too: a note says that it is not."""
@@ -68,8 +67,7 @@ def _goes_on(before: Sketch, sketch: Sketch, joint: str, lexicon: Lexicon) -> bo
         # "Don't water it today and water it tomorrow", "don't stir it, and at six serve it"
         return False
     said = {node.lower for node in sketch.part.tree.nodes}
-    lengths = all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
-    left = other.lemma in lexicon.letting and bool(sketch.phrases) and lengths
+    left = other.lemma in lexicon.letting and bool(sketch.phrases) and not sketch.times
     turned = not said.isdisjoint(lexicon.beside.turning) or one.lemma in lexicon.doing.hesitating or left
     # "Don't open the lid and let it rest for an hour": it is left alone so.
     return alternative or not turned

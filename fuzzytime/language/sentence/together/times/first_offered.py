@@ -9,7 +9,7 @@ from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.sketches.meaning.alternatives import not_used
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 UNTIL = "until"
 
@@ -25,7 +25,7 @@ def first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Remark]]:
     """
     lasting = {p.span for p in sketch.phrases if p.said.constraint is Constraint.FOR}
     clauses = {clause.span for clause in sketch.clauses}
-    moments = {p.span for p in sketch.phrases if p.said.constraint in {None, Constraint.AT}}
+    moments = {p.span for p in sketch.phrases if p.said.constraint in MOMENTS}
     ends = {clause.span for clause in sketch.clauses if clause.kind == UNTIL}
     left = [
         second

@@ -33,13 +33,9 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
         return sketch
     if repeat.starting not in {None, Offset(repeat.every, 1)}:
         return sketch
-    every = phrases[repeated[0]]
-    for part_of, within in ((closing_of, in_the_end), (opening_of, at_the_beginning)):
-        parts = [(place, length) for place, p in enumerate(phrases) if (length := part_of(p.said))]
-        part = within(repeat, parts[0][1]) if len(parts) == 1 else None
-        if part is not None:
-            # "In the last hour, baste it every 20 minutes", "for the first hour, stir it every ten"
-            return _repeated(sketch, part, (repeated[0], parts[0][0]))
+    every, within = phrases[repeated[0]], _in_part(sketch, repeat, repeated[0])
+    if within is not None:
+        return within
     counted = repeat.times is not None
     lexicon = sketch.part.tree.lexicon
     joints = lexicon.closed.alternatives if counted else lexicon.closed.coordinators
@@ -65,6 +61,16 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
         )
         phrases[place] = replace(phrases[place], said=told)
     return replace(sketch, phrases=tuple(phrases))
+
+
+def _in_part(sketch: Sketch, repeat: Repeat, place: int) -> Sketch | None:
+    """Let a repetition be in the beginning or the end of what goes on: "in the last hour, baste it …"."""
+    for part_of, within in ((closing_of, in_the_end), (opening_of, at_the_beginning)):
+        parts = [(other, length) for other, p in enumerate(sketch.phrases) if (length := part_of(p.said))]
+        part = within(repeat, parts[0][1]) if len(parts) == 1 else None
+        if part is not None:
+            return _repeated(sketch, part, (place, parts[0][0]))
+    return None
 
 
 def _repeated(sketch: Sketch, repeat: Repeat, places: Sequence[int]) -> Sketch:

@@ -26,7 +26,7 @@ from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import LASTING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.told.consequences import leads_to_consequence
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 HELD = frozenset({"when", "if", "after", "before"})
 """Kinds of clauses that hold for all that is joined."""
@@ -161,7 +161,7 @@ def _is_shared(phrase: Phrase, sketch: Sketch, text: str, lexicon: Lexicon) -> b
         return True
     said = phrase.said
     due = said.constraint is Constraint.BEFORE and said.preposition not in LASTING
-    lengths = all(p is phrase or p.said.constraint is Constraint.FOR for p in sketch.phrases)
+    lengths = all(time is phrase for time in sketch.times)
     # "Wash the car and, after lunch, mow the lawn by five": that is said of the lawn alone.
     alone = lengths and not sketch.clauses and sketch.part.segment.connective in JOINED
     return due and alone and isinstance(said.time, (Wall, Duration))
@@ -174,8 +174,7 @@ def _is_ended(before: Sketch, sketch: Sketch, text: str) -> bool:
 
 def _is_bare(sketch: Sketch, joints: Collection[str]) -> bool:
     """Whether it asks for something, joined so, and says at most how long."""
-    lengths = all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
-    return sketch.asks and sketch.part.segment.connective in joints and lengths and not sketch.clauses
+    return sketch.is_open and sketch.part.segment.connective in joints
 
 
 def _handed_on(phrase: Phrase) -> list[Phrase]:
@@ -196,7 +195,7 @@ def _handed_on(phrase: Phrase) -> list[Phrase]:
 def _not_before(said: Said) -> Said | None:
     """Read a moment as one that what is done next does not come before."""
     time = said.time
-    if said.constraint not in {None, Constraint.AT} or said.is_day:
+    if said.constraint not in MOMENTS or said.is_day:
         return None
     if isinstance(time, Duration):
         counted = said.preposition == "in"

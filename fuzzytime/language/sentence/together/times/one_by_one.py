@@ -12,7 +12,7 @@ from itertools import pairwise
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat
+from fuzzytime.language.meaning.expressions import Duration, Phrase
 from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
@@ -34,7 +34,7 @@ def one_by_one(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketc
     operation = sketch.operation
     if operation is None or operation.negated:
         return sketch
-    if any(isinstance(phrase.said.time, Repeat) for phrase in sketch.phrases):
+    if sketch.repeats:
         # "Three sets, two minutes each, with a minute between sets" are turns.
         return sketch
     for place, phrase in enumerate(sketch.phrases):

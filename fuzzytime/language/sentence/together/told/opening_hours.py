@@ -67,8 +67,7 @@ def _bound_of(sketch: Sketch, lexicon: Lexicon) -> Phrase | None:
 
 def _is_unbound(sketch: Sketch, *, opened: bool = False) -> bool:
     """Whether something is asked for, and not when; where it is ``opened``, but for a bound from before."""
-    kinds = {phrase.said.constraint for phrase in sketch.phrases} - {Constraint.FOR}
-    kinds -= {Constraint.AFTER} if opened else set()
+    kinds = {phrase.said.constraint for phrase in sketch.times} - ({Constraint.AFTER} if opened else set())
     return sketch.asks and not sketch.clauses and not kinds
 
 

@@ -10,7 +10,7 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.told.opening_hours import is_errand
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.requirement import MOMENTS, Constraint
+from fuzzytime.requirement import MOMENTS
 
 LEADING = frozenset({"so", ", so", "; so", ", and so", "- so", "– so", ":", "-", "–", "—"})
 """What stands between what is told and what is done because of it."""
@@ -26,7 +26,7 @@ def due_before_told(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> 
     for place in range(1, len(found)):
         told, order = found[place - 1 : place + 1]
         between = text_between(told, order, text).strip().lower()
-        if between not in LEADING or order.part.segment.connective or not _is_open(order):
+        if between not in LEADING or order.part.segment.connective or not order.is_open:
             continue
         said = _said_when(told)
         ends = _ends(told, lexicon)
@@ -68,12 +68,6 @@ def _begins(sketch: Sketch, lexicon: Lexicon) -> bool:
     # "We fly at nine, so pack the bags"
     ours = any(tree.nodes[place].lower in lexicon.closed.first_person for place in doers)
     return operation.lemma in begins or becomes or ours or (operation.lemma == BE and happens)
-
-
-def _is_open(sketch: Sketch) -> bool:
-    """Whether something is asked for, and not when."""
-    kinds = {phrase.said.constraint for phrase in sketch.phrases} - {Constraint.FOR}
-    return sketch.asks and not sketch.clauses and not kinds
 
 
 def _is_done_with(order: Sketch, told: Sketch, lexicon: Lexicon) -> bool:

@@ -5,7 +5,6 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.references.mentions import BE, Mentions
 from fuzzytime.language.sentence.segments.further.same_doers import tells_more
 from fuzzytime.language.sentence.segments.segment import ENDS
@@ -34,18 +33,12 @@ def told_beside(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Ske
         elif found and _is_then(found[-1], sketch, text, lexicon) and sketch.operation is not None:
             before = found[-1]
             told = replace(sketch, operation=replace(sketch.operation, due=None, stated=True))
-            told = told.under([p for p in before.phrases if _says_when(p)], before.clauses)
+            told = told.under(before.times, before.clauses)
         elif found and _may_only(found[-1], sketch, text, lexicon):
             found[-1] = _at_the_only(found[-1], sketch)
             continue
         found.append(told)
     return found
-
-
-def _is_order_without_time(sketch: Sketch) -> bool:
-    """Whether something is asked for, and not when."""
-    asked = sketch.operation is not None and sketch.operation.is_asked
-    return asked and not sketch.clauses and not any(map(_says_when, sketch.phrases))
 
 
 def _is_beside(before: Sketch, sketch: Sketch, text: str) -> bool:
@@ -56,32 +49,26 @@ def _is_beside(before: Sketch, sketch: Sketch, text: str) -> bool:
 def _may_only(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
     """Whether it is said when alone an order can be done: "ring her, she's only free between 11 and 12"."""
     tree, root = sketch.part.tree, sketch.part.tree.root
-    if not tree.nodes or not _is_order_without_time(before) or not _is_beside(before, sketch, text):
+    if not tree.nodes or not before.is_open or not _is_beside(before, sketch, text):
         return False
     subjects = tree.said(tree.children(root, *SUBJECTS))
     only = any(node.lower == ONLY for node in tree.nodes)
     is_so = tree.nodes[root].lemma in lexicon.closed.lemmas_of_be and bool(
         subjects & lexicon.closed.third_person
     )
-    return only and is_so and any(map(_says_when, sketch.phrases))
+    return only and is_so and bool(sketch.times)
 
 
 def _at_the_only(before: Sketch, sketch: Sketch) -> Sketch:
     """Give an order with the time that is told behind it, and the words that tell it."""
-    told = [phrase for phrase in sketch.phrases if _says_when(phrase)]
-    return before.under(told).reaching(sketch)
+    return before.under(sketch.times).reaching(sketch)
 
 
 def _done_next(sketch: Sketch, operation: Operation, text: str, lexicon: Lexicon) -> Sketch:
     """Give what one does who was named before, behind what that one did before it."""
     segment = sketch.part.segment
     told = _done_by(operation, segment.doer or "", asked=segment.doer == segment.addressee)
-    if (
-        segment.connective
-        or sketch.clauses
-        or any(map(_says_when, sketch.phrases))
-        or _lasts(sketch, lexicon)
-    ):
+    if segment.connective or sketch.clauses or bool(sketch.times) or _lasts(sketch, lexicon):
         return replace(sketch, operation=told)
     return _behind(replace(sketch, operation=told), text)
 
@@ -99,7 +86,7 @@ def _is_on(before: Sketch, sketch: Sketch, lexicon: Lexicon) -> bool:
     """Whether what one does is what goes on then: "we're on at nine and play for an hour"."""
     first, second = before.operation, sketch.operation
     begins = first is not None and first.lemma in lexicon.doing.beginning | {BE}
-    lasts = bool(sketch.phrases) and not any(map(_says_when, sketch.phrases))
+    lasts = bool(sketch.phrases) and not sketch.times
     return begins and lasts and second is not None and second.object is None
 
 
@@ -124,7 +111,7 @@ def _is_then(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> boo
         # "Set an alarm for six I have a flight" tells why.
         return False
     between = text_between(before, sketch, text)
-    alone = not sketch.clauses and not any(map(_says_when, sketch.phrases)) and not _lasts(sketch, lexicon)
+    alone = not sketch.clauses and not sketch.times and not _lasts(sketch, lexicon)
     return (
         alone
         and not ENDS & set(between)
@@ -147,11 +134,6 @@ def _lasts(sketch: Sketch, lexicon: Lexicon) -> bool:
     operation = sketch.operation
     lasting = operation is not None and operation.lemma in lexicon.doing.taking | lexicon.doing.running
     return lasting and bool(sketch.phrases)
-
-
-def _says_when(phrase: Phrase) -> bool:
-    """Whether a time is no length."""
-    return phrase.said.constraint is not Constraint.FOR
 
 
 def due_before(sketches: Sequence[Sketch], text: str, mentions: Mentions, first: int) -> list[Sketch]:
@@ -178,7 +160,7 @@ def _tells_length(sketch: Sketch, lexicon: Lexicon) -> bool:
     """Whether it is only told how long something takes."""
     operation = sketch.operation
     taking = operation is not None and operation.stated and operation.lemma in lexicon.doing.taking
-    return taking and not sketch.clauses and bool(sketch.phrases) and not any(map(_says_when, sketch.phrases))
+    return taking and not sketch.clauses and bool(sketch.phrases) and not sketch.times
 
 
 def _has_to_be_so(sketch: Sketch, lexicon: Lexicon) -> bool:
