@@ -144,7 +144,8 @@ def _due_too(part: Part, start: int, lexicon: Lexicon) -> str | None:
 def _begins_order(one: Waiting, part: Part, start: int) -> bool:
     """Whether what was taken for another thing is to be done: "thaw it for 2 min, spin at 300 g for 5".
 
-    So is what has an article behind it: "can you hang the curtains after lunch and water the basil at six".
+    So is what has an article behind it, or a thing, and is a verb for that: "can you hang the curtains after
+    lunch and water the basil at six", "walk the dog at six, order pizza at seven".
     """
     place = next(part.at((start, start + 1)), None)
     if place is None or place + 1 >= len(part.tree.nodes):
@@ -152,24 +153,13 @@ def _begins_order(one: Waiting, part: Part, start: int) -> bool:
     node, behind, *further = part.tree.nodes[place : place + 4]
     counted = behind.tag == "IN" and bool(further) and further[0].tag == "CD"
     measured = counted and len(further) > 1 and not node.tag.startswith("NNP")
-    led = behind.tag in DETERMINERS or measured or _is_terse(one, part, place)
-    # "Walk the dog at six, order pizza at seven"
-    led = led or node.lower in part.tree.lexicon.ordering
+    thing = behind.tag.startswith(("NN", "JJ")) and place + 1 not in one.timed(part.tree)
+    # "Buy bread at nine and paint brushes at ten"
+    root = part.tree.root
+    bought = root < place and part.tree.nodes[root].lemma in part.tree.lexicon.ordering
+    acts = thing and not bought and node.lower in part.tree.lexicon.orders
+    led = behind.tag in DETERMINERS or measured or acts
     return node.may_act and node.lower == node.lemma and led
-
-
-def _is_terse(one: Waiting, part: Part, place: int) -> bool:
-    """Whether no article stands behind it, nor behind the first: "call mum 5pm, post letter by 4"."""
-    nodes = part.tree.nodes
-    before, first, behind = nodes[place - 1], nodes[1], nodes[place + 1]
-    if not one.source.covered.isdisjoint(
-        one.source.places(*(part.offset + p for p in (behind.start, behind.end)))
-    ):
-        # "Buy milk today, bread tomorrow"
-        return False
-    things = all(node.tag.startswith(("NN", "JJ")) and node.text.isalpha() for node in (first, behind))
-    verb = nodes[place].tag.startswith(("VB", "NN")) and not nodes[place].text[0].isupper()
-    return nodes[0].may_act and before.text == "," and things and verb and not first.text[0].isupper()
 
 
 def _takes_verb(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:

@@ -39,9 +39,10 @@ def takes_verb(verb: str, first: str, other: str, lexicon: Lexicon) -> bool:
 
     What happens, or is done by itself, takes the verb of what is such a thing too, or a verb for that: "ring
     bob at six, lunch at one", but "cancel lunch today and dinner tomorrow", "make the beds, lunch at one".
-    What undoes the first is no thing: "open the shop at ten and close at six".
+    A chore alone is no thing, nor is what undoes the first: "open the shop at ten and close at six".
     """
-    if verb in lexicon.undoing.get(other.strip().lower(), ()):
+    alone = other.strip().lower()
+    if alone in lexicon.chores or verb in lexicon.undoing.get(alone, ()):
         return False
     if not is_of_its_own(other, lexicon) or is_of_its_own(first, lexicon):
         return True

@@ -89,11 +89,19 @@ def _is_done_alone(tree: Tree, lexicon: Lexicon) -> bool:
 
 
 def _behind_asking(tree: Tree, lexicon: Lexicon) -> int:
-    """Give where an order begins behind who is asked for it: "can you | brew the coffee", "we should | …"."""
+    """Give where an order begins behind words that only ask for it: "can you | brew the tea", "let's | …"."""
     action = action_of(tree, lexicon)
-    before = tree.nodes[: action.place] if action is not None else ()
+    before = tree.nodes[: action.place] if action is not None and not action.negated else ()
+    leads = lexicon.letting | lexicon.forgetting | lexicon.doing.remembering
     asks = {node.lower for node in before} & lexicon.closed.first_and_second_person
-    known = all(node.lower in lexicon.function_words or node.lemma in lexicon.wanting for node in before)
+    asks |= {node.lemma for node in before} & leads
+    known = all(
+        node.tag == "PRP"
+        or node.relation in {"aux", "neg"}
+        or node.lower in lexicon.function_words
+        or node.lemma in lexicon.wanting | leads
+        for node in before
+    )
     return tree.nodes[len(before)].start if asks and known else 0
 
 

@@ -77,8 +77,9 @@ def _is_done_between(tree: Tree, place: int, timed: AbstractSet[int], lexicon: L
     What is bought may be called so: "buy bread, water and call Ann".
     """
     node, before, joints = tree.nodes[place], tree.nodes[place - 1].lower, lexicon.closed.joints_of_orders
-    bought = tree.nodes[tree.root].lemma in lexicon.ordering | lexicon.doing.errands
-    known = lexicon.chores | lexicon.alone | lexicon.timing_alone | lexicon.doing.naming_nothing
+    errands = frozenset() if node.lower in lexicon.needing_nothing else lexicon.doing.errands
+    bought = tree.nodes[tree.root].lemma in lexicon.ordering | errands
+    known = lexicon.chores | lexicon.alone | lexicon.timing_alone | lexicon.needing_nothing
     if bought or node.lower not in known or before not in joints or tree.children(place, *DESCRIBING):
         return False
     behind = [*tree.nodes[place + 1 :]]
@@ -96,7 +97,7 @@ def _names_nothing(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lex
 
     It may be a thing beside another like it: "move the mop and vacuum".
     """
-    orders = lexicon.doing.naming_nothing
+    orders = lexicon.needing_nothing
     behind, further = tree.nodes[place + 1 : place + 2], tree.nodes[place + 2 : place + 3]
     goes_on = all(word.tag in IMPERATIVE or word.lower in orders for word in further)
     joined = all(word.lower in lexicon.closed.joints_of_orders | ENDS for word in behind) and goes_on

@@ -21,9 +21,6 @@ THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH", "CD"})
 
 MORE = "more"
 
-LASTING = frozenset({"until", "for"})
-"""Prepositions of how long something goes on."""
-
 NAMES = frozenset({"NN", "NNS", "NNP", "NNPS"})
 """Tags of what names something, where a sentence has no verb."""
 
@@ -74,23 +71,12 @@ def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
             between = between[1:]
         elif not between or between[0].text not in {"and", ",", "or"}:
             continue
-        if _goes_on_alone(part, between, old, new):
-            continue
         if len(between) >= SHORTEST_GAP and (
             _names_another(one, part, between, lexicon, old, new)
             or _is_elsewhere(words, between, lexicon, old, new)
         ):
             found.append(between[1].start)
     return found + _behind_first(one, part, own, lexicon)
-
-
-def _goes_on_alone(part: Part, between: Sequence[Word], old: Phrase, new: Phrase) -> bool:
-    """Whether a bare word is done so long, and is no thing: "leave dock at 13:00, mow until 15:00"."""
-    words = [word for word in between if word.is_letters]
-    nodes = [part.tree.nodes[p] for w in words for p in part.at((w.start, w.end))]
-    lasts = {phrase.said.preposition in LASTING for phrase in (old, new)}
-    bare = len(nodes) == 1 and nodes[0].may_act and nodes[0].lower == nodes[0].lemma
-    return bare and len(lasts) > 1 and new.said.preposition in LASTING
 
 
 def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase], lexicon: Lexicon) -> list[int]:
