@@ -45,6 +45,7 @@ def test_bullets_and_dashes_beside_hours_are_no_words() -> None:
         ("11 - coffee", ("coffee", "11:00")),
         ("12 lunch", ("lunch", "12:00")),
         ("8 up", ("be up", "08:00")),
+        ("dentist 1.20, don't be late", ("dentist", "13:20")),
         ("handover to days 2", ("handover to days", "14:00")),
         ("hand over to nights 7.45", ("hand over to nights", "07:45")),
     ],

@@ -223,7 +223,10 @@ def _timed_items(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> se
     # "Party of 14 at 7.30, canapes ten minutes after they sit down"
     named = others[0].named[:1] == (0,)
     apart = named and (others[0].words[0].text in verbs | lexicon.letting or others[0].bound)
-    return timed | {1} if apart else timed
+    # "Dentist 9.20, don't be late"
+    joined = tuple(negator for negator in lexicon.closed.negators if not negator.isalpha())
+    denied = any(word.text.endswith(joined) for word in others[0].words[:1])
+    return timed | {1} if apart or denied else timed
 
 
 BY_COMMAS = (_head_entries, headed, _last_so_long, _each_is_timed)
