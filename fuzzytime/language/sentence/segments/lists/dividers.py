@@ -29,9 +29,6 @@ MARKS = (
 )
 """Marks that stand between entries, and elsewhere: of each kind those of a line are judged together."""
 
-LEADING = re.compile(r"^\s*[-*+•]\s+(?=\d)")
-"""A bullet in front of a line that begins with a number: "* 15:00 pick up kids"."""
-
 LINE = re.compile(r"[^\n;]+")
 """What such marks divide: a line, or what stands in it before a stop."""
 
@@ -67,7 +64,6 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon, *, listed: bool = Fal
 
     It may be one of the lines that together are ``listed`` with their times.
     """
-    text = LEADING.sub(lambda found: " " * len(found[0]), text)
     for line in LINE.finditer(text):
         bullets = _found(BULLET, text, line)
         if bullets and _is_bulleted(_between(text, line, bullets), grammar, lexicon):
