@@ -45,6 +45,7 @@ def test_bullets_and_dashes_beside_hours_are_no_words() -> None:
         ("11 - coffee", ("coffee", "11:00")),
         ("12 lunch", ("lunch", "12:00")),
         ("8 up", ("be up", "08:00")),
+        ("dentist 1.20, don't be late", ("dentist", "13:20")),
         ("handover to days 2", ("handover to days", "14:00")),
         ("hand over to nights 7.45", ("hand over to nights", "07:45")),
     ],
@@ -82,3 +83,11 @@ def test_a_day_written_in_the_evening_is_tomorrow() -> None:
 def test_what_is_of_the_evening_stays_in_it(lines: tuple[str, ...]) -> None:
     readings = Language.shipped().read_all([(line, EVENING) for line in lines])
     assert not [one for reading in readings for one in reading.remarks if "tomorrow" in one.message]
+
+
+@pytest.mark.parametrize("lines", [("open the hall 7.30",), ("Tomorrow:", "open the hall 7.30")])
+def test_a_deadline_behind_hours_of_tomorrow_is_on_that_day(lines: tuple[str, ...]) -> None:
+    lines = (*lines, "soup on by 10", "specials out 11.40", "stock count 2.15", "coffee 4.20")
+    readings = Language.shipped().read_all([(line, EVENING) for line in lines])
+    (soup,) = (part for one in readings[-4].instructions for part in one.requirements)
+    assert f"{instant_after(EVENING, soup.latest or 0):%d %H:%M}" == "05 10:00"

@@ -34,7 +34,8 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
     named = wall.days is not None
     plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=named or here.early)]
     chosen = (plausible or moments)[0]
-    if here.ends and not named and not here.usual and here.now.time() >= EARLY:
+    goes_on = here.since is not None and here.since.date() > here.now.date()
+    if here.ends and not named and not here.usual and here.now.time() >= EARLY and not goes_on:
         # "Until ten", said at eight in the evening: what can still be kept today.
         chosen = next((moment for moment in moments if moment.date() == here.now.date()), chosen)
     if here.leads is not None and not named and not here.usual:

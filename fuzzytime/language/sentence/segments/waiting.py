@@ -35,9 +35,6 @@ AT = "at"
 STATED = frozenset({"when", "if", "while"})
 """Kinds of clauses that say what must be so."""
 
-SEVERAL = 2
-"""Words behind a time in front that are parsed without it, at least."""
-
 LEAST_SAID = 3
 """Words of "and nobody calls"."""
 
@@ -217,7 +214,7 @@ class Waiting:
             return 0
         behind = [scanned.words[place] for place in places if scanned.words[place].start >= start]
         joint = scanned.lexicon.function_words - scanned.lexicon.closed.noun_openers
-        return 0 if len(behind) < SEVERAL or behind[0].text in joint else self.behind_time
+        return self.behind_time if behind[1:] and behind[0].text not in joint else 0
 
     def timed(self, tree: Tree) -> frozenset[int]:
         """Give the words of its tree that are about time."""

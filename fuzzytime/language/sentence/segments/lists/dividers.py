@@ -29,9 +29,6 @@ MARKS = (
 )
 """Marks that stand between entries, and elsewhere: of each kind those of a line are judged together."""
 
-LEADING = re.compile(r"^\s*[-*+•]\s+(?=\d)")
-"""A bullet in front of a line that begins with a number: "* 15:00 pick up kids"."""
-
 LINE = re.compile(r"[^\n;]+")
 """What such marks divide: a line, or what stands in it before a stop."""
 
@@ -67,7 +64,6 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon, *, listed: bool = Fal
 
     It may be one of the lines that together are ``listed`` with their times.
     """
-    text = LEADING.sub(lambda found: " " * len(found[0]), text)
     for line in LINE.finditer(text):
         bullets = _found(BULLET, text, line)
         if bullets and _is_bulleted(_between(text, line, bullets), grammar, lexicon):
@@ -223,7 +219,10 @@ def _timed_items(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> se
     # "Party of 14 at 7.30, canapes ten minutes after they sit down"
     named = others[0].named[:1] == (0,)
     apart = named and (others[0].words[0].text in verbs | lexicon.letting or others[0].bound)
-    return timed | {1} if apart else timed
+    # "Dentist 9.20, don't be late"
+    joined = tuple(negator for negator in lexicon.closed.negators if not negator.isalpha())
+    denied = any(word.text.endswith(joined) for word in others[0].words[:1])
+    return timed | {1} if apart or denied else timed
 
 
 BY_COMMAS = (_head_entries, headed, _last_so_long, _each_is_timed)

@@ -20,8 +20,8 @@ from fuzzytime.language.sentence.together.days.titles import (
 AHEAD = 14
 """Days within which a number behind a weekday is its date: "Fri 6"."""
 
-BELOW = 2
-"""Lines with hours below one that heads them, at least."""
+FEWEST, NEAR = 2, 4
+"""Lines with hours below one that heads them, at least, and among how many."""
 
 
 def with_dates(drafts: Sequence[Draft]) -> list[Draft]:
@@ -57,7 +57,7 @@ def _dated(draft: Draft) -> Phrase | None:
 
 
 def heads_lines(drafts: Sequence[Draft], place: int, lexicon: Lexicon) -> bool:
-    """Whether a line names a day, and what that is about, above two lines with the hours of it."""
+    """Whether a line names a day, and what that is about, above lines with the hours of it."""
     draft = drafts[place]
     if len(draft.phrases) != 1 or not (names_day(draft.phrases[0]) and is_of_calendar(draft.phrases[0])):
         return False
@@ -68,7 +68,8 @@ def heads_lines(drafts: Sequence[Draft], place: int, lexicon: Lexicon) -> bool:
 
 
 def _has_hours(drafts: Sequence[Draft], place: int) -> bool:
-    """Whether the lines below have hours, and no days of their own."""
-    below = drafts[place + 1 : place + 1 + BELOW]
-    hours = [draft for draft in below if clocks_in(draft) and not any(map(names_day, draft.phrases))]
-    return len(hours) == BELOW
+    """Whether lines below have hours, and none of them a day of its own."""
+    below = drafts[place + 1 : place + 1 + NEAR]
+    return sum(bool(clocks_in(draft)) for draft in below) >= FEWEST and not any(
+        names_day(phrase) for draft in below[:FEWEST] for phrase in draft.phrases
+    )

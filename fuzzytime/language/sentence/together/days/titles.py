@@ -122,9 +122,8 @@ def _names_day_of(first: Draft, time: Phrase, below: Sequence[Draft], lexicon: L
         return True
     apart = first.text[: time.span[0]].rstrip()[-1:]
     enough = most or (hours >= FEWEST and apart != "" and apart in APART)
-    named = (enough or alone) and _is_named(first, time, lexicon)
     numbered = hours >= FEWEST and _numbers_day(first, time, lexicon)
-    return named or numbered or (alone and _leads_name(first, time, lexicon))
+    return numbered or ((enough or alone) and _is_named(first, time, lexicon))
 
 
 def begins_order(draft: Draft, lexicon: Lexicon) -> bool:
@@ -187,14 +186,6 @@ def _is_name(named: Sequence[str], lexicon: Lexicon) -> bool:
     events = lexicon.taken | lexicon.happening | lexicon.function_words
     done = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
     return named[-1] not in events - lexicon.frames and named[0] not in done
-
-
-def _leads_name(first: Draft, time: Phrase, lexicon: Lexicon) -> bool:
-    """Whether a day and a mark stand before such a name: "Wednesday - slab pour"."""
-    words = first.scanned.words
-    mark, *named = words[time.end :] or words[-1:]
-    marked = time.first == 0 and mark.text in APART and bool(named)
-    return marked and _is_name([word.text for word in named], lexicon)
 
 
 def _only_names(first: Draft, lexicon: Lexicon) -> bool:
