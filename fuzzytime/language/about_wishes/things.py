@@ -116,13 +116,13 @@ def _without_and(said: Said) -> Said:
 
 def _later(said: Said) -> About | None:
     """Read what is to be later, or earlier: "the call an hour later", "call mum earlier"."""
-    later, named = later_by(said), said.until(len(said.words) - 1)
+    later = later_by(said)
     if later is not None and later[1].names:
         # "Start the salad ten minutes earlier", which was to be made
         names = later[1].names - said.lexicon.doing.beginning or later[1].names
         return replace(later[0], names=names, certain=True)
-    if said.forms[-1:] in SOONER and named.names:
-        return About(kind=AboutKind.DELAY, names=named.names, earlier=True, certain=True)
+    if said.forms[-1:] in SOONER and (names := said.until(len(said.words) - 1).names):
+        return About(kind=AboutKind.DELAY, names=names, earlier=True, certain=True)
     return None
 
 
