@@ -197,6 +197,15 @@ def test_when_a_thing_is_may_be_told_without_a_preposition() -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    "line", ["football at four till five", "meeting at 4 until 5", "gym tomorrow at four till five"]
+)
+def test_what_goes_on_until_an_hour_begins_at_the_other(line: str) -> None:
+    talk = talk_of(line)
+    assert f"{talk.start('s1'):%H:%M}" == "16:00"
+    assert lasts(talk) == {"s1": 60.0}
+
+
 def test_no_later_is_a_bound_and_no_correction() -> None:
     assert talk_of("call mum at six", "bedtime is half seven, no later").entries[1:] == [
         "bedtime is half seven, no later"
