@@ -26,6 +26,9 @@ from fuzzytime.times import instant_after, seconds_between
 from fuzzytime_cli.personal import personal_rulebook
 from fuzzytime_cli.session import Entry, KeptRating, KeptReading, SessionStore, Started, State
 
+MAY_BE_EITHER = (10, 12)
+"""The first and the last hour of the clock of 24 hours that may be one of another half of the day."""
+
 NOTICEABLE = 20.0
 """Seconds by which a start must move for it to be said."""
 
@@ -294,5 +297,11 @@ def _by_number(identifier: str) -> tuple[int, str]:
 
 def answered(entry: Entry, span: tuple[int, int], instant: datetime) -> Entry:
     """Give an entry with ambiguous words of time replaced by an explicit instant."""
-    words = f"at {instant:%H:%M} on {instant:%Y-%m-%d}"
-    return replace(entry, text=entry.text[: span[0]] + words + entry.text[span[1] :])
+    return replace(entry, text=entry.text[: span[0]] + exactly(instant) + entry.text[span[1] :])
+
+
+def exactly(instant: datetime) -> str:
+    """Give an instant in words that mean no other: "at 06:00 on 2026-03-04", "at 10:00 am on 2026-03-04"."""
+    # "06:00" is in the morning, and "10:00" may be in the evening.
+    half = f" {instant:%p}".lower() if MAY_BE_EITHER[0] <= instant.hour <= MAY_BE_EITHER[1] else ""
+    return f"at {instant:%H:%M}{half} on {instant:%Y-%m-%d}"

@@ -58,7 +58,7 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
 def _read(said: Said) -> About | None:
     how = said.after("how to")
     meant = None if how is None or not how.words else change(how) or report(how)
-    if meant is not None:
+    if meant is not None and meant.kind is not AboutKind.UNABLE:
         # "How do I cancel something?"
         return About(kind=AboutKind.HOW, text=meant.kind.value, certain=True)
     if how is not None and how.words and how.forms[0] in said.lexicon.moving:

@@ -49,7 +49,7 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
         return reply
     ordered = (one.operation for one in reading.instructions)
     orders = any(one is not None and one.is_asked and not is_thing(reading) for one in ordered)
-    about = about_things(words, scene.now, scene.lexicon)
+    about = _of_things(scene, words)
     if about is not None and about.time in {AT_FIRST, AT_LAST}:
         return _placed(scene, about, taken)
     if about is None or (orders and not about.certain):
@@ -73,6 +73,26 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
     if about.corrects:
         return _instead(scene, about, taken)
     return None if words.endswith("?") else _continued(f"and {words}", last, scene)
+
+
+def _of_things(scene: Scene, words: str) -> About | None:
+    """Read what a line says of things: "lawn at four" is of what is done with it, where that is to be mown.
+
+    What has a time of its own is rather another: "lunch at one", which is to be bought.
+    """
+    lexicon = scene.lexicon
+    about = about_things(words, scene.now, lexicon)
+    if about is None or about.kind is not AboutKind.MOVE or not (about.thing and about.time and about.names):
+        return about
+    said = [word for word in about.thing.lower().split() if word not in lexicon.closed.noun_openers]
+    if len(said) > len(about.names):
+        # "Do the dishes at eight"
+        return about
+    if not about.names.isdisjoint(lexicon.happening | lexicon.events | lexicon.taken):
+        return about
+    done = [one.operation for _, one in waiting(scene) if not one.stated]
+    named = [one for one in done if one is not None and content_words(one.object) == about.names]
+    return replace(about, certain=True) if len(named) == 1 else about
 
 
 def _going_on(scene: Scene, words: str, last: Entry, taken: Taken) -> Reply | None:

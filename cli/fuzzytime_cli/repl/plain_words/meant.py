@@ -7,10 +7,19 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import AT_FIRST, AT_ONCE, About, AboutKind, content_words
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
-from fuzzytime_cli.repl.naming import called, entry_of, part_meant, running_one, unknown, words_of_entry
-from fuzzytime_cli.repl.plain_words.parts import first_part, swapped_parts, without_part
+from fuzzytime_cli.repl.conversation import exactly
+from fuzzytime_cli.repl.naming import (
+    called,
+    entry_of,
+    part_meant,
+    running_one,
+    starts_of_entry,
+    unknown,
+    words_of_entry,
+)
+from fuzzytime_cli.repl.plain_words.parts import first_part, swapped_parts, without_part, without_thing
 from fuzzytime_cli.repl.plain_words.progress import blocked, late, length_said, progress, unstarted
-from fuzzytime_cli.repl.plain_words.retiming import days_on, with_time, without_thing
+from fuzzytime_cli.repl.plain_words.retiming import days_on, with_time
 from fuzzytime_cli.repl.questions.stretches import is_within
 from fuzzytime_cli.repl.scene import Scene, waiting
 from fuzzytime_cli.repl.which import entries_meant, sole
@@ -110,8 +119,7 @@ def _delaying(scene: Scene, about: About, meant: list[Entry]) -> str:
     if not starts:
         raise FuzzytimeError(f"{part} has started, or is not planned: it is not put off")
     then = instant_after(starts[0], parse_duration(length.lstrip("-")) * (-1 if length[0] == "-" else 1))
-    time = f"at {then:%H:%M} on {then:%Y-%m-%d}"
-    return f":edit {numbers} {with_time(scene, meant[0], replace(about, time=time), part=part)}"
+    return f":edit {numbers} {with_time(scene, meant[0], replace(about, time=exactly(then)), part=part)}"
 
 
 def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
@@ -134,14 +142,25 @@ def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
 
 
 def _of_two(scene: Scene, entry: Entry) -> int | None:
-    """Give the number of the other of two that are left; None where there are others, or one has no time."""
+    """Give the number of the other of two that are left; None where there are others, or one has no time.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is the second of them already.
+    """
     left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
     timed = all(
         one.requirements and all(part.anchor is None for part in one.requirements)
         for one in scene.plan.everything
     )
-    others = [one.number for one in left if one is not entry and one.number != entry.number]
-    return others[0] if timed and len(others) == 1 else None
+    others = [one for one in left if one.number != entry.number]
+    if not timed or len(others) != 1:
+        return None
+    own, other = (min(starts_of_entry(scene, one), default=None) for one in (entry, others[0]))
+    if own is not None and other is not None and own <= other:
+        raise FuzzytimeError(f"{entry.text!r} comes first already")
+    return others[0].number
 
 
 def _delaying_all(scene: Scene, about: About) -> str:

@@ -1,13 +1,17 @@
 """Several things that one line asks for: another time for one of them, or the line without it."""
 
+import re
 from collections.abc import Sequence
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import merged_time
+from fuzzytime.language import content_words, merged_time
 from fuzzytime.requirement import Constraint
 from fuzzytime_cli.repl.scene import Scene, begun_parts, waiting
 from fuzzytime_cli.session import Entry
+
+BETWEEN = re.compile(r",\s*(?:and\s+)?|\s+and\s+")
+"""What stands between several things."""
 
 
 def with_time_of_part(scene: Scene, entry: Entry, time: str, part: str) -> str:
@@ -26,7 +30,30 @@ def with_time_of_part(scene: Scene, entry: Entry, time: str, part: str) -> str:
         lexicon = scene.lexicon
         time = merged_time(entry.text[first:end], entry.given, time, scene.now, lexicon)
     text = f"{entry.text[:first].rstrip()} {time}{entry.text[end:]}"
-    return _checked(scene, entry, text, _names(scene, entry.text, entry))
+    others = [other for other in _parts_of(scene, entry) if other is not one]
+    shares = first < end and any((first, end) == _time_of(other, length=length) for other in others)
+    return _checked(
+        scene,
+        entry,
+        _each_with_time(scene, entry, one, time) if shares else text,
+        _names(scene, entry.text, entry),
+    )
+
+
+def _each_with_time(scene: Scene, entry: Entry, one: Interpreted, time: str) -> str:
+    """Give the words of several things, each with the time that they share, but for one that has another.
+
+    Of "make the soup and chill the wine before six" the wine may be chilled at seven.
+    """
+    said = []
+    for part in _parts_of(scene, entry):
+        if part.instruction is None:
+            continue
+        begin, end = _time_of(part, length=False)
+        shared = entry.text[begin:end]
+        words = " ".join(entry.text[slice(*part.instruction.span)].replace(shared, "").split())
+        said.append(f"{_without_joints(scene, words)} {time if part is one else shared}")
+    return ", ".join(said)
 
 
 def swapped_parts(scene: Scene, entry: Entry, parts: Sequence[str | None]) -> str:
@@ -59,6 +86,20 @@ def without_part(scene: Scene, entry: Entry, part: str) -> str:
     text = before + entry.text[min(behind) :] if behind else _without_joints(scene, before)
     left = [other.skill.name for other in _parts_of(scene, entry) if other is not one]
     return text if left == _names(scene, text, entry) else ""
+
+
+def without_thing(scene: Scene, entry: Entry, names: frozenset[str]) -> str:
+    """Give an entry's words without one of several things that it is about; empty where it is about one."""
+    read = scene.language.read(entry.text, now=entry.given)
+    for operation in (one.operation for one in read.instructions):
+        said = "" if operation is None else operation.object or ""
+        verb = frozenset() if operation is None else {operation.lemma}
+        things = [thing for thing in BETWEEN.split(said) if thing]
+        left = [thing for thing in things if content_words(thing) != names - verb]
+        if 0 < len(left) < len(things) and said in entry.text:
+            front = ", ".join(left[:-1])
+            return entry.text.replace(said, f"{front} and {left[-1]}" if front else left[-1], 1)
+    return ""
 
 
 def _without_joints(scene: Scene, text: str) -> str:

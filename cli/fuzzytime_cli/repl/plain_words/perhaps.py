@@ -79,11 +79,17 @@ def _is_same(one: Interpreted, other: Interpreted, lexicon: Lexicon) -> bool:
     if operation is None or behind is None or operation.negated or behind.negated:
         return False
     things = content_words(operation.object)
-    begins = behind.stated or not behind.object or behind.lemma in lexicon.doing.beginning
+    timed = lexicon.happening | lexicon.events | lexicon.taken
+    begins = (
+        (behind.stated and things.isdisjoint(timed))
+        or not behind.object
+        or behind.lemma in lexicon.doing.beginning
+    )
     if things and things == content_words(behind.object or behind.verb) and (operation.particle or begins):
         # "Rice at ten", beside "cook the rice at nine"
         return operation.particle == behind.particle
-    return _essence(operation, lexicon) == _essence(behind, lexicon)
+    same = content_words(operation.name) == content_words(behind.name)
+    return same or _essence(operation, lexicon) == _essence(behind, lexicon)
 
 
 def _essence(operation: Operation, lexicon: Lexicon) -> frozenset[str]:

@@ -43,9 +43,6 @@ FOR = "for "
 BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 """What is asked for until, or from, a time."""
 
-BETWEEN = re.compile(r",\s*(?:and\s+)?|\s+and\s+")
-"""What stands between several things."""
-
 AT = re.compile(r"(^| )at ")
 """The preposition of a time that is no bound."""
 
@@ -157,20 +154,6 @@ def wished_instead(scene: Scene, words: str) -> str | None:
     return f":edit {meant[0].number} {with_names(wish, next(iter(old), None), language.lexicon)}"
 
 
-def without_thing(scene: Scene, entry: Entry, names: frozenset[str]) -> str:
-    """Give an entry's words without one of several things that it is about; empty where it is about one."""
-    read = scene.language.read(entry.text, now=entry.given)
-    for operation in (one.operation for one in read.instructions):
-        said = "" if operation is None else operation.object or ""
-        verb = frozenset() if operation is None else {operation.lemma}
-        things = [thing for thing in BETWEEN.split(said) if thing]
-        left = [thing for thing in things if content_words(thing) != names - verb]
-        if 0 < len(left) < len(things) and said in entry.text:
-            front = ", ".join(left[:-1])
-            return entry.text.replace(said, f"{front} and {left[-1]}" if front else left[-1], 1)
-    return ""
-
-
 def _is_same(one: Operation | None, other: Operation) -> bool:
     """Whether two operations do the same with the same, in one place as far as the second tells."""
     if one is None or (one.lemma, one.negated) != (other.lemma, other.negated):
@@ -198,7 +181,7 @@ def with_time(
     FuzzytimeError
         If it has several.
     """
-    said = find_times(about.time, scene.now, scene.conversation.interpreter.language.lexicon).requirements
+    said = find_times(about.time, scene.now, scene.lexicon).requirements
     if [one.constraint for one in said] == [Constraint.FOR] and said[0].span == (0, len(about.time)):
         # "Half an hour for the call"
         about = replace(about, time=f"{FOR}{about.time.removeprefix(FOR)}")

@@ -15,6 +15,7 @@ from fuzzytime.language.about_wishes.turns import all_but, several_in, turned
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.requirement import Unit
 
+SEVERAL = ("both", "everything")
 FIRST = "first"
 FOR = "for"
 EVERY = "every"
@@ -47,7 +48,7 @@ def change(said: Said) -> About | None:
 def _undone(said: Said) -> About | None:
     for kind, name in ((AboutKind.UNDO, "undoing"), (AboutKind.REDO, "redoing")):
         rest = said.after(name)
-        if rest is not None and (is_last(rest) or rest.is_in("both") or rest.places):
+        if rest is not None and (is_last(rest) or any(map(rest.is_in, SEVERAL)) or rest.places):
             return About(kind=kind, both=not is_last(rest), certain=True)
     form = longest_match(said.words, 0, {(first[0],) for first in said.table("undoing") if len(first) == 2})
     particle = {first[1] for first in said.table("undoing") if len(first) == 2}

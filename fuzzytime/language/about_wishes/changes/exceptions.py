@@ -19,8 +19,8 @@ LONGEST_DAY = 3
 def cleared(said: Said) -> About | None:
     """Read a stretch of which all is to go: "clear my afternoon", "cancel everything after three"."""
     rest = said.after("clearing")
-    whole = (rest if rest is not None else said.after("dropping")) or said
-    everything = whole.after("everything")
+    whole = rest if rest is not None else said.after("dropping")
+    everything = None if whole is None else whole.after("everything")
     stretch = everything if everything is not None and everything.words else rest
     if stretch is None or not stretch.has_time or stretch.label:
         return None

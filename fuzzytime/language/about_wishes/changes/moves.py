@@ -12,6 +12,7 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 
 FOR = "for"
 PUT = "put"
+OFF = frozenset({("off",)})
 LEAVE = "leave"
 LEFT = frozenset({FOR, "till", "until"})
 """What stands between what is left and until when."""
@@ -38,12 +39,8 @@ def delayed(said: Said) -> About | None:
     whole = thing.is_in("everything") or is_last(thing)
     found = None if whole else thing.length() or minutes_alone(thing, directed=bool(directions))
     if found is None:
-        if thing.has_time:
+        if thing.has_time or (delaying is None and not directions):
             return None
-        if delaying is None and not directions:
-            # "Move the gym": when to is not said
-            known = said.forms[0] in said.lexicon.moving and thing.names
-            return replace(about_thing(AboutKind.UNABLE, thing), told=True) if known else None
     elif delaying is None and (
         found.joint == FOR or not (directions or said.forms[0] in said.lexicon.moving)
     ):
@@ -88,11 +85,15 @@ def moved(said: Said) -> About | None:
     behind = (delaying or said.behind(1)).text
     joint = next((to for to in said.towards if f" {to}" in f" {behind.lower()}"), "")
     if not joint:
-        return _moved_at(said, behind) if delaying is not None else _moved_beside(said) or _put_at(said)
+        if delaying is not None:
+            return _moved_at(said, behind)
+        return _moved_beside(said) or _put_at(said) or _moved_somewhen(said)
     place = f" {behind.lower()}".rfind(f" {joint}")
     thing = Said(behind[:place].rstrip(), said.now, said.lexicon)
     # "Move s2 up to nine"
     thing = thing.without_end(said.table("later") | said.table("earlier"))
+    # "Put the gutters off till friday"
+    thing = thing.without_end(OFF) if said.forms[0] == PUT else thing
     new = Said(behind[place:].strip(), said.now, said.lexicon)
     if not thing.words:
         return None
@@ -142,6 +143,13 @@ def _left_for(said: Said) -> About | None:
         if time and not time.startswith(f"{FOR} ") and (thing.names or is_last(thing)):
             return replace(about_thing(AboutKind.MOVE, thing), time=time)
     return None
+
+
+def _moved_somewhen(said: Said) -> About | None:
+    """Read what is to be moved, where when to is not said: "move the gym"."""
+    thing = said.behind(1)
+    known = said.forms[0] in said.lexicon.moving and thing.is_one and thing.names and not thing.has_time
+    return replace(about_thing(AboutKind.UNABLE, thing), told=True) if known else None
 
 
 def _put_at(said: Said) -> About | None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS
-from fuzzytime.language.about_wishes.said import FOR, Said, one_time
+from fuzzytime.language.about_wishes.said import CLOCKED, FOR, Said, one_time
 from fuzzytime.language.about_wishes.told.awaited import written_out
 from fuzzytime.requirement import Constraint
 
@@ -124,12 +124,14 @@ def _then(how: Said, *, last: bool) -> About | None:
     time = left.as_time() if left.words else ""
     told = one_time(time, how.now, how.lexicon) if time else None
     joint = told is not None and (told.preposition is not None or left.forms[0] == FOR.strip())
-    if told is None or told.constraint is Constraint.FOR or not (joint or left != how):
+    # "The handover's ten past nine"
+    bare = told is not None and not last and told.grain in CLOCKED and len(left.words) > 1
+    if told is None or told.constraint is Constraint.FOR or not (joint or bare or left != how):
         return None
     if last and (ALREADY in how.forms or told.constraint is Constraint.AFTER):
         # "It's six already", "it's gone six" tell what time it is.
         return None
-    if not left.text.lower().endswith(time.lower()) and left == how:
+    if not bare and not left.text.lower().endswith(time.lower()) and left == how:
         return None
     # "Bob's at three now" may be of anything that is done with Bob.
     return About(kind=AboutKind.MOVE, time=time, bare=left.is_bare(time), corrects=last, told=left == how)
