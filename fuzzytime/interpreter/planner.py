@@ -197,6 +197,7 @@ def rejected_before(schedule: Schedule, position: int) -> int | None:
 def _rejections(interpretation: Interpretation, schedule: Schedule) -> list[Problem]:
     """Say why each rejected skill is: its own reason, or that others matter more."""
     problems = []
+    beside = "busy times and " if schedule.task.busy else ""
     for position, (interpreted, rejected) in enumerate(
         zip(interpretation.skills, schedule.rejected, strict=True)
     ):
@@ -206,7 +207,7 @@ def _rejections(interpretation: Interpretation, schedule: Schedule) -> list[Prob
         reason = interpreted.reason or (
             f"must come after {interpretation.skills[first].skill.name}, which is rejected"
             if first is not None
-            else "no start time that satisfies is left beside what else is planned"
+            else f"no start time that satisfies is left beside {beside}what else is planned"
             if not interpreted.skill.satisfaction.support.empty
             else "no start time satisfies"
         )

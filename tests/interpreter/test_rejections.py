@@ -6,6 +6,8 @@ import pytest
 
 from fuzzytime.context import Context
 from fuzzytime.interpreter import Plan, ProblemKind, Request, SpokenWish, plan
+from fuzzytime.scheduling import Busy
+from fuzzytime.times import HOUR
 from interpreter.telling import SEVEN, interpreter, notes, starts, told
 
 pytestmark = pytest.mark.model
@@ -37,6 +39,13 @@ def test_what_comes_after_a_rejected_skill_says_so() -> None:
         "iron the shirts: must come after hang up the laundry, which is rejected",
         "fold the shirts: must come after iron the shirts, which is rejected",
     ]
+
+
+def test_what_busy_times_leave_no_room_for_says_so() -> None:
+    wish = SpokenWish(text="Wash the car before noon", given=SEVEN)
+    made = plan(Request(now=SEVEN, wishes=(wish,), busy=(Busy(0, 16 * HOUR, "work"),)), interpreter())
+    (reason,) = [problem.message for problem in made.problems if problem.kind is ProblemKind.REJECTED]
+    assert reason.endswith("is left beside busy times and what else is planned")
 
 
 def test_what_comes_after_what_waits_waits_as_well() -> None:

@@ -153,4 +153,4 @@ def simulate(
     )
     with AnswerStore.create(database, chosen) as store:
         count = store.add(answers.participants, now())
-    report(f"{count} simulated participants added to {database}")
+    report(f"{count} simulated participant{'s' * (count != 1)} added to {database}")

@@ -83,7 +83,7 @@ def import_(
         answers = read_csv(rows, design_of(database, design), source.name)
     with AnswerStore.create(database, answers.design) as store:
         count = store.add(answers.participants, now())
-    report(f"{count} participants added to {database}")
+    report(f"{count} participant{'s' * (count != 1)} added to {database}")
 
 
 def ratings(
