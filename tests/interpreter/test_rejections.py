@@ -6,7 +6,7 @@ import pytest
 
 from fuzzytime.context import Context
 from fuzzytime.interpreter import Plan, ProblemKind, Request, SpokenWish, plan
-from fuzzytime.scheduling import Busy
+from fuzzytime.skills import Busy
 from fuzzytime.times import HOUR
 from interpreter.telling import SEVEN, interpreter, notes, starts, told
 
