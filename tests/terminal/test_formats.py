@@ -76,10 +76,19 @@ def test_pictures_and_pages_are_well_formed_and_load_nothing(kind: str, tmp_path
     assert "<script" not in text
 
 
-@pytest.mark.parametrize(("reading", "word"), [("150", "rejected"), (None, "waits")])
-def test_what_has_no_time_has_no_bar_in_a_picture(tmp_path: Path, reading: str | None, word: str) -> None:
-    wishes = ["-i", "Hang up the laundry when the washing machine is done", "-i", "Stir the soup now"]
-    wishes += ["--ctx", f"washer_power={reading}"] if reading else []
+@pytest.mark.parametrize(
+    ("clause", "reading", "word"),
+    [
+        ("the pan is above 300 degrees", "pan_temp=100", "rejected"),
+        ("the washing machine is done", "washer_power=150", "waits"),
+        ("the washing machine is done", None, "waits"),
+    ],
+)
+def test_what_has_no_time_has_no_bar_in_a_picture(
+    tmp_path: Path, clause: str, reading: str | None, word: str
+) -> None:
+    wishes = ["-i", f"Hang up the laundry when {clause}", "-i", "Stir the soup now"]
+    wishes += ["--ctx", reading] if reading else []
     document = minidom.parseString(written(tmp_path, "svg", *wishes))  # noqa: S318 - our own output
     words = [getattr(node.firstChild, "data", "") for node in document.getElementsByTagName("text")]
     assert {"hang up the laundry", word} <= set(words)

@@ -6,6 +6,7 @@
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
 TO = "to"
@@ -30,6 +31,18 @@ def with_aim(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
         said = [p for p in tree.below(aim) if p not in {to, aim} and tree.nodes[p].text[0].isalnum()]
         if tree.nodes[root].lemma in setting and set(said) <= timed:
             return _set_to(tree, root, to)
+    return tree
+
+
+def with_purpose(tree: Tree) -> Tree:
+    """Give "so" to the clause that it leads, where a tree takes it for a thing: "ring bob so I can sleep"."""
+    for so in tree.children(tree.root, "dobj"):
+        behind = tree.nodes[so + 1 : so + 2]
+        leads = any(node.relation in SUBJECTS and node.head > so for node in behind)
+        if leads and tree.nodes[so].lower in tree.lexicon.closed.subordinators_of_purpose:
+            return tree.changed(so, relation="mark", head=behind[0].head).changed(
+                behind[0].head, relation="advcl"
+            )
     return tree
 
 

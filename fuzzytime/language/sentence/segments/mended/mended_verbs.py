@@ -12,6 +12,9 @@ LET = 2
 
 THAT = "that"
 
+OF_VERBS = frozenset({"dobj", "prep", "npadvmod", "advmod", "prt", "tmod"})
+"""Relations of words to the verb in front of them."""
+
 NOUNS = frozenset({"NN", "NNS", "NNP"})
 """Tags of things, and of orders taken for one."""
 
@@ -20,7 +23,7 @@ def with_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give an order whose tree has another word for its verb that verb; None where it has none."""
     orders = (
         *(_orders_verb, _does_event, _does_led, _does_owned, _calls_person, _lists_order, _does_compound),
-        *(_goes_to_do, _has_done, _does_that, _is_asked),
+        *(_goes_to_do, _has_done, _does_that, _is_asked, _is_to_be_done),
     )
     return next((mended for does in orders if (mended := does(tree, lexicon)) is not None), None)
 
@@ -208,6 +211,23 @@ def _goes_to_do(tree: Tree, lexicon: Lexicon) -> Tree | None:
         return None
     led = tree.hung(tree.children(0), 1).changed(0, relation="aux", head=1)
     return led.changed(1, tag="VB", relation="ROOT")
+
+
+def _is_to_be_done(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "remind me to hoover the stairs" what is to be done, which a tree takes for where to."""
+    for place in range(1, len(tree.nodes)):
+        to, done, behind = tree.nodes[place - 1], tree.nodes[place], tree.nodes[place + 1 : place + 2]
+        led = to.lower == "to" and to.relation == "prep" and done.relation == "pobj"
+        if not led or done.lower not in lexicon.orders or done.head != place - 1:
+            continue
+        ends = done.lower in lexicon.needing_nothing and not behind
+        # No noun is followed by an article.
+        if ends or any(node.tag in DETERMINERS for node in behind):
+            nodes = enumerate(tree.nodes)
+            later = [p for p, node in nodes if node.head < place < p and node.relation in OF_VERBS]
+            mended = tree.hung(later, place).changed(place - 1, tag="TO", relation="aux", head=place)
+            return mended.changed(place, tag="VB", lemma=done.lower, relation="xcomp", head=to.head)
+    return None
 
 
 def with_thing_done(tree: Tree, thing: int) -> Tree:

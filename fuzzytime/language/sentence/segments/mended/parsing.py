@@ -6,7 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span, blanked
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
-from fuzzytime.language.sentence.segments.mended.aims import with_aim
+from fuzzytime.language.sentence.segments.mended.aims import with_aim, with_purpose
 from fuzzytime.language.sentence.segments.mended.mended_things import (
     with_event_names,
     with_her,
@@ -79,7 +79,7 @@ def _mended(one: Waiting, tree: Tree, lexicon: Lexicon) -> Tree:
         return tree
     timed = one.timed(tree)
     tree = with_thing_before_time(with_her(with_whole_things(tree), timed), timed)
-    tree = with_aim(tree, timed, lexicon)
+    tree = with_purpose(with_aim(tree, timed, lexicon))
     tree = with_event_names(with_object_of_aim(tree, timed), timed)
     tree = with_event(with_clause(with_reminded(tree, lexicon), lexicon), lexicon)
     tree = with_called(with_worker(with_needed_deed(tree, timed, lexicon), lexicon), timed, lexicon)

@@ -66,10 +66,14 @@ def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
 
 
 def on_next_day(drafts: Sequence[Draft]) -> list[Draft]:
-    """Give what was written in the evening as if "tomorrow:" stood above; none where it names its day."""
+    """Give what was written in the evening as if "tomorrow:" stood above; none where it names its day.
+
+    One line alone is no day that somebody wrote down.
+    """
     now = drafts[0].now if drafts else None
     named = any(draft.heading is not None and draft.heading.phrases for draft in drafts)
-    if now is None or now.time() < EVENING or named or any(draft.now != now for draft in drafts):
+    alone = sum(bool(draft.phrases) for draft in drafts) <= 1
+    if now is None or now.time() < EVENING or named or alone or any(draft.now != now for draft in drafts):
         return []
     day = Phrase(Said(Wall(TOMORROW)), 0, 0, (0, 0), HEADED, above=NEXT_DAY)
     timed = next((place for place, draft in enumerate(drafts) if draft.phrases), 0)

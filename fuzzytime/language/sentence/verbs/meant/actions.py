@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.moments import reference_of
-from fuzzytime.language.sentence.verbs.meant.orders_before import is_order, order_before
+from fuzzytime.language.sentence.verbs.meant.orders_before import is_order, is_purpose, order_before
 from fuzzytime.language.sentence.verbs.meant.small_clauses import gets_to_do, small_clause
 from fuzzytime.requirement import Reference
 
@@ -31,6 +31,9 @@ def is_doubtful(tree: Tree) -> bool:
     """Whether a tree has no verb at its root, or an infinitive that nothing governs: "alter it to repeat"."""
     root = tree.root
     if not tree.nodes or not tree.nodes[root].is_verb or _is_title(tree, root):
+        return True
+    if is_purpose(tree, root) and order_before(tree, root) == root and tree.nodes[0].may_act:
+        # "Ring Bob so I can file the report": the order was taken for a thing.
         return True
     if tree.nodes[root].tag == "VBG" and tree.children(root, "det"):
         # "Do the ironing"

@@ -20,10 +20,7 @@ def order_before(tree: Tree, root: int) -> int:
         bare = node.is_bare and not tree.children(place, "aux", *SUBJECTS)
         if bare and (node.relation == "csubj" or (node.lemma == "have" and _brings(tree, place, root))):
             return place
-    subjects = tree.children(root, *SUBJECTS)
-    begin = min((tree.reach(p)[0] for p in subjects), default=0)
-    # "Brief the crew by noon so I can relax"
-    so = begin > 0 and tree.nodes[begin - 1].lower in tree.lexicon.closed.subordinators_of_purpose
+    subjects, so = tree.children(root, *SUBJECTS), is_purpose(tree, root)
     if subjects and (so or tree.nodes[root].tag in {"VBZ", "VBD"}):
         # "Serve the soup the second it boils": the clause was taken for the sentence.
         for place in tree.children(root, "advcl", "ccomp"):
@@ -33,6 +30,12 @@ def order_before(tree: Tree, root: int) -> int:
                 bound = tree.children(place, "mark", *(() if so else ("aux", *SUBJECTS)))
                 return root if bound or (led and not so) else place
     return root
+
+
+def is_purpose(tree: Tree, root: int) -> bool:
+    """Whether "so" leads to who does what a verb says: "brief the crew by noon so I can relax"."""
+    begin = max((tree.reach(place)[0] for place in tree.children(root, *SUBJECTS)), default=0)
+    return begin > 0 and tree.nodes[begin - 1].lower in tree.lexicon.closed.subordinators_of_purpose
 
 
 def _brings(tree: Tree, have: int, root: int) -> bool:
