@@ -94,6 +94,12 @@ def test_what_is_cancelled_elsewhere_is_to_be_done() -> None:
     assert talk.entries == ["call mum at six", "cancel the milk order"]
 
 
+def test_one_of_several_things_of_a_line_is_dropped_alone() -> None:
+    talk = talk_of("gym at six and call mum at seven")
+    talk.say("no gym today")
+    assert talk.entries == ["call mum at seven"]
+
+
 def test_who_is_meant_is_asked_where_several_come() -> None:
     talk = talk_of("Jane comes at seven", "the plumber comes at eight")
     assert talk.say("she'll be here at half eight").startswith("which one: Jane comes (s1) or ")

@@ -53,7 +53,8 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
     if not then:
         raise FuzzytimeError(f"nothing that is planned is {about.time} (:list shows what is)")
     if about.names:
-        meant = frozenset({then[-1].identifier})
+        # Only the gym of "gym at six and call mum at seven"
+        meant = about.names if len(entries) == 1 else frozenset({then[-1].identifier})
         return taken(scene, replace(about, kind=AboutKind.DROP, names=meant, time=""))
     raise FuzzytimeError("when then? Say: move it to tomorrow (or: cancel it)")
 
