@@ -28,6 +28,9 @@ GREETED = 2
 DENYING = "not"
 WHAT_WAS = "what was"
 
+SO = "so"
+"""What begins a purpose, alone or before "that"."""
+
 
 def doubts_of(
     text: str, span: Span, words: Sequence[Word], sketch: Sketch, lexicon: Lexicon
@@ -145,9 +148,15 @@ def unused_words(
 
 
 def _reasons(tree: Tree, lexicon: Lexicon) -> frozenset[int]:
-    """Give the words that only say why: "cook the rice at six because Ann comes"."""
-    marks = (node for node in tree.nodes if node.lower in lexicon.closed.subordinators_of_reason)
-    return frozenset(p for mark in marks if mark.relation == "mark" for p in tree.below(mark.head))
+    """Give the words that only say why, or what for: "… because Ann comes", "… so we can cook the fish"."""
+    closed, nodes = lexicon.closed, tree.nodes
+    marks = [p for p, node in enumerate(nodes) if node.lower in closed.subordinators_of_reason]
+    for place, node in enumerate(nodes):
+        # "So we can …", "so that we can …"
+        aims = node.lower in closed.subordinators_of_purpose and SO in tree.said(range(place - 1, place + 1))
+        marks += [place] if aims and place and place < node.head != tree.root else []
+    led = (nodes[p].head for p in marks if nodes[p].relation in {"mark", "advmod"})
+    return frozenset(place for verb in led for place in tree.below(verb))
 
 
 def uncounted(text: str, part: Part, operation: Operation, lexicon: Lexicon) -> Iterator[Remark]:
