@@ -96,7 +96,7 @@ def test_what_is_cancelled_elsewhere_is_to_be_done() -> None:
 
 def test_one_of_several_things_of_a_line_is_dropped_alone() -> None:
     talk = talk_of("gym at six and call mum at seven")
-    talk.say("no gym today")
+    assert "moved" not in talk.say("no gym today")
     assert talk.entries == ["call mum at seven"]
 
 

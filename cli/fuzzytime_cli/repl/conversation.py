@@ -248,7 +248,8 @@ def moves(before: Plan | None, after: Plan, started: set[str]) -> list[Move]:
     found = []
     for identifier in sorted(known & still - started, key=_by_number):
         old, new = earlier.get(identifier), later.get(identifier)
-        if old is None and new is None:
+        if (old is None and new is None) or (old and new and old[0] != new[0]):
+            # Of "feed the cat and call mum" without the cat, the call has its identifier, and has not moved.
             continue
         name = (new or old or ("", None))[0]
         first, second = old[1] if old else None, new[1] if new else None
