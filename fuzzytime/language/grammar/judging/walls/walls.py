@@ -25,6 +25,9 @@ APART = frozenset({"-", "–", "—", ",", "("})
 BOUND = 2
 """Words of a preposition and the one that it binds: "to christmas"."""
 
+LEADING = frozenset({"to", "on"})
+"""Prepositions of a place, or of a verb, that stand before a noun, too: "to christmas island"."""
+
 ONE = "one"
 """What stands for a thing behind a word for which: "a new one"."""
 
@@ -211,14 +214,13 @@ class Walls(Standing):
     def _names_noun(self, piece: Piece, said: Said) -> bool:
         """Whether it describes a noun behind one word: "to christmas island", "put on night light"."""
         bound = piece.end - piece.start == BOUND and self.texts[piece.start] == said.preposition
-        if not bound or not piece.start or not self._leads_noun(piece):
+        if not bound or said.preposition not in LEADING or not piece.start or not self._leads_noun(piece):
             return False
         if said.preposition == "on":
             # "Gym on friday evening" is then.
             switched = self.around.before(piece) in self.lexicon.particles["on"]
             return switched or self.around.is_part(piece.end - 1)
-        before = self.texts[max(0, piece.start - NEAR) : piece.start]
-        return said.preposition == "to" and not self.given.reschedules(before)
+        return not self.given.reschedules(self.texts[max(0, piece.start - NEAR) : piece.start])
 
     def _leads_noun(self, piece: Piece) -> bool:
         """Whether a word behind it is no order and nothing that happens, and only a time goes on behind."""
