@@ -5,7 +5,6 @@ from functools import cached_property
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.look_alikes.figures import Figures
-from fuzzytime.language.grammar.judging.look_alikes.proper_names import names_in
 from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_spoken_of
 from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_of_thing
 from fuzzytime.language.grammar.leftovers.called_things import is_event, is_played, says_of_thing, says_which
@@ -79,9 +78,8 @@ def not_understood(text: str, span: Span) -> str:
 
 def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:
     """Give the places of words that look like time, and are no part of a noun: "the Sunday dress"."""
-    around = Surroundings(scanned.words, lexicon)
+    around = scanned.around
     figures = _Figures(scanned, around)
-    named = {place for start, end in names_in(scanned.words, lexicon) for place in range(start, end)}
     yield from counted_from_zero(scanned, explained, lexicon)
     kinds = (_weekends, _other_feasts, _dates, _halves, _clocks, _ones, _moments, _untold, _typed, _left_out)
     for kind in kinds:
@@ -96,7 +94,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                 doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
                 if len(words) == 1 and words[0].is_letters and doubtful and not counted:
                     continue
-                if not named.isdisjoint(range(piece.start, piece.end)) or figures.has(piece):
+                if not around.named.isdisjoint(range(piece.start, piece.end)) or figures.has(piece):
                     continue
                 if is_of_thing(piece, around) or is_event(piece, around) or around.is_of_several(start):
                     continue

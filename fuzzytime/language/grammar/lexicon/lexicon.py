@@ -181,8 +181,9 @@ class Lexicon:
 
     def pieces(self, words: Sequence[Word], start: int) -> Iterator[Piece]:
         """Give what the tables say of the words from one place on."""
-        following = {word.text for word in words[start + 1 : start + 3]}
-        for entry in self.entries.get(words[start].text, ()):
+        entries = self.entries.get(words[start].text, ())
+        following = {word.text for word in words[start + 1 : start + 3]} if entries else ()
+        for entry in entries:
             if len(entry.words) > 1 and entry.words[1] not in following:
                 continue
             end = matched_to(words, start, entry.words)

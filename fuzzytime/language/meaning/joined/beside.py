@@ -106,7 +106,7 @@ def joined(first: Wall, second: Wall) -> Wall | None:
     if days is not None and days.grain in LONG and (clock is not None or part is not None):
         # "Call April at five", "on a clear night in May"
         return None
-    if clock is not None:
+    if clock is not None and (clock.bare or clock.pair):
         clock = replace(clock, bare=False, pair=False)
     weak = first.weak and second.weak
     return Wall(days, part, clock, first.zone or second.zone, weak)
