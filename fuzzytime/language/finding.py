@@ -144,7 +144,7 @@ def find_times(
     moment = Moment(now, policy or words.policy)
     phrases = tuple(denied(scanned.words, phrases_of(scanned, words), words))
     times = ground_all(phrases, text, moment)
-    left = leftovers(scanned, [phrase.span for phrase in phrases], words)
+    left = leftovers(scanned, [phrase.span for phrase in phrases])
     return replace(times, remarks=(*times.remarks, *left)) if left else times
 
 

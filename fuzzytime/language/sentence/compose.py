@@ -134,7 +134,7 @@ class _Composer:
             for aside in self.draft.asides[:1]:
                 instructions.append(told_alone(aside, self.draft.text, self.first, self.moment))
                 self.remarks += unknown_length(instructions[-1].length_of, aside.span)
-        self.remarks += naming_none(leftovers(self.draft.scanned, self.explained, self.lexicon), sketches)
+        self.remarks += naming_none(leftovers(self.draft.scanned, self.explained), sketches)
         self.remarks += self._unused(sketches)
         tokens, strict = tokens_of(self.draft, self.lexicon)
         return Reading(

@@ -1,10 +1,8 @@
 """Times counted from one that is called by a letter: "T-30", "T minus 10", "D+1"."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.instruction import Span, overlap
 
 ZEROS = frozenset({"t", "h", "d", "l"})
 """Letters for the moment, hour or day that others are counted from."""
@@ -22,9 +20,9 @@ MARKS = frozenset({";", ",", "."})
 """Marks behind such a time."""
 
 
-def counted_from_zero(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:
+def counted_from_zero(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
     """Give the places of such times: what they count from is not known."""
-    words = scanned.words
+    words, lexicon = scanned.words, scanned.lexicon
     for place in range(len(words) - 2):
         letter, sign, number = words[place : place + 3]
         spelt = sign.text in lexicon.beside.signs and letter.text in MOMENTS
@@ -37,6 +35,6 @@ def counted_from_zero(scanned: Scanned, explained: Sequence[Span], lexicon: Lexi
         whole = named and len(number.text) <= LONGEST_COUNT
         glued = sign.glued and number.is_digits and number.glued and (sign.text != "-" or letter.capital)
         counted = spelt and (number.is_digits or number.text in lexicon.numbers)
-        known = any(overlap(span, (letter.start, number.end)) for span in explained)
-        if not known and ((whole and glued) or (heads and counted)):
-            yield from range(place, place + 3)
+        places = range(place, place + 3)
+        if known.isdisjoint(places) and ((whole and glued) or (heads and counted)):
+            yield from places
