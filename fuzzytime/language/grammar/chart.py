@@ -189,11 +189,10 @@ def _close(index: _Index, chart: "Chart", start: int, agenda: list[Piece]) -> No
             continue
         for place in chart.following(piece.end):
             for symbol, choices in chart.cells[place].items():
-                rules = beginning.longer.get(symbol)
-                if rules is None:
+                if symbol not in beginning.longer:
                     continue
                 behind = chart.behind(place, symbol)
-                for third, rule in rules:
+                for third, rule in beginning.longer[symbol]:
                     # Most rules begin with what is there, and go on with what is not.
                     if third is None or third in behind:
                         _extend(chart, rule, (piece,), piece.weight, choices, agenda)
@@ -247,9 +246,8 @@ def _extend(
             _make(rule, more, heavier, chart.cells[start], agenda)
             continue
         for place in chart.following(piece.end):
-            further = chart.cells[place].get(symbols[size])
-            if further is not None:
-                _extend(chart, rule, more, heavier, further, agenda)
+            if symbols[size] in chart.cells[place]:
+                _extend(chart, rule, more, heavier, chart.cells[place][symbols[size]], agenda)
 
 
 def _make(rule: Rule, found: tuple[Piece, ...], weight: float, cell: Cell, agenda: list[Piece]) -> None:
