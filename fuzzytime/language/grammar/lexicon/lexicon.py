@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon.forms import matched_to
+from fuzzytime.language.grammar.lexicon.forms import Forms, matched_to
 from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
 from fuzzytime.language.grammar.lexicon.transliteration import Names
 from fuzzytime.language.grammar.lexicon.verb_groups import Doing
@@ -84,14 +84,14 @@ class Lexicon:
     ordinals: Mapping[str, int]
     ambiguous: frozenset[str]
     indicators: Mapping[str, str]
-    connectives: Mapping[tuple[str, ...], str]
-    clauses: Mapping[tuple[str, ...], str]
-    comparisons: Mapping[tuple[str, ...], Side]
-    corrections: frozenset[tuple[str, ...]]
+    connectives: Forms[str]
+    clauses: Forms[str]
+    comparisons: Forms[Side]
+    corrections: Forms[None]
     addresses: frozenset[str]
     courtesies: frozenset[tuple[str, ...]]
     called_behind: frozenset[tuple[str, ...]]
-    amounts: Mapping[tuple[str, ...], tuple[str, tuple[float, float, float, float] | None]]
+    amounts: Forms[tuple[str, tuple[float, float, float, float] | None]]
     results: frozenset[str]
     wanting: frozenset[str]
     forgetting: frozenset[str]
@@ -158,14 +158,14 @@ class Lexicon:
     rating: frozenset[str]
     reading: frozenset[str]
     amount_nouns: frozenset[str]
-    questions: Mapping[str, frozenset[tuple[str, ...]]]
+    questions: Mapping[str, Forms[None]]
     conversation: Mapping[str, frozenset[tuple[str, ...]]]
     foreign: frozenset[str]
     function_words: frozenset[str]
     misspelt: Mapping[str, str]
     clipped: Mapping[str, str]
     transliterated: Names[Entry]
-    usual_hours: Mapping[tuple[str, ...], Hours]
+    usual_hours: Forms[Hours]
     policy: Policy = field(default_factory=Policy)
     orders: frozenset[str] = field(init=False)
     needing_nothing: frozenset[str] = field(init=False)

@@ -282,8 +282,7 @@ def asks(words: Sequence[Word], behind: str, lexicon: Lexicon) -> bool:
     """
 
     def opens(place: int, *names: str) -> bool:
-        forms = (form for name in names for form in lexicon.questions[name])
-        return place < len(words) and longest_match(words, place, forms) is not None
+        return place < len(words) and any(longest_match(words, place, lexicon.questions[n]) for n in names)
 
     if not words or opens(0, "requesting", "suggesting"):
         return False
