@@ -119,7 +119,7 @@ class Language:
             behind = first + len(readings[place].instructions)
             if behind < len(mentions.operations) and _waits(readings[place], told):
                 since = given_since[place]
-                readings[place] = composed(draft, self.lexicon, mentions, first, awaits=True, since=since)
+                readings[place] = composed(draft, mentions, first, awaits=True, since=since)
             first = behind
         return self._as_typed(readings, texts)
 
@@ -153,7 +153,7 @@ class Language:
                 # What lines said at another moment is no clue to what these mean.
                 said_before[-1] = nothing
             since = said_before[-1]
-            reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
+            reading = composed(draft, mentions, len(mentions.operations), since=since)
             said_before.append(said_in(reading, since))
             for instruction in reading.instructions:
                 mentions.told.add(len(mentions.operations), instruction, reading.now)
@@ -171,7 +171,7 @@ class Language:
         """
         texts = list(texts)
         drafts = self._drafts(texts, together=False)
-        readings = [composed(draft, self.lexicon, Mentions(self.lexicon), 0) for draft in drafts]
+        readings = [composed(draft, Mentions(self.lexicon), 0) for draft in drafts]
         return self._as_typed(readings, texts)
 
     def _as_typed(

@@ -48,13 +48,13 @@ def test_the_verb_is_the_one_that_is_meant(
     reference: Reference | None,
     negated: bool,  # noqa: FBT001
 ) -> None:
-    action = action_of(parsed, shipped_lexicon())
+    action = action_of(parsed)
     assert action is not None
     assert (parsed.nodes[action.place].text, action.reference, action.negated) == (verb, reference, negated)
 
 
 def test_without_a_verb_there_is_no_action_and_the_tree_is_doubtful() -> None:
-    assert action_of(NO_VERB, shipped_lexicon()) is None
+    assert action_of(NO_VERB) is None
     assert is_doubtful(NO_VERB)
     assert not is_doubtful(PLACE_THE_PAN)
 
@@ -77,6 +77,6 @@ def test_an_operation_is_named_without_its_time(
     parsed: Tree, times: list[tuple[int, int]], name: str
 ) -> None:
     lexicon = shipped_lexicon()
-    action = action_of(parsed, lexicon)
+    action = action_of(parsed)
     assert action is not None
     assert Reader(parsed, lexicon, times).operation(action).name == name

@@ -265,11 +265,10 @@ class Turns:
 
     def _answer_in_words(self, words: str, pending: Pending, now: datetime) -> Reply | None:
         """Take words that mean one of the choices; put the question again where they choose none."""
-        lexicon = self.conversation.interpreter.language.lexicon
-        if chooses_none(words, now, lexicon):
+        if chooses_none(words, now, self.conversation.interpreter.language.lexicon):
             self.pending = pending
             return Reply(("One of the times has to be taken, or another said, such as: at half past seven.",))
-        choice = choice_meant(words, pending.question, now, lexicon)
+        choice = choice_meant(words, pending.question, now, self.conversation.interpreter.language.lexicon)
         if choice is None:
             return None
         head = f"taken as {choice + 1} ({pending.question.choices[choice]:%A %H:%M}); :undo takes it back"

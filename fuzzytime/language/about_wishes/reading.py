@@ -118,8 +118,10 @@ def _without_request(said: Said) -> Said:
 
 def _without_courtesies(said: Said) -> Said:
     """Leave out what opens a request, as it does a wish, and thanks: "could you please … thanks"."""
-    lexicon = said.lexicon
-    opening = {*lexicon.courtesies, *((word,) for word in lexicon.addresses)} - lexicon.corrections
+    opening = {
+        *said.lexicon.courtesies,
+        *((word,) for word in said.lexicon.addresses),
+    } - said.lexicon.corrections
     place = 0
     while form := longest_match(said.words, place, opening):
         if place + len(form) >= len(said.words):

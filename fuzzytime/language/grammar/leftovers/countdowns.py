@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Span, overlap
 
@@ -22,12 +21,12 @@ MARKS = frozenset({";", ",", "."})
 """Marks behind such a time."""
 
 
-def counted_from_zero(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:
+def counted_from_zero(scanned: Scanned, explained: Sequence[Span]) -> Iterator[int]:
     """Give the places of such times: what they count from is not known."""
     words = scanned.words
     for place in range(len(words) - 2):
         letter, sign, number = words[place : place + 3]
-        spelt = sign.text in lexicon.beside.signs and letter.text in MOMENTS
+        spelt = sign.text in scanned.lexicon.beside.signs and letter.text in MOMENTS
         if letter.text not in ZEROS or not (sign.text in SIGNS or spelt):
             continue
         heads = not place or words[place - 1].text in {";", ",", "at", "@"}
@@ -36,7 +35,7 @@ def counted_from_zero(scanned: Scanned, explained: Sequence[Span], lexicon: Lexi
         named = heads or (ends and letter.text in MOMENTS)
         whole = named and len(number.text) <= LONGEST_COUNT
         glued = sign.glued and number.is_digits and number.glued and (sign.text != "-" or letter.capital)
-        counted = spelt and (number.is_digits or number.text in lexicon.numbers)
+        counted = spelt and (number.is_digits or number.text in scanned.lexicon.numbers)
         known = any(overlap(span, (letter.start, number.end)) for span in explained)
         if not known and ((whole and glued) or (heads and counted)):
             yield from range(place, place + 3)

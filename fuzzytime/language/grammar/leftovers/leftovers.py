@@ -50,19 +50,19 @@ SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
 
 
-def leftovers(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> list[Remark]:
+def leftovers(scanned: Scanned, explained: Sequence[Span]) -> list[Remark]:
     """Give a remark for each stretch that looks like time and was not understood."""
     found = [
         Remark(RemarkKind.NOT_UNDERSTOOD, span, not_understood(scanned.text, span))
-        for span in _joined(scanned, sorted(set(_looking(scanned, explained, lexicon))), lexicon)
+        for span in _joined(scanned, sorted(set(_looking(scanned, explained))))
     ]
-    return [*found, *_clipped(scanned, explained, lexicon)]
+    return [*found, *_clipped(scanned, explained)]
 
 
-def _clipped(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[Remark]:
+def _clipped(scanned: Scanned, explained: Sequence[Span]) -> Iterator[Remark]:
     """Point at what ends an order like a time without its last letter: "stir the soup soo"."""
     for place, word in enumerate(scanned.words):
-        meant = lexicon.clipped.get(word.text)
+        meant = scanned.lexicon.clipped.get(word.text)
         behind = scanned.words[place + 1].text if place + 1 < len(scanned.words) else ""
         if meant is None or not place or behind[:1].isalnum() or word.capital:
             continue
@@ -77,12 +77,13 @@ def not_understood(text: str, span: Span) -> str:
     return f"{text[slice(*span)]!r} looks like a time and was not understood"
 
 
-def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:
+def _looking(scanned: Scanned, explained: Sequence[Span]) -> Iterator[int]:
     """Give the places of words that look like time, and are no part of a noun: "the Sunday dress"."""
+    lexicon = scanned.lexicon
     around = Surroundings(scanned.words, lexicon)
     figures = _Figures(scanned, around)
     named = {place for start, end in names_in(scanned.words, lexicon) for place in range(start, end)}
-    yield from counted_from_zero(scanned, explained, lexicon)
+    yield from counted_from_zero(scanned, explained)
     kinds = (_weekends, _other_feasts, _dates, _halves, _clocks, _ones, _moments, _untold, _typed, _left_out)
     for kind in kinds:
         yield from kind(scanned, explained, around)
@@ -296,14 +297,14 @@ def _binds(around: Surroundings, place: int) -> bool:
     )
 
 
-def _joined(scanned: Scanned, places: Sequence[int], lexicon: Lexicon) -> Iterator[Span]:
+def _joined(scanned: Scanned, places: Sequence[int]) -> Iterator[Span]:
     """Join neighbours into stretches, with the number before them."""
     start = None
     for position, place in enumerate(places):
         if start is None:
             start = place
             before = scanned.words[place - 1] if place else None
-            counts = scanned.words[place].text not in lexicon.closed.prepositions_of_points
+            counts = scanned.words[place].text not in scanned.lexicon.closed.prepositions_of_points
             if before is not None and counts and (before.is_digits or "integer" in scanned.cells[place - 1]):
                 start = place - 1
         if position + 1 == len(places) or places[position + 1] != place + 1:

@@ -42,11 +42,15 @@ class Anchors:
     first: int
     own: Sequence[Operation | None]
     mentions: Mentions
-    lexicon: Lexicon
     awaits: bool = False
     day: Calendar | None = None
     told: Told = field(default_factory=Told)
     now: datetime | None = None
+
+    @property
+    def lexicon(self) -> Lexicon:
+        """The words of the language."""
+        return self.mentions.lexicon
 
     def about(self, clause: Clause) -> str | None:
         """Give what an instruction before is about that a clause is about too; None where there is none."""

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.sentence.segments.drafts import Draft
@@ -36,25 +35,23 @@ from fuzzytime.language.sentence.together.told.told_beside import told_beside
 from fuzzytime.requirement import Constraint
 
 
-def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Remark]]:
+def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     """Sketch the instructions of a draft; two times joined by "and" make two of one."""
     found: list[Sketch] = []
     remarks: list[Remark] = []
-    sketches, corrections = after_all(
-        [sketch_of(draft, part, lexicon) for part in draft.parts], draft, lexicon
-    )
+    sketches, corrections = after_all([sketch_of(draft, part) for part in draft.parts], draft)
     remarks += corrections
-    sketches = left_out_behind(sketches, lexicon)
-    sketches = within_opening_hours(told_beside(sketches, draft.text, lexicon), draft.text, lexicon)
-    sketches = due_before_told(sketches, draft.text, lexicon)
-    sketches = repeated(led(sketches, draft.text), draft.text, lexicon)
-    told = shared(at_once(within(sketches, draft.text, lexicon), draft.text), draft.text, lexicon)
+    sketches = left_out_behind(sketches)
+    sketches = within_opening_hours(told_beside(sketches, draft.text), draft.text)
+    sketches = due_before_told(sketches, draft.text)
+    sketches = repeated(led(sketches, draft.text), draft.text)
+    told = shared(at_once(within(sketches, draft.text), draft.text), draft.text, draft.lexicon)
     words = draft.scanned.words
     told = [without_days_left_out(sketch) for sketch in under_first_line(told, draft.text)]
-    told = [day_by_day(each_day_too(sketch, words, lexicon), draft.text, lexicon) for sketch in told]
-    told = days_on(told, draft.text, lexicon)
+    told = [day_by_day(each_day_too(sketch, words), draft.text) for sketch in told]
+    told = days_on(told, draft.text, draft.lexicon)
     split = (
-        one_by_one(counted_apart(one, words, lexicon), words, lexicon)
+        one_by_one(counted_apart(one, words), words)
         for sketch in told
         for each in each_of(sketch, draft.instances)
         for again in done_again(each, words)
@@ -62,13 +59,13 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     )
     for one in split:
         whole, remarked = first_offered(one, draft.text)
-        whole, others = first_of_choices(whole, words, lexicon)
+        whole, others = first_of_choices(whole, words)
         remarks += (*remarked, *(not_used(draft.text, span) for span in others))
-        for again in also_at_events(whole, words, lexicon):
-            found += of_several_times(again, words, lexicon)
-    found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in again_between(found)]
+        for again in also_at_events(whole, words):
+            found += of_several_times(again, words)
+    found = [on_owned_day(_ordered(sketch, draft)) for sketch in again_between(found)]
     headed = draft.heading is not None and draft.heading.day is not None
-    found = things_alone(each_week(found, draft.text, lexicon), draft.text, headed=headed)
+    found = things_alone(each_week(found, draft.text), draft.text, headed=headed)
     placed = on_their_days(found, draft.text, draft.heading)
     return _with_asides([from_first_time(sketch, words) for sketch in placed], draft), remarks
 

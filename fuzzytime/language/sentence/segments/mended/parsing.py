@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span, blanked
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
 from fuzzytime.language.sentence.segments.mended.aims import with_aim, with_purpose
@@ -35,7 +34,7 @@ CARRIERS = ("please ", "you should ")
 """Words that make a parser see the verb behind them, tried in this order."""
 
 
-def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
+def trees_of(waiting: Sequence[Waiting], trees: Trees) -> list[Tree]:
     """Parse segments without a time in front; one whose tree is doubtful again behind other words."""
     texts = [_heard(one) for one in waiting]
     found = uncapitalised(texts, trees, [one.heard_from for one in waiting])
@@ -44,7 +43,7 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list
     for place, tree in zip(astray, carried, strict=True):
         # "Text Leo at five and | text Jen at six"
         found[place] = tree.without_carrier(CARRIERS[0], texts[place], 0)
-    found = [as_done(_in_place(one, tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
+    found = [as_done(_in_place(one, tree)) for one, tree in zip(waiting, found, strict=True)]
     own = {place for place, one in enumerate(waiting) if not one.segment.borrowed}
     led_astray = [p for p, tree in enumerate(found) if p in own and tree.root in waiting[p].timed(tree)]
     blanked = trees([_without_root(found[place]) for place in led_astray])
@@ -56,42 +55,43 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list
         again = [
             (place, waiting[place].behind_time)
             for place, tree in enumerate(found)
-            if place in own and waiting[place].doubts(tree, lexicon)
+            if place in own and waiting[place].doubts(tree)
         ]
         carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
         for (place, skipped), tree in zip(again, carried, strict=True):
             bare = as_order(tree.without_carrier(carrier, texts[place], skipped))
-            if bare.nodes and _may_be_done(bare, lexicon) and not waiting[place].doubts(bare, lexicon):
+            if bare.nodes and _may_be_done(bare) and not waiting[place].doubts(bare):
                 found[place] = bare
-    found = with_places_in_front(waiting, found, trees, lexicon)
+    found = with_places_in_front(waiting, found, trees)
     told = [place for place, one in enumerate(waiting) if one.segment.doer is not None]
     led = trees([f"{waiting[place].segment.doer} {texts[place]}" for place in told])
     for place, tree in zip(told, led, strict=True):
         # "The plumber comes at four, fixes the tap": it is a verb behind who does it.
         alone = tree.without_carrier(f"{waiting[place].segment.doer} ", texts[place], 0)
         found[place] = as_acting(alone)
-    return [_mended(one, tree, lexicon) for one, tree in zip(waiting, found, strict=True)]
+    return [_mended(one, tree) for one, tree in zip(waiting, found, strict=True)]
 
 
-def _mended(one: Waiting, tree: Tree, lexicon: Lexicon) -> Tree:
+def _mended(one: Waiting, tree: Tree) -> Tree:
     """Give a tree with what its model overlooks; where all words are of its time, it is empty."""
     if not tree.nodes:
         return tree
     timed = one.timed(tree)
     tree = with_thing_before_time(with_her(with_whole_things(tree), timed), timed)
-    tree = with_purpose(with_aim(tree, timed, lexicon))
+    tree = with_purpose(with_aim(tree, timed))
     tree = with_event_names(with_object_of_aim(tree, timed), timed)
-    tree = with_event(with_clause(with_reminded(tree, lexicon), lexicon), lexicon)
-    tree = with_called(with_worker(with_needed_deed(tree, timed, lexicon), lexicon), timed, lexicon)
-    tree = with_named_deed(tree, timed, lexicon) if timed or one.heard_from else tree
-    return as_statement(tree, timed, lexicon.travelling)
+    tree = with_event(with_clause(with_reminded(tree)))
+    tree = with_called(with_worker(with_needed_deed(tree, timed)), timed)
+    tree = with_named_deed(tree, timed) if timed or one.heard_from else tree
+    return as_statement(tree, timed, one.lexicon.travelling)
 
 
-def _may_be_done(tree: Tree, lexicon: Lexicon) -> bool:
+def _may_be_done(tree: Tree) -> bool:
     """Whether the root of a tree is a known verb, or has an object: "pipette the buffer", but "session 2".
 
     Behind "please", a parser takes any noun for a verb.
     """
+    lexicon = tree.lexicon
     node = tree.nodes[tree.root]
     known = lexicon.addressing | lexicon.chores | lexicon.ordering | lexicon.alone | lexicon.timing_alone
     led = any(one.tag in DETERMINERS | {"PRP"} for one in tree.nodes[tree.root + 1 : tree.root + 2])

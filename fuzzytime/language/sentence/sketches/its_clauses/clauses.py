@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.judging.beside.titles import written_out
 from fuzzytime.language.grammar.judging.look_alikes.proper_names import names_in
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Wall
 from fuzzytime.language.meaning.joined.beside import joined
@@ -43,17 +43,14 @@ EVEN = "even"
 
 
 def clauses_of(
-    tree: Tree,
-    words: Sequence[Word],
-    phrases: Sequence[Phrase],
-    lexicon: Lexicon,
-    named: Sequence[Phrase] = (),
+    tree: Tree, words: Sequence[Word], phrases: Sequence[Phrase], named: Sequence[Phrase] = ()
 ) -> list[Clause]:
     """Find the clauses of one instruction.
 
     A marker inside a time ("before noon") begins none. ``named`` are times that name events: "before my four
     o'clock meeting" is before four.
     """
+    lexicon = tree.lexicon
     found: list[Clause] = []
     covered = places_in(phrases)
     named_so = {place for start, end in names_in(words, lexicon) for place in range(start, end)}

@@ -26,7 +26,7 @@ def denied_together(
     joints = _joints(sketches, text, lexicon)
     for place, joint in enumerate(joints, start=1):
         before, sketch = found[place - 1], found[place]
-        if sketch.operation is None or not _goes_on(before, sketch, joint, lexicon):
+        if sketch.operation is None or not _goes_on(before, sketch, joint):
             continue
         said = f"{before.denial} {text[slice(*before.part.segment.span)]}"
         denied = replace(sketch, operation=replace(sketch.operation, negated=True), denial=said)
@@ -55,8 +55,9 @@ def _joints(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[str
     return [joint.strip(" ,") for joint in found]
 
 
-def _goes_on(before: Sketch, sketch: Sketch, joint: str, lexicon: Lexicon) -> bool:
+def _goes_on(before: Sketch, sketch: Sketch, joint: str) -> bool:
     """Whether an order goes on with what is denied before it, and does not turn to another thing."""
+    lexicon = before.lexicon
     one, other, segment = before.operation, sketch.operation, sketch.part.segment
     if one is None or not one.negated or other is None or not sketch.asks or sketch.part is before.part:
         return False

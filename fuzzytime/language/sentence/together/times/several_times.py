@@ -32,15 +32,15 @@ MERIDIEMS = frozenset({"am", "pm", "noon", "midnight"})
 """Words that end a clock time, and are no day."""
 
 
-def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> list[Sketch]:
+def of_several_times(sketch: Sketch, words: Sequence[Word]) -> list[Sketch]:
     """Give one sketch for each time that is meant, or one of which each time is an alternative.
 
     "At seven and at six" asks for two, "at seven or at eight" for one; "tomorrow, by noon" is one time.
     """
-    closed = lexicon.closed
+    closed = sketch.lexicon.closed
     joining = closed.additions | closed.alternatives
     for place in range(len(sketch.phrases) - 1):
-        group, joints = _joined(sketch.phrases[place:], words, lexicon)
+        group, joints = _joined(sketch.phrases[place:], words, sketch.lexicon)
         several = len(group) > LIST and (all(map(_is_weekday, group)) or all(map(_is_clock, group)))
         # "Friday at nine, saturday at ten"
         several = several or all(map(_is_whole, group))

@@ -26,7 +26,6 @@ def due_by_then(
     due: Collection[int],
     moments: Collection[int],
     timed: Collection[int],
-    lexicon: Lexicon,
     *,
     listed: bool = False,
 ) -> Operation | None:
@@ -37,6 +36,7 @@ def due_by_then(
     something must be done with things that have no article: "actors called for 14:00"; and at a moment where
     it is ``listed`` among what is to come: "fish delivered 9.30", "Ella dropped off 8.15".
     """
+    lexicon = tree.lexicon
     nodes = tree.nodes
     whole = bool(nodes) and nodes[0].lower in lexicon.closed.universal_determiners and len(nodes) > 1
     first = 1 if nodes and (nodes[0].tag in DETERMINERS or (whole and nodes[1].tag in NOUNS | PLURALS)) else 0
