@@ -111,7 +111,7 @@ class Language:
             If a text is too long.
         """
         texts = list(texts)
-        drafts = under_headings(self._drafts(texts, together=True), self.lexicon)
+        drafts = under_headings(self._drafts(texts, together=True))
         readings, given_since, mentions = self._as_meant(drafts, given)
         told = frozenset[str]().union(*(content_words(one.object) for one in mentions.telling()))
         first = len(given)

@@ -2,7 +2,6 @@
 
 import pytest
 
-from fuzzytime.language.finding import shipped_lexicon
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of, is_doubtful
 from fuzzytime.language.sentence.verbs.operations.operations import Reader
@@ -76,7 +75,6 @@ def test_without_a_verb_there_is_no_action_and_the_tree_is_doubtful() -> None:
 def test_an_operation_is_named_without_its_time(
     parsed: Tree, times: list[tuple[int, int]], name: str
 ) -> None:
-    lexicon = shipped_lexicon()
     action = action_of(parsed)
     assert action is not None
-    assert Reader(parsed, lexicon, times).operation(action).name == name
+    assert Reader(parsed, times).operation(action).name == name

@@ -78,7 +78,6 @@ class _Composer:
         since: LastSaid,
     ) -> None:
         self.draft = draft
-        self.lexicon = draft.lexicon
         self.moment = Moment(
             draft.now,
             since.policy(draft.lexicon.policy),
@@ -104,13 +103,13 @@ class _Composer:
     def reading(self) -> Reading:
         """Read every part, then resolve what parts say of each other."""
         sketches, remarks = sketches_of(self.draft)
-        sketches = waited(sketches, self.draft.asides, self.mentions.operations[: self.first], self.lexicon)
+        sketches = waited(sketches, self.draft.asides, self.mentions.operations[: self.first])
         self.remarks += remarks
-        sketches, remarks = denied_together(sketches, self.draft.text, self.lexicon)
+        sketches, remarks = denied_together(sketches, self.draft.text)
         self.remarks += remarks
         sketches, remarks = asked_of(sketches, self.draft, self.mentions, self.first)
         self.remarks += remarks
-        sketches = said_for_all(sketches, self.draft.text, self.lexicon)
+        sketches = said_for_all(sketches, self.draft.text)
         sketches = due_before(sketches, self.draft.text, self.mentions, self.first)
         operations = [sketch.operation for sketch in sketches]
         instructions = self.made
@@ -196,12 +195,12 @@ class _Composer:
             lengths[0].duration if lengths else None,
             connected,
             f"{sketch.denial} {said}",
-            self.lexicon,
+            self.draft.lexicon,
             None if sketch.denial else self._right_before(position, before, said),
         )
         requirements, remarks = offered(requirements, operation, text)
         self.remarks += remarks
-        requirements = due_when_needed(requirements, operation, said, self.lexicon)
+        requirements = due_when_needed(requirements, operation, said, self.draft.lexicon)
         told = length_of(operation, requirements, said, anchors)
         self.remarks += [*unknown_length(told, segment.span), *sketch.remarks]
         self.explained += [remark.span for remark in sketch.remarks]

@@ -163,7 +163,7 @@ def _given_new_time(part: Part, phrases: Sequence[Phrase]) -> Operation | None:
     if not part.tree.nodes:
         return None
     heard = [part.local(phrase.span) for phrase in phrases]
-    found = given_new_time(part.tree, phrases, Reader(part.tree, part.lexicon, heard))
+    found = given_new_time(part.tree, phrases, Reader(part.tree, heard))
     return None if found is None else found.moved(part.offset)
 
 
@@ -181,7 +181,7 @@ def _action_of(part: Part, said: SaidOfTime, *, timed: bool) -> Action | None:
 def _asked(draft: Draft, part: Part, said: SaidOfTime, action: Action) -> Sketch:
     """Sketch a part whose verb says what is to be done, with the times that are about that."""
     times = own_times(draft, part, said, action)
-    reader = Reader(part.tree, part.lexicon, [part.local(span) for span in times.covered])
+    reader = Reader(part.tree, [part.local(span) for span in times.covered])
     operation = with_told(draft, part, as_remembered(reader.operation(action)))
     operation = of_which(draft.text, with_name(part, operation, action), times.of_things)
     phrases, clauses, references = referred(part, times, action, operation)
@@ -238,7 +238,7 @@ def _happening(
         deed = deed or chores_at(part.tree, heard, phrases, led=bool(clauses))
         return None if deed is None else deed.moved(part.offset)
     said = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
-    names = Reader(part.tree, part.lexicon, [part.local(span) for span in said])
+    names = Reader(part.tree, [part.local(span) for span in said])
     found = happening_at(root, part.tree, phrases, names)
     return found.moved(part.offset)
 

@@ -45,11 +45,11 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     sketches = within_opening_hours(told_beside(sketches, draft.text), draft.text)
     sketches = due_before_told(sketches, draft.text)
     sketches = repeated(led(sketches, draft.text), draft.text)
-    told = shared(at_once(within(sketches, draft.text), draft.text), draft.text, draft.lexicon)
+    told = shared(at_once(within(sketches, draft.text), draft.text), draft.text)
     words = draft.scanned.words
     told = [without_days_left_out(sketch) for sketch in under_first_line(told, draft.text)]
     told = [day_by_day(each_day_too(sketch, words), draft.text) for sketch in told]
-    told = days_on(told, draft.text, draft.lexicon)
+    told = days_on(told, draft.text)
     split = (
         one_by_one(counted_apart(one, words), words)
         for sketch in told

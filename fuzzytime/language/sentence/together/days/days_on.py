@@ -15,7 +15,7 @@ HABITS = frozenset({STARTING, FROM})
 """Prepositions of days from which on something is done again and again; "not before monday" is done once."""
 
 
-def days_on(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def days_on(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Let repetitions, and clock times, begin with a day that is said apart from them.
 
     A day in front of an order is of those that it is joined to, too: "from monday on wake me at six and feed
@@ -26,7 +26,9 @@ def days_on(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Ske
     for sketch in sketches:
         if found and ENDS & set(text_between(found[-1], sketch, text)):
             held = None
-        days = [one for one in sketch.phrases if _is_first_day(one.said) and _goes_on(one, text, lexicon)]
+        days = [
+            one for one in sketch.phrases if _is_first_day(one.said) and _goes_on(one, text, sketch.lexicon)
+        ]
         own = days[0] if len(days) == 1 else None
         first = own or (held if not days else None)
         told = sketch if first is None else _from_day_on(sketch, first, text)

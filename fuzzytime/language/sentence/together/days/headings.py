@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.days.relations import Relative
@@ -36,7 +35,7 @@ CALLED = 2
 """Words that call a worker: "Robot 2:"."""
 
 
-def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
+def under_headings(drafts: Sequence[Draft]) -> list[Draft]:
     """Give drafts of lines said at one moment, each with the time that the nearest line above names alone.
 
     A part of the day, or a clause, is of the day that a line above it names.
@@ -44,7 +43,7 @@ def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
     drafts = with_dates(drafts)
     headings = [_heading_of(draft, heads=heads_lines(drafts, place)) for place, draft in enumerate(drafts)]
     if headings and headings[0] is None:
-        headings[0] = title_of(drafts, lexicon)
+        headings[0] = title_of(drafts)
     found: list[Draft] = []
     heading: Heading | None = None
     day: Heading | None = None

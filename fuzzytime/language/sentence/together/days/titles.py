@@ -50,7 +50,7 @@ APART = ",:-–—("
 """What may stand between the name of a title and its day: "Brew day, Saturday"."""
 
 
-def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
+def title_of(drafts: Sequence[Draft]) -> Heading | None:
     """Give the day, or the hours, that the first of some lines names with what they are about.
 
     So does "Early shift Thursday", or "Night shift Friday 21:00-07:00". The lines below have clock times,
@@ -69,7 +69,7 @@ def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
         return Heading(name_of(first), first.text, first.scanned) if alone else None
     (time,) = first.phrases
     if is_window(time):
-        within = sum(_is_within(found, time, first, lexicon.policy) for found in clocks)
+        within = sum(_is_within(found, time, first, first.lexicon.policy) for found in clocks)
         most = 2 * within >= len(below) and FEW_DATED * (len(clocks) - within) <= len(clocks)
         named = most and _is_named(first, time)
     else:

@@ -165,7 +165,7 @@ def _counted_in(phrase: Phrase, length: float) -> Phrase:
     return replace(phrase, said=Said(Offset(replace(time, hedges=())), None, INTO, said.hedges))
 
 
-def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def shared(sketches: list[Sketch], text: str) -> list[Sketch]:
     """Let a verb alone share the object and the start of the next: "rinse and drain the rice at noon"."""
     found = list(sketches)
     for place in range(len(found) - 1, 0, -1):
@@ -176,7 +176,7 @@ def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
             # "Shower, and be downstairs in twenty minutes": by then one is there.
             continue
         operation = first.operation
-        if operation.object is None and not _is_apart(operation, second.operation, lexicon):
+        if operation.object is None and not _is_apart(operation, second.operation, first.lexicon):
             operation = replace(operation, object=second.operation.object)
         first = replace(first, operation=operation)
         goes_on = Reference.THROUGHOUT in second.references

@@ -10,7 +10,6 @@ import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Offset,
@@ -43,9 +42,9 @@ FOR_ALL = re.compile(r",\s*(\w+)(?: of (?:them|these|those))?\s*$")
 BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
 
 
-def said_for_all(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def said_for_all(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Give each instruction what is said once for several; what asks for nothing has no operation by now."""
-    return _held_behind(_held_in_front(sketches, text), text, lexicon)
+    return _held_behind(_held_in_front(sketches, text), text)
 
 
 def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
@@ -101,7 +100,7 @@ def _denied(clauses: Sequence[Clause]) -> tuple[Clause, ...]:
     )
 
 
-def _held_behind(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def _held_behind(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Give orders what is said behind the last of them: a deadline, or a time that is said to be for all."""
     found = [_without_all(sketch) for sketch in sketches]
     for place, sketch in enumerate(sketches):
@@ -124,8 +123,8 @@ def _held_behind(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> lis
             ]
             joint = text_between(found[place - 1], sketch, text).strip().lower()
             if (
-                joint in lexicon.closed.additions
-                or sketch.part.segment.connective in lexicon.closed.additions
+                joint in sketch.lexicon.closed.additions
+                or sketch.part.segment.connective in sketch.lexicon.closed.additions
             ):
                 found[place - 1] = found[place - 1].under(phrases, clauses)
     return found

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.joined.distances import later_by
@@ -14,7 +13,7 @@ THEN = "then"
 
 
 def waited(
-    sketches: list[Sketch], asides: Sequence[Aside], given: Sequence[Operation | None], lexicon: Lexicon
+    sketches: list[Sketch], asides: Sequence[Aside], given: Sequence[Operation | None]
 ) -> list[Sketch]:
     """Let the first instruction come as long after the last one ``given`` as its aside in front says.
 
@@ -26,7 +25,7 @@ def waited(
     segment, length = first.part.segment, aside.length.said.time
     leads = aside.span[1] <= segment.span[0] and segment.connective == THEN and not aside.way
     before = given[-1] if given else None
-    cooked = before is not None and before.lemma in lexicon.timing | lexicon.timing_alone
+    cooked = before is not None and before.lemma in first.lexicon.timing | first.lexicon.timing_alone
     if not leads or cooked or not isinstance(length, Duration):
         return sketches
     waits = replace(aside.length, said=later_by(length), span=aside.span)
