@@ -98,10 +98,7 @@ class Language:
         return self.read_all([(text, now)], given=given)[0]
 
     def read_all(
-        self,
-        texts: Iterable[tuple[str, datetime | None]],
-        *,
-        given: Sequence[Operation | None] = (),
+        self, texts: Iterable[tuple[str, datetime | None]], *, given: Sequence[Operation | None] = ()
     ) -> list[Reading]:
         """Read texts with their moments; each may refer to those before it, or else to those behind.
 
@@ -131,11 +128,13 @@ class Language:
         The first of them may be earlier in the day; in the evening, all may be of tomorrow.
         """
         found = self._in_turn(drafts, given)
-        for days in (drafts, on_next_day(drafts)):
-            for early in (False, True):
-                if days and found[1][-1].astray and (early or days is not drafts):
-                    other = self._in_turn(days, given, early=early)
-                    found = other if other[1][-1].astray < found[1][-1].astray else found
+        if not found[1][-1].astray:
+            return found
+        tomorrow = on_next_day(drafts)
+        for days, early in ((drafts, True), (tomorrow, False), (tomorrow, True)):
+            if days and found[1][-1].astray:
+                other = self._in_turn(days, given, early=early)
+                found = min(found, other, key=lambda one: one[1][-1].astray)
         return found
 
     def _in_turn(

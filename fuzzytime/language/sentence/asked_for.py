@@ -66,11 +66,7 @@ def asked_of(
 
 
 def _behind_denials(
-    sketch: Sketch,
-    operation: Operation,
-    own: Sequence[Operation | None],
-    mentions: Mentions,
-    first: int,
+    sketch: Sketch, operation: Operation, own: Sequence[Operation | None], mentions: Mentions, first: int
 ) -> str | None:
     """Give what "it" is in what goes on behind a denial: "boil the rice; don't open the lid; then serve it".
 

@@ -69,13 +69,7 @@ def composed(
 
 class _Composer:
     def __init__(
-        self,
-        draft: Draft,
-        mentions: Mentions,
-        first: int,
-        *,
-        awaits: bool,
-        since: LastSaid,
+        self, draft: Draft, mentions: Mentions, first: int, *, awaits: bool, since: LastSaid
     ) -> None:
         self.draft = draft
         self.moment = Moment(

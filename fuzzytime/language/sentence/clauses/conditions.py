@@ -75,11 +75,7 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
     last = said[-1]
     hedges = tuple(tree.nodes[p].lower for p in sorted(tree.below(last)) if p < last)
     return Condition(
-        text=text,
-        subject=subject or None,
-        word=tree.nodes[last].lower,
-        hedges=hedges,
-        negated=negated,
+        text=text, subject=subject or None, word=tree.nodes[last].lower, hedges=hedges, negated=negated
     )
 
 

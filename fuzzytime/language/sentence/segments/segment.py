@@ -52,11 +52,7 @@ class Segment:
 
 
 def segments_of(
-    text: str,
-    words: Sequence[Word],
-    phrases: Sequence[Phrase],
-    lexicon: Lexicon,
-    taken_back: Sequence[Span],
+    text: str, words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon, taken_back: Sequence[Span]
 ) -> list[Segment]:
     """Cut a text at what always ends an instruction: full stops and connectives, outside of times.
 

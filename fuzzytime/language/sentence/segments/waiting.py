@@ -14,11 +14,7 @@ from fuzzytime.language.meaning.expressions import Duration, Phrase
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.segments.leading_markers import Marker, marker_at
-from fuzzytime.language.sentence.segments.orders_beside_times import (
-    begins_order,
-    is_done_alone,
-    is_numbered,
-)
+from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_done_alone, is_numbered
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree

@@ -15,10 +15,7 @@ from fuzzytime.language.sentence.segments.borrowed_words.frames import (
     lets_too,
 )
 from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import Stretch, Wish
-from fuzzytime.language.sentence.segments.borrowed_words.other_things import (
-    is_done_elsewhere,
-    is_given_too,
-)
+from fuzzytime.language.sentence.segments.borrowed_words.other_things import is_done_elsewhere, is_given_too
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
 from fuzzytime.language.sentence.trees.tree import Tree

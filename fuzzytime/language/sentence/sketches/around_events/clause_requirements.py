@@ -164,11 +164,7 @@ def _under_way(said: Condition, condition: Condition, anchors: Anchors) -> int |
 
 def referred(requirement: TimeRequirement, reference: Reference | None) -> TimeRequirement:
     """Give a requirement the moment of the execution that its verb is about."""
-    if reference is None or requirement.constraint in {
-        Constraint.FOR,
-        Constraint.EVERY,
-        Constraint.WHEN,
-    }:
+    if reference is None or requirement.constraint in {Constraint.FOR, Constraint.EVERY, Constraint.WHEN}:
         return requirement
     lasting = requirement.preposition in LASTING or requirement.constraint is Constraint.BETWEEN
     if reference is Reference.THROUGHOUT and not lasting:

@@ -10,11 +10,7 @@ from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord
 from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.times.said_again import (
-    apart,
-    with_shared_clock,
-    with_shared_part,
-)
+from fuzzytime.language.sentence.together.times.said_again import apart, with_shared_clock, with_shared_part
 from fuzzytime.requirement import BOUNDS, Constraint
 
 ON_CONDITION = "if_it_is.at_on_condition"

@@ -120,11 +120,7 @@ def due_when_needed(
     at = {Constraint.AT, Constraint.BEFORE}
     return [
         replace(
-            part,
-            constraint=Constraint.BEFORE,
-            earliest=None,
-            reference=Reference.FINISH,
-            reference_said=True,
+            part, constraint=Constraint.BEFORE, earliest=None, reference=Reference.FINISH, reference_said=True
         )
         if part.constraint in at
         else part

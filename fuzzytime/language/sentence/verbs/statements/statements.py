@@ -81,12 +81,7 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     joint = start - 1
     if joint > 0 and tree.nodes[joint].lower == "and" and tree.nodes[joint - 1].text == ",":
         joint -= 1
-    joined = joint > 0 and tree.nodes[start - 1].lower in {
-        *closed.joints_of_consequence,
-        "and",
-        "&",
-        "but",
-    }
+    joined = joint > 0 and tree.nodes[start - 1].lower in {*closed.joints_of_consequence, "and", "&", "but"}
     # "Light the fire before we get back, we'll be home by six"
     speaks = (
         tree.nodes[start].lower in closed.plural_agreement
