@@ -136,11 +136,12 @@ def _meets(explained: Sequence[Span], first: Word, last: Word) -> bool:
 
 def _weekends(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
     """Give the places of weekends that are not known: "over the bank holiday weekend"."""
+    binding, openers = around.beside.before_weekends, around.closed.noun_openers
     for place, word in enumerate(scanned.words):
         if word.text != WEEKEND or _meets(explained, word, word):
             continue
         near = range(place - 2, max(-1, place - LONGEST_WEEKEND), -1)
-        led = next((p for p in near if _binds(around, p)), None)
+        led = next((p for p in near if around.texts[p] in binding and around.texts[p + 1] in openers), None)
         if led is not None:
             yield from range(led + 2, place + 1)
 
@@ -287,14 +288,6 @@ def _left_out(scanned: Scanned, explained: Sequence[Span], around: Surroundings)
         known = led not in timed or not timed.isdisjoint(range(first, last))
         if first < last and not known and texts[last - 1].removesuffix("s").endswith(DAY):
             yield from range(first, last)
-
-
-def _binds(around: Surroundings, place: int) -> bool:
-    """Whether a preposition that binds times, and an article, stand at a place."""
-    return (
-        around.texts[place] in around.beside.before_weekends
-        and around.texts[place + 1] in around.closed.noun_openers
-    )
 
 
 def _joined(scanned: Scanned, places: Sequence[int]) -> Iterator[Span]:

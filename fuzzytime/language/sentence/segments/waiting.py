@@ -1,26 +1,20 @@
 """Segments that wait for their trees, and the parts that they become."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from datetime import datetime
 
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.conditions import IF
-from fuzzytime.language.sentence.segments.leading_markers import Marker, marker_at
-from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_done_alone, is_numbered
+from fuzzytime.language.sentence.segments.leading_markers import Marker, goes_on_behind, marker_at
 from fuzzytime.language.sentence.segments.segment import Segment
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
-from fuzzytime.language.sentence.verbs.meant.actions import is_doubtful
-from fuzzytime.language.sentence.verbs.statements.statement_trees import leaves
-from fuzzytime.language.sentence.verbs.without_verbs.happenings import happens, may_be_ordered
 
 JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but|or|nor)\b)?[\s,;&]*(\bplease\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
@@ -30,9 +24,6 @@ AT = "at"
 
 STATED = frozenset({"when", "if", "while"})
 """Kinds of clauses that say what must be so."""
-
-LEAST_SAID = 3
-"""Words of "and nobody calls"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,7 +175,8 @@ class Waiting:
             yield Waiting.of(self.position, self.source, segment)
 
     @property
-    def _phrases(self) -> list[Phrase]:
+    def phrases(self) -> list[Phrase]:
+        """Its times."""
         first, end = self.segment.span
         return [phrase for phrase in self.source.phrases if first <= phrase.span[0] < end]
 
@@ -226,60 +218,6 @@ class Waiting:
         """Give the words of its tree that are about time."""
         spans = (phrase.span for phrase in self.source.phrases)
         return frozenset(place for a, b in spans for place in tree.at(a - self.main, b - self.main))
-
-    def _overlooks_order(self, tree: Tree) -> bool:
-        """Whether a bare verb right behind a time in front is not its root: "from now on keep it shut"."""
-        first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
-        if first is None or first == tree.root:
-            return False
-        node = tree.nodes[first]
-        if not node.may_act or node.lower != node.lemma:
-            return False
-        if is_done_alone(tree, first):
-            return True
-        if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in {"it", "them"}:
-            # "Pat it dry"
-            return True
-        if first == 0 and node.lower in self.lexicon.particles.get(tree.nodes[1].lower, ()):
-            # "Top up the water troughs"
-            return True
-        if first == 0 and node.tag.startswith("NN") and tree.nodes[1].tag in {"DT", "PRP$"}:
-            # "Print the boarding passes tonight"
-            return True
-        # "Fetch crate 4, bring it here": the first order is taken for who does the second.
-        subjects = tree.children(tree.root, *SUBJECTS, *(() if tree.nodes[tree.root].may_act else ("advcl",)))
-        taken = any(first in tree.below(place) for place in subjects)
-        return taken and tree.root > 0 and tree.nodes[tree.root - 1].lower in {",", "and", ";"}
-
-    def doubts(self, tree: Tree) -> bool:
-        """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
-        if not tree.nodes:
-            return False
-        if self._phrases and happens(tree, self._phrases):
-            return may_be_ordered(tree) or begins_order(tree)
-        if leaves(tree, tree.root, self.lexicon.travelling):
-            return False
-        if is_doubtful(tree) or is_numbered(tree):
-            return True
-        words, covered = self.source.scanned.words, self.source.covered
-        places = self.source.places(self.main, self.segment.span[1])
-        timed = {words[place].start - self.main for place in places if place in covered}
-        first = tree.nodes[tree.root].start
-        if self._overlooks_order(tree) or begins_order(tree) or first in timed:
-            return True
-        root = self.main + first
-        before = [p for p in self.source.places(self.main, root) if p not in covered]
-        if not before or longest_match(words, before[0], self.lexicon.clauses) is not None:
-            return False
-        return any(longest_match(words, place, self.lexicon.clauses) is not None for place in before[1:])
-
-
-def goes_on_behind(words: Sequence[Word], comma: int, following: int, lexicon: Lexicon) -> bool:
-    """Whether another thing that must be so stands between two commas: ", and the oil shimmers,"."""
-    said = [word.text for word in words[comma + 1 : following]]
-    return (
-        len(said) >= LEAST_SAID and said[0] in {"and", "or"} and said[1] in lexicon.closed.condition_openers
-    )
 
 
 def _second_marker(source: Source, place: int, end: int) -> Marker | None:
