@@ -152,11 +152,8 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int]) -> Ph
     start = _behind_pauses(scanned, place + len(marker))
     if start >= len(scanned.words):
         return None
-    if (
-        marker[-1] in lexicon.doing.waiting
-        and start == place + len(marker)
-        and ("duration" in scanned.cells[start] or _is_timed(scanned, start))
-    ):
+    waits = marker[-1] in lexicon.doing.waiting and start == place + len(marker)
+    if waits and ("duration" in scanned.cells[start] or _is_timed(scanned, start)):
         # "Heat it at eight, wait three minutes"; but "at eight, wait, nine"
         return None
     left_out = {word.text for word in scanned.words[place:start]} <= lexicon.beside.denying_weekdays

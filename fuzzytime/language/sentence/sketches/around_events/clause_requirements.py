@@ -38,8 +38,7 @@ def of_clause(
     text = draft.text[slice(*clause.span)]
     remarks: list[Remark] = []
     numbers = comparisons_in(draft.scanned, clause.content)
-    target = anchors.target_of(clause)
-    said = clause.condition
+    target, said = anchors.target_of(clause), clause.condition
     if target is None and said and said.word in anchors.lexicon.results and clause.kind in RESULTING:
         # "Boil the pasta. Drain it when it is done": when it is boiled.
         named = _named(said, _meant_by_pronoun(clause, anchors, sketch), anchors.lexicon)
@@ -55,9 +54,8 @@ def of_clause(
     what = draft.text[slice(*clause.content)]
     if target is None:
         subject = None if said is None else said.subject
-        if clause.is_event or (
-            subject is not None and subject not in anchors.lexicon.closed.first_and_second_person
-        ):
+        speaks = subject in anchors.lexicon.closed.first_and_second_person
+        if clause.is_event or (subject is not None and not speaks):
             remarks.append(untold(text, clause.span))
         else:
             message = f"{text!r} refers to {what!r}, and no instruction so far is about that"

@@ -17,11 +17,9 @@ from fuzzytime.language.sentence.together.none_of_it.orders_again import told_ag
 
 def after_all(sketches: Sequence[Sketch], draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     """Give what is done with the things that are meant, and say which were taken back."""
-    things = {
-        thing.new[0]: thing for thing in corrected_things(draft.scanned.words, draft.phrases, draft.lexicon)
-    }
-    corrected = [remark.span for remark in draft.remarks if remark.kind is RemarkKind.CORRECTED]
     said = draft.scanned.words
+    things = {thing.new[0]: thing for thing in corrected_things(said, draft.phrases, draft.lexicon)}
+    corrected = [remark.span for remark in draft.remarks if remark.kind is RemarkKind.CORRECTED]
     let_be = {said[words.start].start for words in retractions(said, draft.lexicon, corrected)}
     found: list[Sketch] = []
     remarks: list[Remark] = []
@@ -45,8 +43,7 @@ def after_all(sketches: Sequence[Sketch], draft: Draft) -> tuple[list[Sketch], l
             remarks += [] if remark is None else [remark]
             continue
         if before is None or thing is None or sketch.part.segment.connective != AFTER_ALL:
-            again = before is not None and _is_time_again(found, sketch, things, draft.text)
-            if before is not None and again:
+            if before is not None and _is_time_again(found, sketch, things, draft.text):
                 found[-1] = _timed(before, sketch)
             else:
                 found.append(sketch)
@@ -55,8 +52,7 @@ def after_all(sketches: Sequence[Sketch], draft: Draft) -> tuple[list[Sketch], l
         if before.operation is not None:
             before = replace(before, operation=_instead(before.operation, old, new))
         found[-1] = _timed(before, sketch)
-        span = (thing.old[0], thing.old[1])
-        remarks.append(Remark(RemarkKind.CORRECTED, span, f"{old!r} is corrected by {new!r}"))
+        remarks.append(Remark(RemarkKind.CORRECTED, thing.old, f"{old!r} is corrected by {new!r}"))
     return found, remarks
 
 
