@@ -47,9 +47,9 @@ from fuzzytime.language.sentence.together.told.lengths import (
     time_of,
     told_alone,
     unknown_length,
+    waited,
 )
 from fuzzytime.language.sentence.together.told.told_beside import due_before
-from fuzzytime.language.sentence.together.told.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
 from fuzzytime.requirement import Anchor, Edge, TimeRequirement
 

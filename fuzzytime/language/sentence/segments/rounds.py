@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 
 from fuzzytime.language.sentence.segments.asked_by_name import addressed
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_behind
+from fuzzytime.language.sentence.segments.connectives import next_one
 from fuzzytime.language.sentence.segments.cuts import other_things, pieces_of, reminded
 from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
 from fuzzytime.language.sentence.segments.further.calls import called_first, called_next
@@ -15,7 +16,6 @@ from fuzzytime.language.sentence.segments.further.orders_behind_joints import or
 from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.further.same_doers import done_next
 from fuzzytime.language.sentence.segments.mended.parsing import trees_of, uncapitalised
-from fuzzytime.language.sentence.segments.next_ones import next_one
 from fuzzytime.language.sentence.segments.segment import Segment, segments_of
 from fuzzytime.language.sentence.segments.told.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting

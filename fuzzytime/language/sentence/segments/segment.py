@@ -17,8 +17,11 @@ from fuzzytime.language.sentence.segments.events.behind_happenings import (
 )
 from fuzzytime.language.sentence.segments.events.named_events import beside, counts_event, heads
 from fuzzytime.language.sentence.segments.openings import before_courtesies, behind_opening
-from fuzzytime.language.sentence.segments.taken_back.corrected_things import AFTER_ALL, corrected_things
-from fuzzytime.language.sentence.segments.taken_back.retractions import retractions
+from fuzzytime.language.sentence.segments.taken_back.corrected_things import (
+    AFTER_ALL,
+    corrected_things,
+    retractions,
+)
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 

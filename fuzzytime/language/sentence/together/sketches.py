@@ -15,11 +15,10 @@ from fuzzytime.language.sentence.together.days.days_apart import on_owned_day, o
 from fuzzytime.language.sentence.together.days.days_left_out import left_out_behind, without_days_left_out
 from fuzzytime.language.sentence.together.days.days_on import days_on
 from fuzzytime.language.sentence.together.days.each_week import each_week
-from fuzzytime.language.sentence.together.days.things_alone import things_alone
+from fuzzytime.language.sentence.together.days.listed_days import things_alone
 from fuzzytime.language.sentence.together.lent.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.none_of_it.after_all import after_all
 from fuzzytime.language.sentence.together.times.again_between import again_between
-from fuzzytime.language.sentence.together.times.also_at_events import also_at_events
 from fuzzytime.language.sentence.together.times.at_once import at_once
 from fuzzytime.language.sentence.together.times.both_sides import on_both_sides
 from fuzzytime.language.sentence.together.times.choices_of_repetitions import first_of_choices
@@ -27,7 +26,7 @@ from fuzzytime.language.sentence.together.times.first_offered import first_offer
 from fuzzytime.language.sentence.together.times.first_times import from_first_time
 from fuzzytime.language.sentence.together.times.one_by_one import one_by_one
 from fuzzytime.language.sentence.together.times.said_again import done_again, each_of
-from fuzzytime.language.sentence.together.times.several_times import of_several_times
+from fuzzytime.language.sentence.together.times.several_times import also_at_events, of_several_times
 from fuzzytime.language.sentence.together.times.turns import counted_apart
 from fuzzytime.language.sentence.together.told.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.told.reasons_told import due_before_told

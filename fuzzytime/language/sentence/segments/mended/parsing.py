@@ -14,10 +14,14 @@ from fuzzytime.language.sentence.segments.mended.mended_things import (
     with_thing_before_time,
     with_whole_things,
 )
-from fuzzytime.language.sentence.segments.mended.mended_trees import as_acting, as_done, as_order
+from fuzzytime.language.sentence.segments.mended.mended_trees import (
+    as_acting,
+    as_done,
+    as_order,
+    with_reminded,
+)
 from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed
 from fuzzytime.language.sentence.segments.mended.places_in_front import with_places_in_front
-from fuzzytime.language.sentence.segments.mended.reminded_of import with_reminded
 from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_done_alone, is_numbered
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS

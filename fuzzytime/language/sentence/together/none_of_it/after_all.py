@@ -9,8 +9,8 @@ from fuzzytime.language.sentence.segments.taken_back.corrected_things import (
     AFTER_ALL,
     CorrectedThing,
     corrected_things,
+    retractions,
 )
-from fuzzytime.language.sentence.segments.taken_back.retractions import retractions
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.none_of_it.orders_again import told_again
 
