@@ -74,9 +74,7 @@ def without_time(one: Interpreted, cancelled: Interpreted) -> Interpreted:
 
 
 def _tied(
-    entries: Sequence[Precedence],
-    skills: list[Interpreted],
-    fixed: Mapping[int, float],
+    entries: Sequence[Precedence], skills: list[Interpreted], fixed: Mapping[int, float]
 ) -> list[Precedence]:
     """Put what must come before or after what has its moment where that allows; give the entries left."""
     left = []

@@ -142,7 +142,7 @@ def find_times(
     words = lexicon or shipped_lexicon()
     scanned = Scanned.of(text, grammar or shipped_grammar(), words)
     moment = Moment(now, policy or words.policy)
-    phrases = tuple(denied(scanned.words, phrases_of(scanned, words), words))
+    phrases = tuple(denied(scanned.words, phrases_of(scanned), words))
     times = ground_all(phrases, text, moment)
     left = leftovers(scanned, [phrase.span for phrase in phrases])
     return replace(times, remarks=(*times.remarks, *left)) if left else times

@@ -98,10 +98,7 @@ class Language:
         return self.read_all([(text, now)], given=given)[0]
 
     def read_all(
-        self,
-        texts: Iterable[tuple[str, datetime | None]],
-        *,
-        given: Sequence[Operation | None] = (),
+        self, texts: Iterable[tuple[str, datetime | None]], *, given: Sequence[Operation | None] = ()
     ) -> list[Reading]:
         """Read texts with their moments; each may refer to those before it, or else to those behind.
 
@@ -111,7 +108,7 @@ class Language:
             If a text is too long.
         """
         texts = list(texts)
-        drafts = under_headings(self._drafts(texts, together=True), self.lexicon)
+        drafts = under_headings(self._drafts(texts, together=True))
         readings, given_since, mentions = self._as_meant(drafts, given)
         told = frozenset[str]().union(*(content_words(one.object) for one in mentions.telling()))
         first = len(given)
@@ -119,7 +116,7 @@ class Language:
             behind = first + len(readings[place].instructions)
             if behind < len(mentions.operations) and _waits(readings[place], told):
                 since = given_since[place]
-                readings[place] = composed(draft, self.lexicon, mentions, first, awaits=True, since=since)
+                readings[place] = composed(draft, mentions, first, awaits=True, since=since)
             first = behind
         return self._as_typed(readings, texts)
 
@@ -131,11 +128,13 @@ class Language:
         The first of them may be earlier in the day; in the evening, all may be of tomorrow.
         """
         found = self._in_turn(drafts, given)
-        for days in (drafts, on_next_day(drafts)):
-            for early in (False, True):
-                if days and found[1][-1].astray and (early or days is not drafts):
-                    other = self._in_turn(days, given, early=early)
-                    found = other if other[1][-1].astray < found[1][-1].astray else found
+        if not found[1][-1].astray:
+            return found
+        tomorrow = on_next_day(drafts)
+        for days, early in ((drafts, True), (tomorrow, False), (tomorrow, True)):
+            if days and found[1][-1].astray:
+                other = self._in_turn(days, given, early=early)
+                found = min(found, other, key=lambda one: one[1][-1].astray)
         return found
 
     def _in_turn(
@@ -153,7 +152,7 @@ class Language:
                 # What lines said at another moment is no clue to what these mean.
                 said_before[-1] = nothing
             since = said_before[-1]
-            reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
+            reading = composed(draft, mentions, len(mentions.operations), since=since)
             said_before.append(said_in(reading, since))
             for instruction in reading.instructions:
                 mentions.told.add(len(mentions.operations), instruction, reading.now)
@@ -171,7 +170,7 @@ class Language:
         """
         texts = list(texts)
         drafts = self._drafts(texts, together=False)
-        readings = [composed(draft, self.lexicon, Mentions(self.lexicon), 0) for draft in drafts]
+        readings = [composed(draft, Mentions(self.lexicon), 0) for draft in drafts]
         return self._as_typed(readings, texts)
 
     def _as_typed(

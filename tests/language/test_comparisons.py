@@ -17,7 +17,7 @@ NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - the wall's own time
 
 def compared(text: str) -> tuple[Comparison, ...]:
     lexicon = shipped_lexicon()
-    return comparisons_in(Scanned.of(text, grammar(), lexicon), (0, len(text)), lexicon)
+    return comparisons_in(Scanned.of(text, grammar(), lexicon), (0, len(text)))
 
 
 @pytest.mark.parametrize(

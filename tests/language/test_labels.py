@@ -1,13 +1,12 @@
 """The model's labels become the paper's, and its strict reading finds what its figure shows."""
 
-from fuzzytime.language.finding import shipped_lexicon
 from fuzzytime.language.instruction import StrictReading
 from fuzzytime.language.sentence.trees.labels import strict_reading
 from language.trees import PLACE_THE_PAN, tree
 
 
 def test_the_papers_figure_is_read_as_the_figure_shows() -> None:
-    tokens, strict = strict_reading(PLACE_THE_PAN, shipped_lexicon())
+    tokens, strict = strict_reading(PLACE_THE_PAN)
     found = {
         name: tokens[place].text
         for name in ("verb", "modifier", "number", "fuzziness", "preposition")
@@ -23,7 +22,7 @@ def test_the_papers_figure_is_read_as_the_figure_shows() -> None:
 
 
 def test_a_noun_hangs_on_the_verb_and_its_preposition_on_the_noun() -> None:
-    tokens, _ = strict_reading(PLACE_THE_PAN, shipped_lexicon())
+    tokens, _ = strict_reading(PLACE_THE_PAN)
     relations = {token.text: (token.relation, tokens[token.head].text) for token in tokens}
     assert relations["minutes"] == ("obl:tmod", "Place")
     assert relations["in"] == ("case", "minutes")
@@ -32,15 +31,13 @@ def test_a_noun_hangs_on_the_verb_and_its_preposition_on_the_noun() -> None:
 
 
 def test_a_bare_noun_of_time_is_an_oblique_modifier() -> None:
-    tokens, strict = strict_reading(
-        tree("Leave VB ROOT Leave", "tomorrow NN npadvmod Leave"), shipped_lexicon()
-    )
+    tokens, strict = strict_reading(tree("Leave VB ROOT Leave", "tomorrow NN npadvmod Leave"))
     assert tokens[1].relation == "obl:tmod"
     assert strict == StrictReading(verb=0, modifier=1)
 
 
 def test_without_a_verb_at_the_root_nothing_is_found() -> None:
-    _, strict = strict_reading(tree("in IN ROOT in", "minutes NNS pobj in"), shipped_lexicon())
+    _, strict = strict_reading(tree("in IN ROOT in", "minutes NNS pobj in"))
     assert strict == StrictReading()
 
 
@@ -53,7 +50,6 @@ def test_a_time_below_another_clause_is_none_of_the_roots() -> None:
             "call VB xcomp remind",
             "at IN prep call",
             "noon NN pobj at",
-        ),
-        shipped_lexicon(),
+        )
     )
     assert strict == StrictReading(verb=0)

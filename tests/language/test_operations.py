@@ -2,7 +2,6 @@
 
 import pytest
 
-from fuzzytime.language.finding import shipped_lexicon
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of, is_doubtful
 from fuzzytime.language.sentence.verbs.operations.operations import Reader
@@ -48,13 +47,13 @@ def test_the_verb_is_the_one_that_is_meant(
     reference: Reference | None,
     negated: bool,  # noqa: FBT001
 ) -> None:
-    action = action_of(parsed, shipped_lexicon())
+    action = action_of(parsed)
     assert action is not None
     assert (parsed.nodes[action.place].text, action.reference, action.negated) == (verb, reference, negated)
 
 
 def test_without_a_verb_there_is_no_action_and_the_tree_is_doubtful() -> None:
-    assert action_of(NO_VERB, shipped_lexicon()) is None
+    assert action_of(NO_VERB) is None
     assert is_doubtful(NO_VERB)
     assert not is_doubtful(PLACE_THE_PAN)
 
@@ -76,7 +75,6 @@ def test_without_a_verb_there_is_no_action_and_the_tree_is_doubtful() -> None:
 def test_an_operation_is_named_without_its_time(
     parsed: Tree, times: list[tuple[int, int]], name: str
 ) -> None:
-    lexicon = shipped_lexicon()
-    action = action_of(parsed, lexicon)
+    action = action_of(parsed)
     assert action is not None
-    assert Reader(parsed, lexicon, times).operation(action).name == name
+    assert Reader(parsed, times).operation(action).name == name

@@ -10,6 +10,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Plan, Problem, ProblemKind
 from fuzzytime.language import (
     About,
+    Lexicon,
     behind_an_answer,
     choice_meant,
     chooses_none,
@@ -66,6 +67,11 @@ class Turns:
     told_last: int | None = None
     taken: About | None = None
     asked: About | None = None
+
+    @property
+    def lexicon(self) -> Lexicon:
+        """The words of the language."""
+        return self.conversation.interpreter.language.lexicon
 
     def opened(self, now: datetime) -> list[Line]:
         """Greet: the schedule of a session that goes on, or what to do in a new one."""
@@ -133,8 +139,7 @@ class Turns:
         if words[0] in ":/":
             command, rest = command_of(words)
             return command.run(self._scene(now), rest)
-        lexicon = self.conversation.interpreter.language.lexicon
-        parts = said_apart(behind_an_answer(words, now, lexicon), now, lexicon)
+        parts = said_apart(behind_an_answer(words, now, self.lexicon), now, self.lexicon)
         return self._one_by_one(parts, now) if len(parts) > 1 else self._said(parts[0], now)
 
     def _one_by_one(self, parts: Sequence[str], now: datetime) -> Reply:
@@ -161,8 +166,7 @@ class Turns:
     def _said(self, words: str, now: datetime) -> Reply:
         reply = reply_about(self._scene(now), words)
         if reply is None or not reply.anew:
-            lexicon = self.conversation.interpreter.language.lexicon
-            return reply or self._instructions([without_closing(words, now, lexicon)], now)
+            return reply or self._instructions([without_closing(words, now, self.lexicon)], now)
         made = self._instructions([reply.anew], now)
         return replace(made, lines=(*reply.lines, *made.lines)) if made.changed else made
 
@@ -216,8 +220,7 @@ class Turns:
         lines = self._told_news()
         lines += [Text(line, style="yellow") for line in move_lines(before, made, started)]
         lines += running_lines(self.conversation, now)
-        policy = self.conversation.interpreter.language.lexicon.policy
-        told = self.told | untold_notes(made, policy, self.pending)
+        told = self.told | untold_notes(made, self.lexicon.policy, self.pending)
         untold = tuple(problem for problem in made.problems if problem not in told)
         noted = {problem for problem in self.told if problem.kind is ProblemKind.NOTE}
         self.told = noted | set(made.problems)
@@ -254,22 +257,19 @@ class Turns:
         number = state.entries[-1].number
         reading = last.reading if last is not None and not last.told_by else None
         # What is told anew is taken for the time nearest to the old one.
-        policy = self.conversation.interpreter.language.lexicon.policy
-        question = None if reading is None else question_of(reading, policy)
+        question = None if reading is None else question_of(reading, self.lexicon.policy)
         if len(kept) == 1:
-            lexicon = self.conversation.interpreter.language.lexicon
-            lines += second_lines(made, number, kept[0], now, lexicon)
+            lines += second_lines(made, number, kept[0], now, self.lexicon)
         if self.asks and len(said) == 1 and question is not None:
             self.pending = Pending(number, question)
         return Reply(tuple(lines), changed=True, focus=number)
 
     def _answer_in_words(self, words: str, pending: Pending, now: datetime) -> Reply | None:
         """Take words that mean one of the choices; put the question again where they choose none."""
-        lexicon = self.conversation.interpreter.language.lexicon
-        if chooses_none(words, now, lexicon):
+        if chooses_none(words, now, self.lexicon):
             self.pending = pending
             return Reply(("One of the times has to be taken, or another said, such as: at half past seven.",))
-        choice = choice_meant(words, pending.question, now, lexicon)
+        choice = choice_meant(words, pending.question, now, self.lexicon)
         if choice is None:
             return None
         head = f"taken as {choice + 1} ({pending.question.choices[choice]:%A %H:%M}); :undo takes it back"

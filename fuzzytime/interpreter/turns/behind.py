@@ -24,9 +24,7 @@ class Behind:
 
 
 def behind_of(
-    instruction: Instruction,
-    before: Sequence[range],
-    skills: Sequence[Interpreted],
+    instruction: Instruction, before: Sequence[range], skills: Sequence[Interpreted]
 ) -> Behind | None:
     """Give what turns come behind; None where they have a time of their own, or follow nothing.
 

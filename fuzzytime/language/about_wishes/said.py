@@ -1,7 +1,7 @@
 """A line of a conversation with its words, and the times, lengths and names in it."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from functools import cached_property
@@ -26,7 +26,6 @@ BESIDE = frozenset({"after", "before"})
 
 LONGEST = 24
 """Words of a line in which a length is looked for."""
-
 
 MARK = re.compile(r"[,.;](?!\S)")
 """What stands between clauses; but not in "s1.2", "9.30"."""
@@ -253,8 +252,7 @@ class Said:
 
     def one_time(self) -> TimeRequirement | None:
         """Give the time that it is, whole; None where it is none, or more."""
-        found = self._as_one_time(self.text)
-        return found[0] if found else None
+        return one_time(self.text, self.now, self.lexicon)
 
     def parted(self, *, bare: bool = False) -> tuple[str, str]:
         """Give a thing and its time, either empty where there is none; both where it is more than that.
@@ -287,13 +285,11 @@ class Said:
 
     def beside(self) -> tuple[str, "Said"] | None:
         """Give what it comes "before" or "after", and what that is; None where it says neither."""
-        form = longest_match(self.words, 0, self._beside()) if self.words else None
+        forms = [form for form, kind in self.lexicon.clauses.items() if kind in BESIDE]
+        form = longest_match(self.words, 0, forms) if self.words else None
         if form is None or len(form) == len(self.words):
             return None
         return self.text, self.behind(len(form))
-
-    def _beside(self) -> Iterator[Form]:
-        return (form for form, kind in self.lexicon.clauses.items() if kind in BESIDE)
 
 
 def _lacks_preposition(found: TimeRequirement) -> bool:

@@ -100,13 +100,13 @@ def _with_quotes(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Word]:
 def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether a text is a time with its preposition, from its first word to its last."""
     scanned = Scanned.of(text, grammar, lexicon)
-    bound = [phrase for phrase in phrases_of(scanned, lexicon) if phrase.said.preposition is not None]
+    bound = [phrase for phrase in phrases_of(scanned) if phrase.said.preposition is not None]
     return [(phrase.first, phrase.end) for phrase in bound] == [(0, len(scanned.words))]
 
 
-def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
+def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
     """Choose the times of a text."""
-    judge = Judge(scanned.around)
+    lexicon, judge = scanned.lexicon, Judge(scanned.around)
     called = [
         piece
         for piece in scanned.pieces("called at")

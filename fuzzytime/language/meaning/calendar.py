@@ -178,17 +178,13 @@ class Fields(Calendar):
 
     def joined(self, other: "Fields") -> "Fields | None":
         """Give both as one, or None where both say the same field."""
+        said: dict[str, int | None] = {}
         for name in ("year", "month", "day", "weekday"):
-            if getattr(self, name) is not None and getattr(other, name) is not None:
+            own, others = getattr(self, name), getattr(other, name)
+            if own is not None and others is not None:
                 return None
-        return Fields(
-            self.year if self.year is not None else other.year,
-            self.month if self.month is not None else other.month,
-            self.day if self.day is not None else other.day,
-            self.weekday if self.weekday is not None else other.weekday,
-            self.turnable or other.turnable,
-            self.told or other.told,
-        )
+            said[name] = others if own is None else own
+        return Fields(**said, turnable=self.turnable or other.turnable, told=self.told or other.told)
 
     def filled(self, other: "Fields") -> "Fields":
         """Give this with the year and month that it lacks from another."""

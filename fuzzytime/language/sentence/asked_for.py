@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Remark
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
@@ -26,7 +25,7 @@ from fuzzytime.language.sentence.together.none_of_it.what_was import is_over, te
 
 
 def asked_of(
-    sketches: Sequence[Sketch], draft: Draft, mentions: Mentions, first: int, lexicon: Lexicon
+    sketches: Sequence[Sketch], draft: Draft, mentions: Mentions, first: int
 ) -> tuple[list[Sketch], list[Remark]]:
     """Give the sketches of a text with what is really asked for, and what is said of those that ask nothing.
 
@@ -38,12 +37,12 @@ def asked_of(
     spoken_of: list[Operation | None] = []
     for sketch in sketches:
         operation = sketch.operation
-        doubts = _doubts(sketch, draft, lexicon)
+        doubts = _doubts(sketch, draft)
         remarks += doubts
-        was = bool(doubts) and tells_what_was(sketch, lexicon)
+        was = bool(doubts) and tells_what_was(sketch)
         if doubts:
-            clauses = unasked(sketch.clauses, draft.text, lexicon)
-            past = was and is_over(sketch, lexicon)
+            clauses = unasked(sketch.clauses, draft.text, draft.lexicon)
+            past = was and is_over(sketch)
             found.append(replace(sketch, operation=None, clauses=clauses, doubted=True, past=past))
         elif operation is None:
             nothing = list(nothing_to_do(draft.text, sketch.part, draft.scanned.words, sketch.heard))
@@ -51,13 +50,13 @@ def asked_of(
             found.append(replace(sketch, doubted=bool(nothing)))
         else:
             remarks += unused_orders(draft.text, sketch.part, operation, sketch.heard)
-            remarks += things_or_orders(draft.text, sketch.part, lexicon)
-            remarks += counted(draft.text, sketch, draft.scanned.words, lexicon)
-            anchors = Anchors(first + len(found), first, operations, mentions, lexicon)
+            remarks += things_or_orders(draft.text, sketch.part)
+            remarks += counted(draft.text, sketch, draft.scanned.words)
+            anchors = Anchors(first + len(found), first, operations, mentions)
             thing = thing_of_clause_in_front(sketch, operation, anchors)
             thing = thing or _behind_denials(sketch, operation, operations, mentions, first)
             thing = thing or resolved_object(operation, spoken_of, mentions, first)
-            thing = thing or undone_alone(operation, reversed(mentions.operations[:first]), lexicon)
+            thing = thing or undone_alone(operation, reversed(mentions.operations[:first]), draft.lexicon)
             again = thing != operation.object
             found.append(replace(sketch, operation=replace(operation, object=thing, again=again)))
         operations.append(found[-1].operation)
@@ -67,11 +66,7 @@ def asked_of(
 
 
 def _behind_denials(
-    sketch: Sketch,
-    operation: Operation,
-    own: Sequence[Operation | None],
-    mentions: Mentions,
-    first: int,
+    sketch: Sketch, operation: Operation, own: Sequence[Operation | None], mentions: Mentions, first: int
 ) -> str | None:
     """Give what "it" is in what goes on behind a denial: "boil the rice; don't open the lid; then serve it".
 
@@ -85,10 +80,10 @@ def _behind_denials(
     return thing if thing != operation.object else None
 
 
-def _doubts(sketch: Sketch, draft: Draft, lexicon: Lexicon) -> list[Remark]:
+def _doubts(sketch: Sketch, draft: Draft) -> list[Remark]:
     part = sketch.part
     first, end = part.segment.span
     front = draft.text[first : part.offset].partition(" ")[0].lower()
     # "Should the bell ring, open the door" asks nothing.
-    span = (part.offset if front in lexicon.closed.conditional_inversion else first, end)
-    return list(doubts_of(draft.text, span, draft.scanned.words, sketch, lexicon))
+    span = (part.offset if front in draft.lexicon.closed.conditional_inversion else first, end)
+    return list(doubts_of(draft.text, span, draft.scanned.words, sketch))

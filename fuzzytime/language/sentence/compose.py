@@ -5,7 +5,6 @@ from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
 from fuzzytime.language.grammar.leftovers.leftovers import leftovers
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Instruction, Operation, Question, Reading, Remark, Span
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.required.requirements import Grounded
@@ -48,21 +47,15 @@ from fuzzytime.language.sentence.together.told.lengths import (
     time_of,
     told_alone,
     unknown_length,
+    waited,
 )
 from fuzzytime.language.sentence.together.told.told_beside import due_before
-from fuzzytime.language.sentence.together.told.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
 from fuzzytime.requirement import Anchor, Edge, TimeRequirement
 
 
 def composed(
-    draft: Draft,
-    lexicon: Lexicon,
-    mentions: Mentions,
-    first: int,
-    *,
-    awaits: bool = False,
-    since: LastSaid = NOTHING,
+    draft: Draft, mentions: Mentions, first: int, *, awaits: bool = False, since: LastSaid = NOTHING
 ) -> Reading:
     """Put a reading together; ``first`` of the operations were given before the text.
 
@@ -71,32 +64,24 @@ def composed(
     """
     if draft.leads:
         return read_heading(draft)
-    return _Composer(draft, lexicon, mentions, first, awaits=awaits, since=since).reading()
+    return _Composer(draft, mentions, first, awaits=awaits, since=since).reading()
 
 
 class _Composer:
     def __init__(
-        self,
-        draft: Draft,
-        lexicon: Lexicon,
-        mentions: Mentions,
-        first: int,
-        *,
-        awaits: bool,
-        since: LastSaid,
+        self, draft: Draft, mentions: Mentions, first: int, *, awaits: bool, since: LastSaid
     ) -> None:
         self.draft = draft
-        self.lexicon = lexicon
         self.moment = Moment(
             draft.now,
-            since.policy(lexicon.policy),
+            since.policy(draft.lexicon.policy),
             since=since.since,
             carried=since.clock is not None,
             in_order=since.in_order,
             opened=since.opened,
             day=since.day,
             night=since.night,
-            window=_window_of(draft, lexicon),
+            window=_window_of(draft),
         )
         self.mentions = mentions
         self.first = first
@@ -111,14 +96,14 @@ class _Composer:
 
     def reading(self) -> Reading:
         """Read every part, then resolve what parts say of each other."""
-        sketches, remarks = sketches_of(self.draft, self.lexicon)
-        sketches = waited(sketches, self.draft.asides, self.mentions.operations[: self.first], self.lexicon)
+        sketches, remarks = sketches_of(self.draft)
+        sketches = waited(sketches, self.draft.asides, self.mentions.operations[: self.first])
         self.remarks += remarks
-        sketches, remarks = denied_together(sketches, self.draft.text, self.lexicon)
+        sketches, remarks = denied_together(sketches, self.draft.text)
         self.remarks += remarks
-        sketches, remarks = asked_of(sketches, self.draft, self.mentions, self.first, self.lexicon)
+        sketches, remarks = asked_of(sketches, self.draft, self.mentions, self.first)
         self.remarks += remarks
-        sketches = said_for_all(sketches, self.draft.text, self.lexicon)
+        sketches = said_for_all(sketches, self.draft.text)
         sketches = due_before(sketches, self.draft.text, self.mentions, self.first)
         operations = [sketch.operation for sketch in sketches]
         instructions = self.made
@@ -136,7 +121,7 @@ class _Composer:
                 self.remarks += unknown_length(instructions[-1].length_of, aside.span)
         self.remarks += naming_none(leftovers(self.draft.scanned, self.explained), sketches)
         self.remarks += self._unused(sketches)
-        tokens, strict = tokens_of(self.draft, self.lexicon)
+        tokens, strict = tokens_of(self.draft)
         return Reading(
             text=self.draft.text,
             now=self.draft.now,
@@ -173,10 +158,10 @@ class _Composer:
             if sketch.operation is not None:
                 text, part = self.draft.text, sketch.part
                 held = [*told, *sketch.heard, *sketch.joints]
-                found += unused_words(text, part, sketch.operation, held, self.lexicon)
-                found += uncounted(text, part, sketch.operation, self.lexicon)
+                found += unused_words(text, part, sketch.operation, held)
+                found += uncounted(text, part, sketch.operation)
                 found += unused_front(text, part, held)
-                found += unknown_moments(text, part, held, self.lexicon)
+                found += unknown_moments(text, part, held)
         return found
 
     def _instruction(
@@ -204,12 +189,12 @@ class _Composer:
             lengths[0].duration if lengths else None,
             connected,
             f"{sketch.denial} {said}",
-            self.lexicon,
+            self.draft.lexicon,
             None if sketch.denial else self._right_before(position, before, said),
         )
         requirements, remarks = offered(requirements, operation, text)
         self.remarks += remarks
-        requirements = due_when_needed(requirements, operation, said, self.lexicon)
+        requirements = due_when_needed(requirements, operation, said, self.draft.lexicon)
         told = length_of(operation, requirements, said, anchors)
         self.remarks += [*unknown_length(told, segment.span), *sketch.remarks]
         self.explained += [remark.span for remark in sketch.remarks]
@@ -245,7 +230,6 @@ class _Composer:
             self.first,
             operations,
             self.mentions,
-            self.lexicon,
             self.awaits,
             day_above(self.draft.heading),
             self.told,
@@ -254,7 +238,7 @@ class _Composer:
 
     def _times_of(self, sketch: Sketch) -> Times:
         """Ground the times of a sketch, with what is to be said and asked of them."""
-        moment = at_usual_hours(self.moment, sketch, self.draft.text, self.lexicon)
+        moment = at_usual_hours(self.moment, sketch, self.draft.text)
         times = ground_all(sketch.phrases, self.draft.text, moment)
         if not sketch.doubted:
             # What is not planned is no clue to what else is meant.
@@ -285,10 +269,10 @@ class _Composer:
             self.moment = replace(self.moment, day=said.day)
 
 
-def _window_of(draft: Draft, lexicon: Lexicon) -> tuple[float, float] | None:
+def _window_of(draft: Draft) -> tuple[float, float] | None:
     """Give from when to when a line above says that all below it is; None where none says so."""
     phrases = () if draft.heading is None else draft.heading.phrases
-    windows = (window_of(phrase, draft, lexicon.policy) for phrase in phrases)
+    windows = (window_of(phrase, draft, draft.lexicon.policy) for phrase in phrases)
     return next((window for window in windows if window is not None), None)
 
 

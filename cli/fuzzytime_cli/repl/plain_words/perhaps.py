@@ -34,13 +34,12 @@ def check_who(scene: Scene, words: str) -> None:
     FuzzytimeError
         If several are.
     """
-    lexicon = scene.lexicon
     told = words.lower().replace("\u2019", "'").partition("'")[0].split()
-    news = [one for one in news_in(words, scene.now, lexicon) if one.several is False and not one.names]
-    if not news or lexicon.closed.third_person_singular.isdisjoint(told):
+    news = [one for one in news_in(words, scene.now, scene.lexicon) if one.several is False and not one.names]
+    if not news or scene.lexicon.closed.third_person_singular.isdisjoint(told):
         return
     left = [(one, one.operation) for _, one in waiting(scene) if not one.skill.duration]
-    who = [one for one, comes in left if comes is not None and news[0].is_of(comes, lexicon)]
+    who = [one for one, comes in left if comes is not None and news[0].is_of(comes, scene.lexicon)]
     if len(who) > 1:
         named = " or ".join(f"{one.skill.name} ({one.identifier})" for one in who)
         raise FuzzytimeError(f"which one: {named}? Say it with the name")

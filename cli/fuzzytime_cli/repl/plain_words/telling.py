@@ -110,9 +110,12 @@ def told_anew(scene: Scene, about: About, words: str, taken: Taken) -> Reply | N
 
 def is_news(scene: Scene, said: str) -> bool:
     """Whether words tell anew of what was said to happen."""
-    lexicon = scene.lexicon
     happening = [one.operation for one in scene.plan.everything if one.stated and one.operation is not None]
-    return any(news.is_of(one, lexicon) for news in news_in(said, scene.now, lexicon) for one in happening)
+    return any(
+        news.is_of(one, scene.lexicon)
+        for news in news_in(said, scene.now, scene.lexicon)
+        for one in happening
+    )
 
 
 def _condition(scene: Scene, said: str) -> Condition | None:

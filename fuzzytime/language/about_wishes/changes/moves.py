@@ -28,11 +28,8 @@ def delayed(said: Said) -> About | None:
         return About(kind=AboutKind.DELAY, certain=True)
     if (within := _all_within(rest)) is not None:
         return within
-    if (
-        not rest.words
-        or not rest.is_one
-        or any(f" {joint}" in f" {rest.text.lower()}" for joint in said.towards)
-    ):
+    towards = any(f" {joint}" in f" {rest.text.lower()}" for joint in said.towards)
+    if towards or not rest.words or not rest.is_one:
         return None
     thing, directions = rest.without(*DIRECTIONS)
     # "Push it all back" says no length.

@@ -215,17 +215,15 @@ class _Clause:
             # "It's nearly six" tells what time it is.
             return None
         told = replace(time, span=(self.span[0] + first, self.span[0] + end))
-        marked = moved or bool(tables - {"they", "being"})
         news = self._news_of(NewsKind.TIME, left, tables)
         if news is None:
             return None
-        open_times = questions[0] if questions else None
         return replace(
             news,
             time=told,
-            choices=() if open_times is None else open_times.choices,
-            chosen=0 if open_times is None else open_times.chosen,
-            marked=marked,
+            choices=questions[0].choices if questions else (),
+            chosen=questions[0].chosen if questions else 0,
+            marked=moved or bool(tables - {"they", "being"}),
         )
 
     def _news_of(self, kind: NewsKind, left: Said, tables: frozenset[str], *, by: float = 0.0) -> News | None:

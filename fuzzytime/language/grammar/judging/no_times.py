@@ -174,11 +174,10 @@ class NoTime(Standing):
         return self.around.names_person(piece.start)
 
     def _is_person(self, piece: Piece) -> bool:
-        """Whether its last word is a person where it has no capitals: "feed the boy"; but "by BOY"."""
+        """Whether what is short for an edge is a person without capitals: "feed the boy"; but "by BOY"."""
         last = self.words[piece.end - 1]
-        # "For 500 ms", "whenever's good for you"
-        known = isinstance(piece.value.time, Duration) or last.text in self.lexicon.function_words
-        return not known and last.text in self.lexicon.persons and not last.capital
+        short = self.lexicon.means(last.text, "ending") and not last.capital
+        return short and last.text in self.lexicon.persons
 
     def _is_of_played(self, piece: Piece) -> bool:
         """Whether it is in the name of what is played: "play three o'clock blues", "watch 28 days later"."""

@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 
 WEEKEND, IN = "weekend", "in"
 
@@ -28,21 +27,14 @@ def unknown_days(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
 def _weekends(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
     """Give the places of weekends that are not known: "over the bank holiday weekend"."""
     around = scanned.around
+    binding, openers = around.beside.before_weekends, around.closed.noun_openers
     for place, word in enumerate(scanned.words):
         if word.text != WEEKEND or place in known:
             continue
         near = range(place - 2, max(-1, place - LONGEST_WEEKEND), -1)
-        led = next((p for p in near if _binds(around, p)), None)
+        led = next((p for p in near if around.texts[p] in binding and around.texts[p + 1] in openers), None)
         if led is not None:
             yield from range(led + 2, place + 1)
-
-
-def _binds(around: Surroundings, place: int) -> bool:
-    """Whether a preposition that binds times, and an article, stand at a place."""
-    return (
-        around.texts[place] in around.beside.before_weekends
-        and around.texts[place + 1] in around.closed.noun_openers
-    )
 
 
 def _other_feasts(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:

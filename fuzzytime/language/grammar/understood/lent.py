@@ -5,15 +5,7 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.surroundings import Around
-from fuzzytime.language.meaning.expressions import (
-    Duration,
-    Range,
-    Repeat,
-    Said,
-    Time,
-    TimeWord,
-    wall_of,
-)
+from fuzzytime.language.meaning.expressions import Duration, Range, Repeat, Said, Time, TimeWord, wall_of
 from fuzzytime.language.meaning.joined.distances import HALFWAY
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit

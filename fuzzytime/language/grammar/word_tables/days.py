@@ -52,9 +52,7 @@ def read_days(tables: Tables) -> None:
                     tables.add(node, key, "weekdays", number, [(form[0] + "s",)])
     tables.plain("days", lambda n: [("day", Relative(reader.whole(n, "days", -9, 9)))], named=False)
     tables.plain(
-        "days_on",
-        lambda n: [("day", Relative(reader.whole(n, "days_on", -1, 9), onward=True))],
-        named=False,
+        "days_on", lambda n: [("day", Relative(reader.whole(n, "days_on", -1, 9), onward=True))], named=False
     )
     tables.plain(
         "deictics",

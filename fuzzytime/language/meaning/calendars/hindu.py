@@ -104,10 +104,7 @@ def lunar_day(number: int, day: int) -> tuple[float, float]:
     """Give where a lunar day behind a new moon begins, and where it is over."""
     begins, ends = (
         moment_of(
-            elongation,
-            LUNAR_DAY * count % 360,
-            new_moon(number) + count * SYNODIC_MONTH / 30,
-            SYNODIC_MONTH,
+            elongation, LUNAR_DAY * count % 360, new_moon(number) + count * SYNODIC_MONTH / 30, SYNODIC_MONTH
         )
         for count in (day - 1, day)
     )

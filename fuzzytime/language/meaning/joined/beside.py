@@ -114,40 +114,36 @@ def joined(first: Wall, second: Wall) -> Wall | None:
 
 def refined(said: Said, wall: Wall) -> Said | None:
     """Give a bound whose time lies on a day, or in a part of the day, that was said beside it."""
-    bounds = {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
-    parted = isinstance(said.time, Wall) and said.time.part is not None and said.time.days is None
+    bounds, time = {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}, said.time
+    parted = isinstance(time, Wall) and time.part is not None and time.days is None
     # "Tomorrow sometime in the afternoon"; but "today or tomorrow" has two of each part of the day.
     sometime = said.preposition == "sometime" and parted
     beside = said.constraint is None and bool(said.hedges or said.preposition == "around" or sometime)
-    starts = said.lasting is not None and isinstance(said.time, Wall) and said.time.clock is not None
+    starts = said.lasting is not None and isinstance(time, Wall) and time.clock is not None
     if not (said.constraint in bounds or beside or starts) or wall.clock is not None:
         return None
     if said.preposition == "sometime" and not sometime:
         return None
-    if isinstance(said.time, Wall) and said.time.part is not None and said.time.days is None:
+    if isinstance(time, Wall) and time.part is not None and time.days is None:
         # As in "after breakfast tomorrow", "before sunset tonight".
         near = wall.part is None or (
             said.constraint in {Constraint.BEFORE, Constraint.AFTER}
-            and (said.time.part.half is Half.AM) is (wall.part.half is Half.AM)
+            and (time.part.half is Half.AM) is (wall.part.half is Half.AM)
         )
         whole = wall.days is not None and wall.days.grain is Unit.DAY and near
-        return replace(said, time=replace(said.time, days=wall.days, weak=False)) if whole else None
-    if isinstance(said.time, Wall) and said.time.clock is not None:
-        time = joined(said.time, wall)
-        return None if time is None else replace(said, time=time)
-    if (
-        isinstance(said.time, Range)
-        and isinstance(said.time.first, Wall)
-        and isinstance(said.time.last, Wall)
-    ):
-        first, last = joined(_as_clock(said.time.first), wall), said.time.last
-        if first is not None and _is_weekday(said.time.first) and _is_weekday(last):
+        return replace(said, time=replace(time, days=wall.days, weak=False)) if whole else None
+    if isinstance(time, Wall) and time.clock is not None:
+        both = joined(time, wall)
+        return None if both is None else replace(said, time=both)
+    if isinstance(time, Range) and isinstance(time.first, Wall) and isinstance(time.last, Wall):
+        first, last = joined(_as_clock(time.first), wall), time.last
+        if first is not None and _is_weekday(time.first) and _is_weekday(last):
             # "Next week between wednesday and friday"
             last = joined(last, wall) or last
             return replace(said, time=Range(first, last))
         # "First monday 1 pm to 3 pm of next month" is one of its days; two days are their own.
         period = wall.days is not None and wall.days.grain is not Unit.DAY and last.days is None
-        if first is None or (said.time.first.days is not None and not period):
+        if first is None or (time.first.days is not None and not period):
             return None
         if wall.part is not None and last.part is None and last.clock is not None:
             last = replace(last, part=wall.part)

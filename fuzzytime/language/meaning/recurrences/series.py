@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from datetime import timedelta
 from typing import TypeGuard
 
 from fuzzytime.language.meaning.calendar import Cycle, Fields
@@ -17,10 +18,9 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.grounded.moment import Moment
-from fuzzytime.language.meaning.grounded.range_instants import half_before
-from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.grounded.range_instants import first_after, half_before
+from fuzzytime.language.meaning.instants import SUB_DAY, Instants, halved, midnight
 from fuzzytime.language.meaning.recurrences.closing_recurrence import ClosingRecurrence
-from fuzzytime.language.meaning.recurrences.hours_of_turns import hours_of_turns
 from fuzzytime.language.meaning.recurrences.recurrence import JUST_BEFORE, CalendarRecurrence, EvenRecurrence
 from fuzzytime.language.meaning.recurrences.recurrence_by_months import RecurrenceByMonths, is_by_months
 from fuzzytime.language.meaning.recurrences.recurrence_on_days import RecurrenceOnDays
@@ -252,3 +252,29 @@ def _bound(time: Time | None, moment: Moment, *, last: bool) -> float | None:
         return 0.0
     found = moment.grounding().instants(time)
     return moment.seconds(found.end if last else found.start)
+
+
+def hours_of_turns(first: Time | None, last: Time | None, moment: Moment) -> Instants | None:
+    """Give the stretch that is on, or the next one; None where no two clock times of any day bound it.
+
+    It is on if it ends where the last time alone would: "every hour from nine to five", said at noon.
+
+    Raises
+    ------
+    UngroundedError
+        If no clock is known.
+    """
+    if not isinstance(first, Wall) or not isinstance(last, Wall) or first.clock is None or last.clock is None:
+        return None
+    if first.days is not None or last.days is not None:
+        return None
+    zone = first.zone or last.zone
+    here = moment.grounding(zone)
+    ended = here.instants(last)
+    over, ends = ended.start, last.clock if last.part is None else halved(last.clock, last.part.half)
+    begins = first.clock if first.part is None else halved(first.clock, first.part.half)
+    days = (midnight(over.date()) - timedelta(days=back) for back in (0, 1))
+    begun = [day + timedelta(seconds=seconds) for day in days for seconds in begins.candidates()]
+    on = [start for start in begun if start <= here.now < over == first_after(start, ends)]
+    found = replace(ended, start=max(on), choices=()) if on else here.instants(Range(first, last))
+    return replace(found, zone=zone)

@@ -49,7 +49,4 @@ def _chosen(
         return None
     policy = moment.policy
     awake = range(*(at.hour * 3600 + at.minute * 60 for at in (policy.plausible_from, policy.plausible_to)))
-    return min(
-        candidates,
-        key=lambda one: (abs((one - begun + NOON) % DAY_SECONDS - NOON), one not in awake),
-    )
+    return min(candidates, key=lambda one: (abs((one - begun + NOON) % DAY_SECONDS - NOON), one not in awake))

@@ -26,25 +26,26 @@ class _Number:
     hedges: tuple[str, ...] = ()
 
 
-def comparisons_in(scanned: Scanned, span: Span, lexicon: Lexicon) -> tuple[Comparison, ...]:
+def comparisons_in(scanned: Scanned, span: Span) -> tuple[Comparison, ...]:
     """Give the numbers that a stretch of a text measures something by."""
     inside = [p for p, word in enumerate(scanned.words) if span[0] <= word.start and word.end <= span[1]]
-    return tuple(_comparisons(scanned, inside, lexicon)) if inside else ()
+    return tuple(_comparisons(scanned, inside)) if inside else ()
 
 
-def _comparisons(scanned: Scanned, inside: list[int], lexicon: Lexicon) -> Iterator[Comparison]:
+def _comparisons(scanned: Scanned, inside: list[int]) -> Iterator[Comparison]:
+    lexicon = scanned.lexicon
     words, last = scanned.words, inside[-1] + 1
     place = inside[0]
     while place < last:
         form = longest_match(words, place, lexicon.comparisons)
         end = _number_place(words, place, form, lexicon) if form is not None else place
-        number = _number(scanned, end, last, lexicon) if form is not None else None
+        number = _number(scanned, end, last) if form is not None else None
         if form is None or number is None:
             place += 1
             continue
         side, until = lexicon.comparisons[form], None
         if number.end < last and words[number.end].text in lexicon.closed.range_joints_or_and:
-            until = _number(scanned, number.end + 1, last, lexicon)
+            until = _number(scanned, number.end + 1, last)
         ranges = side in (Side.AT, Side.BETWEEN) and until is not None and until.value > number.value
         if ranges and until is not None:
             side, stop = Side.BETWEEN, until.end
@@ -78,14 +79,14 @@ def _number_place(words: tuple[Word, ...], place: int, form: tuple[str, ...], le
     return place
 
 
-def _number(scanned: Scanned, place: int, last: int, lexicon: Lexicon) -> _Number | None:
+def _number(scanned: Scanned, place: int, last: int) -> _Number | None:
     """Read the longest number at a place, where it is one by itself: neither "a mess" nor "8:30"."""
     words = scanned.words
-    if place >= last or longest_match(words, place, lexicon.comparisons):
+    if place >= last or longest_match(words, place, scanned.lexicon.comparisons):
         # "Is above 150": the words behind "is" say on which side.
         return None
-    if words[place].text in lexicon.beside.minus:
-        positive = _number(scanned, place + 1, last, lexicon)
+    if words[place].text in scanned.lexicon.beside.minus:
+        positive = _number(scanned, place + 1, last)
         return positive and _Number(-positive.value, positive.end, positive.hedges)
     pieces = [piece for piece in scanned.cells[place].get("quantity", {}).values() if piece.end <= last]
     if not pieces:

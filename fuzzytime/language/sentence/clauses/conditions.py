@@ -41,8 +41,7 @@ def is_wish(tree: Tree, words: Sequence[Word]) -> bool:
 
 def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Condition:
     """Read "the pan is very hot": subject, hedges, word; another form keeps its text only."""
-    doing = tree.lexicon.doing
-    inside = set(nodes)
+    doing, node, inside = tree.lexicon.doing, tree.nodes[verb], set(nodes)
     subjects = [p for p in tree.children(verb, *GRAMMATICAL_SUBJECTS) if p in inside]
     if not subjects:
         # "Until it thickens": a pronoun right before the verb was taken for what the marker governs.
@@ -56,7 +55,6 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
         for p in sorted(tree.below(subjects[0]))
         if p in inside and tree.nodes[p].tag not in ANY_DETERMINERS
     )
-    node = tree.nodes[verb]
     predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
     said = [p for p in tree.children(verb, *predicates) if p in inside and p > verb]
     # "When it is over": what governs nothing is no preposition.
@@ -75,11 +73,7 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
     last = said[-1]
     hedges = tuple(tree.nodes[p].lower for p in sorted(tree.below(last)) if p < last)
     return Condition(
-        text=text,
-        subject=subject or None,
-        word=tree.nodes[last].lower,
-        hedges=hedges,
-        negated=negated,
+        text=text, subject=subject or None, word=tree.nodes[last].lower, hedges=hedges, negated=negated
     )
 
 

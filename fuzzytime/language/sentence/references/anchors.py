@@ -42,11 +42,15 @@ class Anchors:
     first: int
     own: Sequence[Operation | None]
     mentions: Mentions
-    lexicon: Lexicon
     awaits: bool = False
     day: Calendar | None = None
     told: Told = field(default_factory=Told)
     now: datetime | None = None
+
+    @property
+    def lexicon(self) -> Lexicon:
+        """The words of the language."""
+        return self.mentions.lexicon
 
     def about(self, clause: Clause) -> str | None:
         """Give what an instruction before is about that a clause is about too; None where there is none."""
@@ -58,44 +62,32 @@ class Anchors:
 
     def target_of(self, clause: Clause) -> int | None:
         """Give the position of the instruction that a clause is about, None where there is none."""
-        closed = self.lexicon.closed
-        doing = self.lexicon.doing
+        closed, doing, condition = self.lexicon.closed, self.lexicon.doing, clause.condition
         here = [(self.first + place, operation) for place, operation in enumerate(self.own)]
         beside = [(place, operation) for place, operation in reversed(here) if place != self.position]
         # Of equals the nearest: among those before it the last, among those behind the first.
         last = self.position - 1
-        condition = clause.condition
-        you = condition is not None and condition.subject == "you" and clause.object is None
-        if you and condition is not None and condition.word in self.lexicon.results:
+        subject = None if condition is None else condition.subject
+        over = condition is not None and condition.word in self.lexicon.results
+        if condition is not None and over and subject == "you" and clause.object is None:
             # "Text me when you are finished"
             return last if last >= 0 and not condition.negated else None
         if self._is_done_soon(clause):
             # "Add the carrots an hour before it's done"
             return self.going_on()
-        over = condition is not None and condition.word in self.lexicon.results
-        over = over and condition is not None and condition.subject in closed.singular_anaphors
+        thing = (clause.object or "").lower()
+        over = over and subject in closed.singular_anaphors
         phases = doing.beginning | doing.ending
         happens = (over or clause.verb in phases) and last >= 0 and self._is_stated(last)
-        if (
-            (clause.is_event or happens)
-            and (over or (clause.object or "").lower() in closed.singular_anaphors)
-            and last >= 0
-        ):
+        about_it = over or thing in closed.singular_anaphors
+        if about_it and last >= 0 and (clause.is_event or happens):
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
             return last
-        if (
-            clause.is_event
-            and (clause.object or "").lower() in self.lexicon.beside.the_end
-            and self.mentions.told.lasting
-        ):
+        if clause.is_event and thing in self.lexicon.beside.the_end and self.mentions.told.lasting:
             # "Add the hops 15 minutes before the end"
             return self.going_on()
         target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
-        if (
-            target is None
-            and condition is not None
-            and condition.subject in closed.third_person | closed.first_and_second_person
-        ):
+        if target is None and subject in closed.third_person | closed.first_and_second_person:
             target = self._arrival(clause)
         if target is not None or not self.awaits:
             return target
@@ -104,15 +96,11 @@ class Anchors:
     def _is_done_soon(self, clause: Clause) -> bool:
         """Whether a distance counts back from the end of what goes on: "five minutes before it is ready"."""
         condition = clause.condition
-        if (
-            clause.kind not in FIRST
-            or clause.distance is None
-            or condition is None
-            or not self.mentions.told.lasting
-        ):
-            return False
+        counted = clause.kind in FIRST and clause.distance is not None and bool(self.mentions.told.lasting)
         return (
-            condition.subject in self.lexicon.closed.singular_anaphors
+            counted
+            and condition is not None
+            and condition.subject in self.lexicon.closed.singular_anaphors
             and condition.word in self.lexicon.results
         )
 
@@ -130,18 +118,14 @@ class Anchors:
         doing = self.lexicon.doing
         if clause.verb not in doing.arriving and not clause.is_there(self.lexicon):
             return None
-        if (
-            clause.condition is not None
-            and clause.condition.subject in self.lexicon.closed.first_and_second_person
-        ):
+        subject = None if clause.condition is None else clause.condition.subject
+        if subject in self.lexicon.closed.first_and_second_person:
             here = [(self.first + place, one) for place, one in enumerate(self.own) if one is not None]
             back = (place for place, one in (*here, *self.just_before()) if _comes_back(one, self.lexicon))
             known = next(back, None)
             if known is not None:
                 return known
-            leaving = doing.leaving
-            goes = ((place, one.lemma) for place, one in self.just_before())
-            return next((place for place, lemma in goes if lemma in leaving), None)
+            return next((place for place, one in self.just_before() if one.lemma in doing.leaving), None)
         lexicon, told = self.lexicon, list(self.just_before())
         coming = (place for place, one in told if comes(one, lexicon) or comes_by_name(one, lexicon))
         return next(coming, None)

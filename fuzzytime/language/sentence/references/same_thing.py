@@ -27,11 +27,8 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
     bare = isinstance(said.time, Duration) or (isinstance(said.time, Offset) and said.time.anchor is None)
     if own is None or not own.is_asked or distance is None or not bare:
         return None
-    if (
-        said.preposition == AFTER
-        and _is_lent(requirement, anchors)
-        and anchors.position - 1 in anchors.told.since
-    ):
+    lent = said.preposition == AFTER and _is_lent(requirement, anchors)
+    if lent and anchors.position - 1 in anchors.told.since:
         # "After 3 minutes the beans, after 5 the corn, after 8 turn it off": all since the same
         told = anchors.told.since[anchors.position - 1]
         return (

@@ -5,7 +5,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
@@ -27,10 +26,10 @@ CHAIN = re.compile(r",?w(?:,w)*,?&")
 BE = "be"
 
 
-def reminded(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+def reminded(one: Waiting, part: Part) -> list[Segment]:
     """Give what is not to be forgotten, where that happens: "don't forget the plumber comes at four"."""
     root = part.tree.root
-    if part.tree.nodes[root].lemma not in lexicon.forgetting | lexicon.doing.remembering:
+    if part.tree.nodes[root].lemma not in part.lexicon.forgetting | part.lexicon.doing.remembering:
         return []
     if part.tree.children(root, "nsubj", "nsubjpass"):
         return []
@@ -45,25 +44,25 @@ def reminded(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     return []
 
 
-def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+def pieces_of(one: Waiting, part: Part) -> list[Segment]:
     """Give the pieces of a segment around its first further verb; none where there is none."""
     onward = _onward(one, part)
     if onward is not None:
         return [replace(one.segment, span=(one.segment.span[0], onward[0])), onward[1]]
-    starts = _further(one, part, lexicon)
+    starts = _further(one, part)
     for start in starts:
         chain = _chain(one, part, start)
         if chain:
             return chain
-    denied = _denied_list(one, starts, lexicon)
+    denied = _denied_list(one, starts)
     if denied:
         return denied
-    wishes = wishes_beside(one, part, lexicon)
-    gaps = _gaps(one, part, lexicon)
+    wishes = wishes_beside(one, part)
+    gaps = _gaps(one, part)
     for start in (*sorted(wishes), *(start for start in starts if start not in gaps)):
-        pieces = _around(one, part, start, lexicon)
+        pieces = _around(one, part, start)
         if pieces and start in wishes:
-            return [pieces[0], *_each(one, part, pieces[1], wishes, starts, lexicon)]
+            return [pieces[0], *_each(one, part, pieces[1], wishes, starts)]
         if pieces:
             return pieces
     return []
@@ -75,7 +74,6 @@ def _each(
     behind: Segment,
     wishes: Mapping[int, tuple[Borrowed, ...]],
     starts: Sequence[int],
-    lexicon: Lexicon,
 ) -> list[Segment]:
     """Give the wishes in a stretch, up to a further order, each with the words that it borrows."""
     start, end = behind.span
@@ -84,35 +82,35 @@ def _each(
     first = replace(behind, borrowed=wishes[start])
     if further is None:
         return [first]
-    before, rest = _around(replace(one, segment=first), part, further, lexicon)
-    return [before, *_each(one, part, rest, wishes, starts, lexicon)]
+    before, rest = _around(replace(one, segment=first), part, further)
+    return [before, *_each(one, part, rest, wishes, starts)]
 
 
-def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+def other_things(one: Waiting, part: Part) -> list[Segment]:
     """Give the pieces of a segment around the first place where a verb is left out: "… and the dog at 9"."""
-    for start in sorted(_gaps(one, part, lexicon)) if part.tree.nodes else ():
-        pieces = _around(one, part, start, lexicon)
+    for start in sorted(_gaps(one, part)) if part.tree.nodes else ():
+        pieces = _around(one, part, start)
         if pieces:
-            whole = _begins_order(one, part, start) or _is_told(one, part, start, lexicon)
-            whole = whole or _is_back(one, part, start, lexicon) or not _takes_verb(one, part, start, lexicon)
+            whole = _begins_order(one, part, start) or _is_told(one, part, start)
+            whole = whole or _is_back(one, part, start) or not _takes_verb(one, part, start)
             return [pieces[0], replace(pieces[1], verbless=not whole)]
     return []
 
 
-def _around(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> list[Segment]:
+def _around(one: Waiting, part: Part, start: int) -> list[Segment]:
     """Give what stands before a place, without its joint, and what begins there."""
     first, last = one.segment.span
     end = one.end_before(start)
-    addressee = one.segment.addressee or _due_too(part, start, lexicon)
+    addressee = one.segment.addressee or _due_too(part, start)
     behind = Segment((start, last), addressee=addressee)
     return [replace(one.segment, span=(first, end)), behind] if end > part.offset else []
 
 
-def _further(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
+def _further(one: Waiting, part: Part) -> list[int]:
     """Give where further verbs are in the text, but for those within a time."""
     times = _times(one, part)
     told = part.segment.doer is not None
-    found = further_verbs(part.tree, part.tree.root, lexicon, times, told=told)
+    found = further_verbs(part.tree, part.tree.root, times, told=told)
     starts = (part.tree.nodes[place].start for place in sorted(found))
     return [start + part.offset for start in starts if not any(a < start < b for a, b in times)]
 
@@ -121,24 +119,24 @@ def _times(one: Waiting, part: Part) -> list[Span]:
     return [part.local(phrase.span) for phrase in one.source.phrases]
 
 
-def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> set[int]:
+def _gaps(one: Waiting, part: Part) -> set[int]:
     """Give where verbs are left out in the text, and nothing else is told or to be done."""
     nodes, timed = part.tree.nodes, {place for span in _times(one, part) for place in part.tree.at(*span)}
     others = [second_statement(part.tree, place, timed) for place in range(len(nodes))]
-    others += [p for p in range(2, len(nodes)) if is_order_between_times(part.tree, p, timed, lexicon)]
+    others += [p for p in range(2, len(nodes)) if is_order_between_times(part.tree, p, timed)]
     starts = {nodes[place].start + part.offset for place in others if place is not None}
-    return set(verbs_left_out(one, part, lexicon)) - starts
+    return set(verbs_left_out(one, part)) - starts
 
 
-def _due_too(part: Part, start: int, lexicon: Lexicon) -> str | None:
+def _due_too(part: Part, start: int) -> str | None:
     """Give who must do this, too: "Tim has to wash the car and feed the dog"; None for nobody."""
-    action = action_of(part.tree, lexicon)
+    action = action_of(part.tree)
     place = next(part.at((start, start + 1)), None)
     if action is None or place is None or part.tree.nodes[place - 1].lower not in {"and", "&"}:
         return None
     node = part.tree.nodes[place]
     joined = node.relation == "conj" and node.head == action.place and node.tag == "VB"
-    return person_due(part.tree, action.place, lexicon) if joined else None
+    return person_due(part.tree, action.place) if joined else None
 
 
 def _begins_order(one: Waiting, part: Part, start: int) -> bool:
@@ -156,22 +154,22 @@ def _begins_order(one: Waiting, part: Part, start: int) -> bool:
     thing = behind.tag.startswith(("NN", "JJ")) and place + 1 not in one.timed(part.tree)
     # "Buy bread at nine and paint brushes at ten"
     root = part.tree.root
-    bought = root < place and part.tree.nodes[root].lemma in part.tree.lexicon.ordering
-    acts = thing and not bought and node.lower in part.tree.lexicon.orders
+    bought = root < place and part.tree.nodes[root].lemma in part.lexicon.ordering
+    acts = thing and not bought and node.lower in part.lexicon.orders
     led = behind.tag in DETERMINERS or measured or acts
     return node.may_act and node.lower == node.lemma and led
 
 
-def _takes_verb(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:
+def _takes_verb(one: Waiting, part: Part, start: int) -> bool:
     """Whether the same is done with what is named there: not so of "ring bob at six, lunch at one"."""
     text, verb = one.source.scanned.text, part.tree.nodes[part.tree.root]
     times = [phrase.span[0] for phrase in one.source.phrases]
     named = part.offset + verb.end, start
     first, other = (text[at : min((t for t in times if t > at), default=None)] for at in named)
-    return takes_verb(verb.lemma, first, other, lexicon)
+    return takes_verb(verb.lemma, first, other, part.lexicon)
 
 
-def _is_told(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:
+def _is_told(one: Waiting, part: Part, start: int) -> bool:
     """Whether what was taken for another thing happens: "wake me at six, my train leaves at seven".
 
     So does what somebody does: "wake me at seven and mum cooks tonight".
@@ -180,27 +178,28 @@ def _is_told(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:
     last = one.source.scanned.words[min(before) - 1] if before else None
     place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), 0)
     # "Send dad tickets today and mum flowers tomorrow"
-    acts = _does(part, place, lexicon) and not _does(part, part.tree.root + 1, lexicon)
-    return acts or (last is not None and last.start > start and last.text in lexicon.doing.timed)
+    acts = _does(part, place) and not _does(part, part.tree.root + 1)
+    return acts or (last is not None and last.start > start and last.text in part.lexicon.doing.timed)
 
 
-def _does(part: Part, place: int, lexicon: Lexicon) -> bool:
+def _does(part: Part, place: int) -> bool:
     """Whether somebody is named at a place, and what may be done behind it: "mum cooks"."""
+    lexicon = part.lexicon
     known = lexicon.names | lexicon.names_like_words | lexicon.called["him"] | lexicon.called["her"]
     who, what = part.tree.nodes[place : place + 1], part.tree.nodes[place + 1 : place + 2]
     return any(node.lower in known for node in who) and any(n.may_act and n.lower != n.lemma for n in what)
 
 
-def _is_back(one: Waiting, part: Part, start: int, lexicon: Lexicon) -> bool:
+def _is_back(one: Waiting, part: Part, start: int) -> bool:
     """Whether somebody is somewhere again, and nothing is put there: "leave at eight, back about noon"."""
-    again = lexicon.closed.adverbs_of_repetition & lexicon.particles.keys()
+    again = part.lexicon.closed.adverbs_of_repetition & part.lexicon.particles.keys()
     root = part.tree.root
     acts_on = part.tree.children(root, "dobj") and not part.tree.children(root, *SUBJECTS)
     back = any(word.start == start and word.text in again for word in one.source.scanned.words)
     return back and not acts_on
 
 
-def _denied_list(one: Waiting, starts: Sequence[int], lexicon: Lexicon) -> list[Segment]:
+def _denied_list(one: Waiting, starts: Sequence[int]) -> list[Segment]:
     """Give the segments of what is denied together: "never open the lid, lift the pan or leave the room".
 
     Its further orders begin at ``starts``.
@@ -208,7 +207,7 @@ def _denied_list(one: Waiting, starts: Sequence[int], lexicon: Lexicon) -> list[
     first, last = one.segment.span
     words = {word.start: place for place, word in enumerate(one.source.scanned.words)}
     texts = ["", *(word.text for word in one.source.scanned.words)]
-    closing = [s for s in starts if s in words and texts[words[s]] in lexicon.closed.denied_alternatives]
+    closing = [s for s in starts if s in words and texts[words[s]] in one.lexicon.closed.denied_alternatives]
     begins = [first, *(start for start in starts if closing and start <= closing[-1])]
     if len(begins) == 1:
         return []
@@ -232,7 +231,7 @@ def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
             continue
         between = {word.text for word in words[old.end : new.first]}
         said = [word.text for word in words[new.first : new.end]]
-        forms = (form.split() for form in part.tree.lexicon.beside.thereafter)
+        forms = (form.split() for form in part.lexicon.beside.thereafter)
         behind = next((form for form in forms if said[-len(form) :] == form), None)
         if behind is not None and between and between <= {"and", ",", "but", "&"}:
             joint = (words[new.end - len(behind)].start, new.span[1])
@@ -255,7 +254,7 @@ def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
         # "Wait two minutes, and paint it": the first has a time of its own.
         return []
     before, last = words[verbs[0] - 1 : verbs[0]], words[verbs[-1]]
-    apart = last.text in part.tree.lexicon.needing_nothing and words[places[-1] + 1].text != BE
+    apart = last.text in part.lexicon.needing_nothing and words[places[-1] + 1].text != BE
     if apart and before and before[0].text in {",", "and"}:
         # "Clean the bath, hoover and get the bins in by six"; but "…, shower, and be downstairs by six"
         return []

@@ -29,8 +29,7 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
     without_bullets,
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
-from fuzzytime.language.sentence.segments.lists.runs import run_apart
-from fuzzytime.language.sentence.segments.lists.switches import switched_apart
+from fuzzytime.language.sentence.segments.lists.runs import run_apart, switched_apart
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.rounds import parted
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
@@ -104,6 +103,11 @@ class Draft:
     orders: tuple[tuple[Span, Order], ...] = ()
 
     @property
+    def lexicon(self) -> Lexicon:
+        """The words of its language."""
+        return self.scanned.lexicon
+
+    @property
     def unfinished(self) -> tuple[Span, ...]:
         """The stretches that begin a time and do not end it: "at half past"."""
         words = self.scanned.words
@@ -139,7 +143,7 @@ def drafted(
     entries = [(text, without_bullets(text), now) for text, now in texts]
     timed = how_timed([entry for _, entry, _ in entries], lexicon) if together else Timed.NO
     drafts = [_without_parts(text, entry, now, timed, grammar, lexicon) for text, entry, now in entries]
-    sources = [_source_of(draft, lexicon) for draft in drafts]
+    sources = [_source_of(draft) for draft in drafts]
     return [
         replace(
             draft,
@@ -151,15 +155,15 @@ def drafted(
             ),
             orders=source.orders,
         )
-        for draft, source, parts in zip(drafts, sources, parted(sources, lexicon, trees), strict=True)
+        for draft, source, parts in zip(drafts, sources, parted(sources, trees), strict=True)
     ]
 
 
-def _source_of(draft: Draft, lexicon: Lexicon) -> Source:
+def _source_of(draft: Draft) -> Source:
     """Give what a draft is cut into parts by."""
     apart = tuple(orders_beside(draft.scanned.text, draft.messages))
     source = Source(draft.now, draft.scanned, draft.phrases, draft.remarks, apart=apart)
-    return replace(source, orders=tuple(order_words(draft.scanned.words, source.covered, lexicon)))
+    return replace(source, orders=tuple(order_words(draft.scanned.words, source.covered, draft.lexicon)))
 
 
 def _without_parts(
@@ -176,15 +180,15 @@ def _without_parts(
     plain = blanked(plain, leading_labels(plain, lexicon))
     hours, listed = hours_in(plain, lexicon, timed), timed >= Timed.MOST
     scanned = _in_entries(plain, hours, grammar, lexicon, listed=listed)
-    messages = messages_of(scanned, lexicon)
+    messages = messages_of(scanned)
     scanned = _again(scanned, blanked(scanned.text, (message.span for message in messages)), grammar)
-    lengths = beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon))
-    asides = beside_each_other(lengths, asides_of_hours(scanned, lexicon))
+    lengths = beside_each_other(asides_of(scanned), told_lengths(scanned))
+    asides = beside_each_other(lengths, asides_of_hours(scanned))
     scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides)), grammar)
     for said in (with_gaps, said_apart):
-        scanned = _again(scanned, said(scanned, lexicon), grammar)
-    scanned, instances = instances_of(scanned, grammar, lexicon)
-    phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
+        scanned = _again(scanned, said(scanned), grammar)
+    scanned, instances = instances_of(scanned, grammar)
+    phrases, remarks = corrected(scanned, phrases_of(scanned))
     return Draft(
         text,
         now,

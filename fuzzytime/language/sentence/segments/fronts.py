@@ -62,7 +62,7 @@ class _Try:
 
 
 def fronts_of(
-    waiting: Sequence[Waiting], found: Sequence[Tree], fronts: Sequence[Tree], trees: Trees, lexicon: Lexicon
+    waiting: Sequence[Waiting], found: Sequence[Tree], fronts: Sequence[Tree], trees: Trees
 ) -> dict[int, Front]:
     """Give the clauses in front of those that wait, by their places.
 
@@ -71,48 +71,48 @@ def fronts_of(
     tries = [
         attempt
         for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True))
-        for attempt in (*_tries(place, one, tree, lexicon), *_with_order(place, one, front, lexicon))
+        for attempt in (*_tries(place, one, tree), *_with_order(place, one, front))
     ]
     clauses = trees([_as_event(attempt) for attempt in tries])
     orders = trees([CARRIER + attempt.order for attempt in tries])
     led: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
         order = carried.without_carrier(CARRIER, attempt.order, 0)
-        asks = is_order(order) or bool(order.nodes and _is_wish(order, 0, lexicon))
-        if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and asks:
+        asks = is_order(order) or bool(order.nodes and _is_wish(order, 0))
+        if attempt.one not in led and _is_clause(clause, attempt.kind) and asks:
             led[attempt.one] = attempt.front
     return led
 
 
-def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     """Give the places behind the first marker at which a bare verb may stand."""
     words, source = one.source.scanned.words, one.source
-    marker = next((marker for marker in one.markers(lexicon) if marker.end < len(words)), None)
+    marker = next((marker for marker in one.markers() if marker.end < len(words)), None)
     if marker is None:
         return
     first, end = words[marker.end].start, one.segment.span[1]
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
-        opens = may_be_done(tree, here, lexicon) or _is_wish(tree, here, lexicon)
+        opens = may_be_done(tree, here) or _is_wish(tree, here)
         if start <= first or here == 0 or not opens:
             continue
         timed = one.timed(tree)
-        if here in timed or _is_counted(tree, here, lexicon) or binds(tree, here - 1, lexicon):
+        if here in timed or _is_counted(tree, here) or binds(tree, here - 1):
             continue
-        if _is_event_before_order(tree, here, lexicon):
+        if _is_event_before_order(tree, here):
             continue
         clause = source.sound[first:start].strip(" ,")
         kind = "after" if words[marker.end - 1].text in OF_EVENTS else marker.kind
         order = source.sound[start:end]
-        for contrary in lexicon.beside.contrary:
+        for contrary in tree.lexicon.beside.contrary:
             order = order.partition(f" {contrary} ")[0]
         yield _Try(place, kind, Front(marker.start, start), clause, order)
 
 
-def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+def _with_order(place: int, one: Waiting, front: Tree) -> Iterator[_Try]:
     """Give the order in what stands before a comma: "after the meeting send the notes, book the room"."""
     words, source = one.source.scanned.words, one.source
-    marker = one.leading_marker(lexicon)
+    marker = one.leading_marker()
     if marker is None or marker.end >= len(words):
         return
     first, end = words[marker.end].start, one.segment.span[1]
@@ -120,25 +120,26 @@ def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iter
     for here, node in enumerate(front.nodes):
         start = node.start + one.segment.span[0]
         # "If the battery is low return to base, otherwise carry on": what is to be done is before the comma.
-        sure = one.text.lower().startswith(tuple(lexicon.beside.contrary)) and _is_free(front, here, lexicon)
-        if start > first and here not in timed and (sure or _may_begin(front, here, lexicon)):
+        sure = one.text.lower().startswith(tuple(front.lexicon.beside.contrary)) and _is_free(front, here)
+        if start > first and here not in timed and (sure or _may_begin(front, here)):
             clause = source.sound[first:start].strip(" ,")
             # "If the pan is hot flip it, otherwise heat it": what is behind the comma goes its own way.
             order = source.sound[start:end].partition(",")[0]
             yield _Try(place, marker.kind, Front(marker.start, start), clause, order)
 
 
-def _is_free(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _is_free(tree: Tree, place: int) -> bool:
     """Whether a word may be a bare verb that nothing before it binds."""
-    bare = place > 0 and may_be_done(tree, place, lexicon)
-    return bare and not _is_counted(tree, place, lexicon) and not binds(tree, place - 1, lexicon)
+    bare = place > 0 and may_be_done(tree, place)
+    return bare and not _is_counted(tree, place) and not binds(tree, place - 1)
 
 
-def may_be_done(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def may_be_done(tree: Tree, place: int) -> bool:
     """Whether a word may be a bare verb: by its dictionary, or as no noun is followed by an article.
 
     "If it rains deburr the plate"
     """
+    lexicon = tree.lexicon
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     known = node.may_act or node.lower in lexicon.addressing
     led = any(one.tag in DETERMINERS for one in behind) and node.tag not in BINDING
@@ -148,17 +149,18 @@ def may_be_done(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return (known or led) and is_bare(node, lexicon) and not becomes
 
 
-def _is_wish(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _is_wish(tree: Tree, place: int) -> bool:
     """Whether somebody begins to say what is to be done: "when it is dark | I want to lock up"."""
     behind = tree.nodes[place + 1 : place + 3]
-    asks = any(node.tag == "MD" or node.lemma in lexicon.wanting for node in behind[:1])
+    asks = any(node.tag == "MD" or node.lemma in tree.lexicon.wanting for node in behind[:1])
     # "If it rains I have to bring in the washing"
     asks = asks or [node.lemma for node in behind] == ["have", "to"]
-    return asks and tree.nodes[place].lower in lexicon.closed.first_and_second_person
+    return asks and tree.nodes[place].lower in tree.lexicon.closed.first_and_second_person
 
 
-def _is_event_before_order(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _is_event_before_order(tree: Tree, place: int) -> bool:
     """Whether what may be a verb names an event, with an order behind: "the school run drop it off"."""
+    lexicon = tree.lexicon
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     named = node.lower in lexicon.lasting | lexicon.happening | lexicon.taken
     # "Once ann is home call bob"
@@ -183,16 +185,17 @@ def _as_event(attempt: _Try) -> str:
     return f"it is {rest}" if space and first.lower() == ITS else clause
 
 
-def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _may_begin(tree: Tree, place: int) -> bool:
     """Whether what is to be done may begin with a word inside a clause in front: it governs something.
 
     "The flight pack the bags", "the rice is done turn off the heat", "the pan is hot add butter".
     """
+    lexicon = tree.lexicon
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    if not place or not may_be_done(tree, place, lexicon) or _is_counted(tree, place, lexicon):
+    if not place or not may_be_done(tree, place) or _is_counted(tree, place):
         return False
     before = tree.nodes[place - 1]
-    if binds(tree, place - 1, lexicon):
+    if binds(tree, place - 1):
         return False
     if not behind:
         # "When the battery is low dock, charge and wait"
@@ -207,11 +210,12 @@ def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return led or carried or about or named or goes
 
 
-def _is_counted(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _is_counted(tree: Tree, place: int) -> bool:
     """Whether a number counts a noun: "below 2 bar"; but "by five ring the depot", "at 70 turn it on"."""
     node, following = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     acts = any(
-        behind.tag in OPENING or node.lower in lexicon.particles.get(behind.lower, ()) for behind in following
+        behind.tag in OPENING or node.lower in tree.lexicon.particles.get(behind.lower, ())
+        for behind in following
     )
     return tree.nodes[place - 1].tag == "CD" and node.tag == "NN" and not acts
 
@@ -223,8 +227,9 @@ def is_order(tree: Tree) -> bool:
     return first == 0 and not is_doubtful(tree) and not tree.children(0, *SUBJECTS)
 
 
-def binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def binds(tree: Tree, place: int) -> bool:
     """Whether a word needs others behind it; a particle needs none: "when the kettle clicks off"."""
+    lexicon = tree.lexicon
     node, before = tree.nodes[place], tree.nodes[place - 1]
     carried = before.is_verb and before.lemma not in lexicon.closed.lemmas_of_be
     # "When ann gets in book a table", "when the alarm goes off open the door"
@@ -245,9 +250,10 @@ def binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return helps or denies or subject or (node.tag in BINDING and not apart)
 
 
-def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
+def _is_clause(tree: Tree, kind: str) -> bool:
     """Whether words say all that a clause says: that something is so, or done, or an event."""
-    if not tree.nodes or binds(tree, len(tree.nodes) - 1, lexicon):
+    lexicon = tree.lexicon
+    if not tree.nodes or binds(tree, len(tree.nodes) - 1):
         return False
     tree = as_statement(tree, frozenset(range(len(tree.nodes))), lexicon.travelling)
     root, node = tree.root, tree.nodes[tree.root]

@@ -12,7 +12,7 @@ DAYS_APART = frozenset({"before", "after"})
 """Markers before which a part of a day, or a day, is that before or after."""
 
 LEAST = 3
-"""Words of "the evening before"."""
+"""Words of "the evening before", and of "and nobody calls"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,3 +52,9 @@ def _behind_day(words: Sequence[Word], place: int, lexicon: Lexicon) -> int:
         if piece.end == begin + 2
     )
     return begin + 2 if counted else place
+
+
+def goes_on_behind(words: Sequence[Word], comma: int, following: int, lexicon: Lexicon) -> bool:
+    """Whether another thing that must be so stands between two commas: ", and the oil shimmers,"."""
+    said = [word.text for word in words[comma + 1 : following]]
+    return len(said) >= LEAST and said[0] in {"and", "or"} and said[1] in lexicon.closed.condition_openers

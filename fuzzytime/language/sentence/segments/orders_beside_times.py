@@ -1,6 +1,5 @@
 """Orders that trees overlook because a time stands beside them: "fry it for a minute, flip, fry it again"."""
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
@@ -25,7 +24,7 @@ def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
     return node.lower == node.lemma and (listed or lasts or node.tag in IMPERATIVE)
 
 
-def is_order_between_times(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+def is_order_between_times(tree: Tree, place: int, timed: set[int]) -> bool:
     """Whether it is a second order without an object: "dock at noon and charge until it is full".
 
     Where the first has an object, it may be another: "feed the cat at six and dog at seven"; but who names
@@ -36,19 +35,19 @@ def is_order_between_times(tree: Tree, place: int, timed: set[int], lexicon: Lex
         return False
     objects = tree.children(root, "dobj", "oprd")
     led = all(tree.nodes[p].tag in DETERMINERS for thing in objects for p in sorted(tree.below(thing))[:1])
-    if objects and not (led and node.lower in lexicon.chores):
+    if objects and not (led and node.lower in tree.lexicon.chores):
         return False
     # "Tape the edges today, sand tomorrow, paint on saturday"
     joints = {"and", "&", ","} if objects else {"and", "&"}
     joined = tree.nodes[place - 1].lower in joints and place - 2 in timed
     bare = node.may_act and node.lower == node.lemma and tree.nodes[root].is_verb
-    ends = place + 1 in timed or any((word.lower,) in lexicon.clauses for word in behind)
+    ends = place + 1 in timed or any((word.lower,) in tree.lexicon.clauses for word in behind)
     return joined and bare and ends
 
 
-def is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+def is_led_by_time(tree: Tree, place: int, timed: set[int]) -> bool:
     """Whether a joint and a time stand before a word with an object: "…, and at four clean the tank"."""
-    closed = lexicon.closed
+    closed = tree.lexicon.closed
     node = tree.nodes[place]
     behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
     first = place
@@ -57,24 +56,24 @@ def is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) ->
     led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
     # "On the 6th and 8th feed the hens": two times of one order.
     led = led and not timed.issuperset(range(first - 1))
-    addressing = node.lower in lexicon.addressing
-    called = addressing and bool(behind) and _is_called(tree, place + 1, lexicon)
+    addressing = node.lower in tree.lexicon.addressing
+    called = addressing and bool(behind) and _is_called(tree, place + 1)
     bare = (node.may_act or addressing) and node.lower == node.lemma
-    if node.lower in lexicon.particles.get(behind, ()) and place + 2 < len(tree.nodes):
+    if node.lower in tree.lexicon.particles.get(behind, ()) and place + 2 < len(tree.nodes):
         # "…, and at noon top up the oil"
         behind = tree.nodes[place + 2].lower
     return led and bare and (called or behind in closed.noun_openers | closed.object_pronouns)
 
 
-def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def stands_alone(tree: Tree, place: int) -> bool:
     """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
-    closed = lexicon.closed
+    closed = tree.lexicon.closed
     node = tree.nodes[place]
     behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
     # "Ribs in at 10:30, low and slow": how, and not what.
     described = node.tag == "JJ" and any(tree.nodes[p].tag == "JJ" for p in tree.children(place, "conj"))
     acts = node.may_act and node.lower == node.lemma and not described
-    bare = acts or node.lower in lexicon.alone
+    bare = acts or node.lower in tree.lexicon.alone
     counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
     return (
         bare
@@ -83,7 +82,7 @@ def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     )
 
 
-def is_done_alone(tree: Tree, first: int, lexicon: Lexicon) -> bool:
+def is_done_alone(tree: Tree, first: int) -> bool:
     """Whether nothing but an order without an object stands before the root: "8:00 open up, feed the dogs".
 
     That is a verb with its particle, or one that needs no object, and a comma.
@@ -93,18 +92,18 @@ def is_done_alone(tree: Tree, first: int, lexicon: Lexicon) -> bool:
         return False
     verb, *beside = said[: said.index(",")]
     if len(beside) == 1:
-        return verb in lexicon.particles.get(beside[0], ())
+        return verb in tree.lexicon.particles.get(beside[0], ())
     # "8:00 open, feed the dogs": trees take such verbs for what things are like.
-    return not beside and (verb in lexicon.alone or tree.nodes[first].tag == "JJ")
+    return not beside and (verb in tree.lexicon.alone or tree.nodes[first].tag == "JJ")
 
 
-def begins_order(tree: Tree, lexicon: Lexicon) -> bool:
+def begins_order(tree: Tree) -> bool:
     """Whether a first word taken for a noun is an order: "order sushi for seven", "text karen at two"."""
     if _names_nothing(tree):
         return True
     if tree.root != 1 or not tree.nodes[0].tag.startswith("NN"):
         return False
-    orders = lexicon.ordering | (lexicon.addressing if _is_called(tree, 1, lexicon) else frozenset())
+    orders = tree.lexicon.ordering | (tree.lexicon.addressing if _is_called(tree, 1) else frozenset())
     return tree.nodes[0].lower in orders
 
 
@@ -119,8 +118,9 @@ def _names_nothing(tree: Tree) -> bool:
     return named and (led or (first.relation == "compound" and tree.root == 1 and second.tag == "VBZ"))
 
 
-def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _is_called(tree: Tree, place: int) -> bool:
     """Whether a noun may be somebody: not "interview" in "phone interview at two"."""
+    lexicon = tree.lexicon
     node = tree.nodes[place]
     named = node.tag == "NNP" and node.text[0].isupper()
     event = node.lower in lexicon.happening | lexicon.taken or (node.may_act and not named)
@@ -128,8 +128,8 @@ def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return node.lower in known or (node.tag.startswith("NN") and not event)
 
 
-def is_numbered(tree: Tree, lexicon: Lexicon) -> bool:
+def is_numbered(tree: Tree) -> bool:
     """Whether a tree has what is called by a number for what is to be done: "close valve 3"."""
     root = tree.root
-    named = root > 0 and tree.nodes[root].lower in lexicon.machines
+    named = root > 0 and tree.nodes[root].lower in tree.lexicon.machines
     return named and root + 1 < len(tree.nodes) and tree.nodes[root + 1].tag == "CD"

@@ -6,9 +6,9 @@ and where there is none, either, where a verb is left out.
 
 from collections.abc import Mapping, Sequence
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.asked_by_name import addressed
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_behind
+from fuzzytime.language.sentence.segments.connectives import next_one
 from fuzzytime.language.sentence.segments.cuts import other_things, pieces_of, reminded
 from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
 from fuzzytime.language.sentence.segments.further.calls import called_first, called_next
@@ -16,7 +16,6 @@ from fuzzytime.language.sentence.segments.further.orders_behind_joints import or
 from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.further.same_doers import done_next
 from fuzzytime.language.sentence.segments.mended.parsing import trees_of, uncapitalised
-from fuzzytime.language.sentence.segments.next_ones import next_one
 from fuzzytime.language.sentence.segments.segment import Segment, segments_of
 from fuzzytime.language.sentence.segments.told.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
@@ -27,35 +26,35 @@ ROUNDS = 12
 """How often a segment may be cut again: instructions joined by "and" in one sentence."""
 
 
-def parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[list[Part]]:
+def parted(sources: Sequence[Source], trees: Trees) -> list[list[Part]]:
     """Parse every segment, and cut it again where its tree shows a further instruction."""
     done: list[dict[int, Part]] = [{} for _ in sources]
     waiting = [
-        Waiting.of(position, source, segment, lexicon)
+        Waiting.of(position, source, segment)
         for position, source in enumerate(sources)
         for segment in segments_of(
             source.scanned.text,
             source.scanned.words,
             source.phrases,
-            lexicon,
+            source.scanned.lexicon,
             [remark.span for remark in source.remarks],
         )
     ]
     for last_round in (False,) * ROUNDS + (True,):
         if not waiting:
-            waiting = [] if last_round else _done_next(sources, done, lexicon)
+            waiting = [] if last_round else _done_next(sources, done)
         if not waiting:
             break
-        found = trees_of(waiting, trees, lexicon)
-        fronts = [with_clause(tree, lexicon) for tree in uncapitalised([one.front for one in waiting], trees)]
+        found = trees_of(waiting, trees)
+        fronts = [with_clause(tree) for tree in uncapitalised([one.front for one in waiting], trees)]
         parsed = [
             Part(one.segment, tree, one.main, front if front.nodes else None)
             for one, tree, front in zip(waiting, found, fronts, strict=True)
         ]
         cuts: list[list[Waiting]] = [[] for _ in waiting]
         if not last_round:
-            led = fronts_of(waiting, found, fronts, trees, lexicon)
-            cuts = _cut_again(waiting, parsed, led, trees, lexicon)
+            led = fronts_of(waiting, found, fronts, trees)
+            cuts = _cut_again(waiting, parsed, led, trees)
         for one, part, cut in zip(waiting, parsed, cuts, strict=True):
             if not cut:
                 done[one.position][one.segment.span[0]] = part
@@ -64,60 +63,56 @@ def parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[li
 
 
 def _cut_again(
-    waiting: Sequence[Waiting],
-    parsed: Sequence[Part],
-    led: Mapping[int, Front],
-    trees: Trees,
-    lexicon: Lexicon,
+    waiting: Sequence[Waiting], parsed: Sequence[Part], led: Mapping[int, Front], trees: Trees
 ) -> list[list[Waiting]]:
     """Give for each segment what waits anew in its place; nothing where it is one instruction."""
     alone = [place for place in range(len(waiting)) if place not in led]
     unled = [waiting[place] for place in alone], [parsed[place].tree for place in alone]
-    runs_on = {alone[at]: start for at, start in run_on_orders(*unled, trees, lexicon).items()}
+    runs_on = {alone[at]: start for at, start in run_on_orders(*unled, trees).items()}
     cuts = [
-        list(one.cut_at(led[place].start, led[place].main, lexicon))
+        list(one.cut_at(led[place].start, led[place].main))
         if place in led
-        else _cut(one, part, runs_on.get(place), lexicon)
+        else _cut(one, part, runs_on.get(place))
         for place, (one, part) in enumerate(zip(waiting, parsed, strict=True))
     ]
     whole = [place for place, cut in enumerate(cuts) if not cut]
     uncut = [waiting[place] for place in whole], [parsed[place].tree for place in whole]
-    joined = orders_behind_joints(*uncut, trees, lexicon)
+    joined = orders_behind_joints(*uncut, trees)
     for at, place in enumerate(whole):
         if at in joined:
-            cuts[place] = list(waiting[place].cut_before(joined[at], lexicon))
+            cuts[place] = list(waiting[place].cut_before(joined[at]))
         else:
-            things = other_things(waiting[place], parsed[place], lexicon)
-            cuts[place] = _waiting(waiting[place], things, lexicon)
+            things = other_things(waiting[place], parsed[place])
+            cuts[place] = _waiting(waiting[place], things)
     return cuts
 
 
-def _cut(one: Waiting, part: Part, runs_on: int | None, lexicon: Lexicon) -> list[Waiting]:
+def _cut(one: Waiting, part: Part, runs_on: int | None) -> list[Waiting]:
     """Cut a segment where its tree shows several; before the order that ``runs_on``, if nothing leads it."""
     apart = _order_apart(one)
     if apart is not None:
-        return list(one.cut_before(apart, lexicon))
+        return list(one.cut_before(apart))
     if not part.tree.nodes:
         return []
-    cut = reason_in_front(one, part, lexicon) or called_next(one, part, lexicon)
+    cut = reason_in_front(one, part) or called_next(one, part)
     if runs_on is not None and not cut:
-        return list(one.cut_before(runs_on, lexicon))
+        return list(one.cut_before(runs_on))
     cut = (
         cut
-        or called_first(one, part, lexicon)
-        or addressed(one, part, lexicon)
-        or next_one(one, part, lexicon)
-        or reminded(one, part, lexicon)
-        or pieces_of(one, part, lexicon)
+        or called_first(one, part)
+        or addressed(one, part)
+        or next_one(one, part)
+        or reminded(one, part)
+        or pieces_of(one, part)
     )
-    return _waiting(one, cut, lexicon)
+    return _waiting(one, cut)
 
 
-def _waiting(one: Waiting, pieces: Sequence[Segment], lexicon: Lexicon) -> list[Waiting]:
+def _waiting(one: Waiting, pieces: Sequence[Segment]) -> list[Waiting]:
     """Give the pieces of a segment, which wait anew; none where what it borrows is cut."""
     if any(piece.span[0] < one.segment.span[0] for piece in pieces if one.segment.borrowed):
         return []
-    return [Waiting.of(one.position, one.source, piece, lexicon) for piece in pieces]
+    return [Waiting.of(one.position, one.source, piece) for piece in pieces]
 
 
 def _order_apart(one: Waiting) -> int | None:
@@ -126,10 +121,10 @@ def _order_apart(one: Waiting) -> int | None:
     return next((start for start in one.source.apart if first < start < end), None)
 
 
-def _done_next(sources: Sequence[Source], done: Sequence[dict[int, Part]], lexicon: Lexicon) -> list[Waiting]:
+def _done_next(sources: Sequence[Source], done: Sequence[dict[int, Part]]) -> list[Waiting]:
     """Give what waits anew for its tree, behind who does it, or what is done: "…, then lands"."""
     return [
-        Waiting.of(position, source, part.segment, lexicon)
+        Waiting.of(position, source, part.segment)
         for position, (source, own) in enumerate(zip(sources, done, strict=True))
-        for part in (*done_next(source, own, lexicon), *wishes_behind(source, own, lexicon))
+        for part in (*done_next(source, own), *wishes_behind(source, own))
     ]

@@ -17,8 +17,11 @@ from fuzzytime.language.sentence.segments.events.behind_happenings import (
 )
 from fuzzytime.language.sentence.segments.events.named_events import beside, counts_event, heads
 from fuzzytime.language.sentence.segments.openings import before_courtesies, behind_opening
-from fuzzytime.language.sentence.segments.taken_back.corrected_things import AFTER_ALL, corrected_things
-from fuzzytime.language.sentence.segments.taken_back.retractions import retractions
+from fuzzytime.language.sentence.segments.taken_back.corrected_things import (
+    AFTER_ALL,
+    corrected_things,
+    retractions,
+)
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 
@@ -52,11 +55,7 @@ class Segment:
 
 
 def segments_of(
-    text: str,
-    words: Sequence[Word],
-    phrases: Sequence[Phrase],
-    lexicon: Lexicon,
-    taken_back: Sequence[Span],
+    text: str, words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon, taken_back: Sequence[Span]
 ) -> list[Segment]:
     """Cut a text at what always ends an instruction: full stops and connectives, outside of times.
 

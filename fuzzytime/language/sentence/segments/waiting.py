@@ -1,30 +1,20 @@
 """Segments that wait for their trees, and the parts that they become."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from datetime import datetime
 
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.conditions import IF
-from fuzzytime.language.sentence.segments.leading_markers import Marker, marker_at
-from fuzzytime.language.sentence.segments.orders_beside_times import (
-    begins_order,
-    is_done_alone,
-    is_numbered,
-)
+from fuzzytime.language.sentence.segments.leading_markers import Marker, goes_on_behind, marker_at
 from fuzzytime.language.sentence.segments.segment import Segment
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
-from fuzzytime.language.sentence.verbs.meant.actions import is_doubtful
-from fuzzytime.language.sentence.verbs.statements.statement_trees import leaves
-from fuzzytime.language.sentence.verbs.without_verbs.happenings import happens, may_be_ordered
 
 JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but|or|nor)\b)?[\s,;&]*(\bplease\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
@@ -34,9 +24,6 @@ AT = "at"
 
 STATED = frozenset({"when", "if", "while"})
 """Kinds of clauses that say what must be so."""
-
-LEAST_SAID = 3
-"""Words of "and nobody calls"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +38,11 @@ class Part:
     tree: Tree
     offset: int
     front: Tree | None = None
+
+    @property
+    def lexicon(self) -> Lexicon:
+        """The words of its language."""
+        return self.tree.lexicon
 
     def local(self, span: Span) -> Span:
         """Give a stretch of the text as one of the tree's."""
@@ -109,9 +101,14 @@ class Waiting:
     main: int
 
     @classmethod
-    def of(cls, position: int, source: Source, segment: Segment, lexicon: Lexicon) -> "Waiting":
+    def of(cls, position: int, source: Source, segment: Segment) -> "Waiting":
         """Give a segment of the source at a position."""
-        return cls(position, source, segment, _main(source, segment, lexicon))
+        return cls(position, source, segment, _main(source, segment))
+
+    @property
+    def lexicon(self) -> Lexicon:
+        """The words of its language."""
+        return self.source.scanned.lexicon
 
     @property
     def text(self) -> str:
@@ -129,10 +126,10 @@ class Waiting:
         """The clause in front, nothing where there is none; one without its "if" as if it had one."""
         text = self.source.sound[self.segment.span[0] : self.main]
         first = text.partition(" ")[0]
-        inverted = first.lower() in self.source.scanned.lexicon.closed.conditional_inversion
+        inverted = first.lower() in self.lexicon.closed.conditional_inversion
         return IF.ljust(len(first)) + text[len(first) :] if inverted else text
 
-    def markers(self, lexicon: Lexicon) -> Iterator[Marker]:
+    def markers(self) -> Iterator[Marker]:
         """Give the markers of clauses in front: at its start without a comma, or behind a joint."""
         words = self.source.scanned.words
         for position, place in enumerate(self.source.places(*self.segment.span)):
@@ -141,44 +138,45 @@ class Waiting:
                 self.main == self.segment.span[0]
                 if position == 0
                 # "Melt the butter, as soon as that's done mix them"
-                else before in lexicon.closed.joints_of_conditions | {","}
+                else before in self.lexicon.closed.joints_of_conditions | {","}
             )
             leads = leads and (position == 0 or words[place].start >= self.main)
             end = self.segment.span[1]
-            marker = marker_at(words, self.source.phrases, place, end, lexicon) if leads else None
+            marker = marker_at(words, self.source.phrases, place, end, self.lexicon) if leads else None
             if marker is not None:
                 yield marker
 
-    def leading_marker(self, lexicon: Lexicon) -> Marker | None:
+    def leading_marker(self) -> Marker | None:
         """Give the marker of the clause in front that a comma ends; None where there is none."""
         places = self.source.places(*self.segment.span)
         if self.main == self.segment.span[0] or not places:
             return None
         source, end = self.source, self.segment.span[1]
-        return marker_at(source.scanned.words, source.phrases, places[0], end, lexicon)
+        return marker_at(source.scanned.words, source.phrases, places[0], end, self.lexicon)
 
     def end_before(self, start: int, first: int | None = None) -> int:
         """Give where what stands before a place ends, without what joins both."""
         first = self.segment.span[0] if first is None else first
         return first + len(JOINT.sub("", self.source.scanned.text[first:start]))
 
-    def cut_at(self, start: int, main: int, lexicon: Lexicon) -> Iterator["Waiting"]:
+    def cut_at(self, start: int, main: int) -> Iterator["Waiting"]:
         """Give what stands before a clause in front, and what it leads from ``main`` on."""
         led, kept = self.segment, (self.segment.span[0], self.end_before(start))
         if kept[1] > kept[0]:
-            yield Waiting.of(self.position, self.source, replace(led, span=kept), lexicon)
+            yield Waiting.of(self.position, self.source, replace(led, span=kept))
             led = Segment((start, led.span[1]), addressee=led.addressee)
         yield Waiting(self.position, self.source, led, main)
 
-    def cut_before(self, start: int, lexicon: Lexicon) -> Iterator["Waiting"]:
+    def cut_before(self, start: int) -> Iterator["Waiting"]:
         """Give what stands before an order that nothing joins, and that order."""
         first, end = self.segment.span
         before = replace(self.segment, span=(first, self.end_before(start)))
         for segment in (before, Segment((start, end), addressee=self.segment.addressee)):
-            yield Waiting.of(self.position, self.source, segment, lexicon)
+            yield Waiting.of(self.position, self.source, segment)
 
     @property
-    def _phrases(self) -> list[Phrase]:
+    def phrases(self) -> list[Phrase]:
+        """Its times."""
         first, end = self.segment.span
         return [phrase for phrase in self.source.phrases if first <= phrase.span[0] < end]
 
@@ -221,78 +219,32 @@ class Waiting:
         spans = (phrase.span for phrase in self.source.phrases)
         return frozenset(place for a, b in spans for place in tree.at(a - self.main, b - self.main))
 
-    def _overlooks_order(self, tree: Tree, lexicon: Lexicon) -> bool:
-        """Whether a bare verb right behind a time in front is not its root: "from now on keep it shut"."""
-        first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
-        if first is None or first == tree.root:
-            return False
-        node = tree.nodes[first]
-        if not node.may_act or node.lower != node.lemma:
-            return False
-        if is_done_alone(tree, first, lexicon):
-            return True
-        if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in {"it", "them"}:
-            # "Pat it dry"
-            return True
-        if first == 0 and node.lower in lexicon.particles.get(tree.nodes[1].lower, ()):
-            # "Top up the water troughs"
-            return True
-        if first == 0 and node.tag.startswith("NN") and tree.nodes[1].tag in {"DT", "PRP$"}:
-            # "Print the boarding passes tonight"
-            return True
-        # "Fetch crate 4, bring it here": the first order is taken for who does the second.
-        subjects = tree.children(tree.root, *SUBJECTS, *(() if tree.nodes[tree.root].may_act else ("advcl",)))
-        taken = any(first in tree.below(place) for place in subjects)
-        return taken and tree.root > 0 and tree.nodes[tree.root - 1].lower in {",", "and", ";"}
 
-    def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
-        """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
-        if not tree.nodes:
-            return False
-        if self._phrases and happens(tree, self._phrases, lexicon):
-            return may_be_ordered(tree) or begins_order(tree, lexicon)
-        if leaves(tree, tree.root, lexicon.travelling):
-            return False
-        if is_doubtful(tree) or is_numbered(tree, lexicon):
-            return True
-        words, covered = self.source.scanned.words, self.source.covered
-        places = self.source.places(self.main, self.segment.span[1])
-        timed = {words[place].start - self.main for place in places if place in covered}
-        first = tree.nodes[tree.root].start
-        if self._overlooks_order(tree, lexicon) or begins_order(tree, lexicon) or first in timed:
-            return True
-        root = self.main + first
-        before = [p for p in self.source.places(self.main, root) if p not in covered]
-        if not before or longest_match(words, before[0], lexicon.clauses) is not None:
-            return False
-        return any(longest_match(words, place, lexicon.clauses) is not None for place in before[1:])
-
-
-def goes_on_behind(words: Sequence[Word], comma: int, following: int, lexicon: Lexicon) -> bool:
-    """Whether another thing that must be so stands between two commas: ", and the oil shimmers,"."""
-    said = [word.text for word in words[comma + 1 : following]]
-    return (
-        len(said) >= LEAST_SAID and said[0] in {"and", "or"} and said[1] in lexicon.closed.condition_openers
-    )
-
-
-def _second_marker(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker | None:
+def _second_marker(source: Source, place: int, end: int) -> Marker | None:
     """Give the marker of a further clause in front, behind the comma of the one before it."""
     words = source.scanned.words
     place += words[place].text in {"and", "but", "or"} if place < end else 0
-    marker = marker_at(words, source.phrases, place, words[end].start, lexicon) if place < end else None
+    marker = (
+        marker_at(words, source.phrases, place, words[end].start, source.scanned.lexicon)
+        if place < end
+        else None
+    )
     return marker if marker is not None and marker.end < end else None
 
 
-def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
+def _main(source: Source, segment: Segment) -> int:
     """Give where the words behind a clause in front begin; the segment's start where there is none.
 
     The clause ends at a comma.
     """
     words = source.scanned.words
     places = source.places(*segment.span)
-    marker = marker_at(words, source.phrases, places[0], segment.span[1], lexicon) if places else None
-    inverted = bool(places) and words[places[0]].text in lexicon.closed.conditional_inversion
+    marker = (
+        marker_at(words, source.phrases, places[0], segment.span[1], source.scanned.lexicon)
+        if places
+        else None
+    )
+    inverted = bool(places) and words[places[0]].text in source.scanned.lexicon.closed.conditional_inversion
     if marker is None and not inverted:
         return segment.span[0]
     behind = places[0] + 1 if marker is None else marker.end
@@ -300,10 +252,10 @@ def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
     comma = next(iter(commas), None)
     for following in commas[1:]:
         # "After the museum, but before it gets dark, find a place to eat"
-        leads = None if comma is None else _second_marker(source, comma + 1, following, lexicon)
+        leads = None if comma is None else _second_marker(source, comma + 1, following)
         stated = comma is not None and (inverted or (marker is not None and marker.kind in STATED))
         if leads is None and not (
-            stated and comma is not None and goes_on_behind(words, comma, following, lexicon)
+            stated and comma is not None and goes_on_behind(words, comma, following, source.scanned.lexicon)
         ):
             break
         comma = following

@@ -57,6 +57,11 @@ class Sketch:
     past: bool = False
 
     @property
+    def lexicon(self) -> Lexicon:
+        """The words of its language."""
+        return self.part.lexicon
+
+    @property
     def heard(self) -> list[Span]:
         """The stretches of its times and clauses."""
         return [*(phrase.span for phrase in self.phrases), *(clause.span for clause in self.clauses)]
@@ -131,40 +136,40 @@ def text_between(first: Sketch, second: Sketch, text: str) -> str:
     return text[first.part.segment.span[1] : second.part.segment.span[0]]
 
 
-def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
+def sketch_of(draft: Draft, part: Part) -> Sketch:
     """Sketch one part of a draft."""
     first, end = part.segment.span
     phrases = [phrase for phrase in draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
-    said = said_of_time(draft, part, phrases, lexicon)
+    said = said_of_time(draft, part, phrases)
     named = Sketch(
         part=part,
         phrases=tuple(said.phrases),
         clauses=tuple(said.clauses),
         references=(None,) * len(said.phrases),
-        operation=telling_alone(draft, part) or _happening(draft, part, said.phrases, said.clauses, lexicon),
+        operation=telling_alone(draft, part) or _happening(draft, part, said.phrases, said.clauses),
         remarks=tuple(said.remarks),
     )
-    moved = _given_new_time(part, said.phrases, lexicon)
+    moved = _given_new_time(part, said.phrases)
     if moved is not None:
         return replace(named, operation=moved)
     if named.operation is not None or part.segment.verbless:
         return named
-    action = _action_of(part, said, lexicon, timed=bool(phrases or said.clauses))
-    return named if action is None else _asked(draft, part, said, action, lexicon)
+    action = _action_of(part, said, timed=bool(phrases or said.clauses))
+    return named if action is None else _asked(draft, part, said, action)
 
 
-def _given_new_time(part: Part, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:
+def _given_new_time(part: Part, phrases: Sequence[Phrase]) -> Operation | None:
     """Give what was moved, which happens at its new time: "the dentist has been moved to four"."""
     if not part.tree.nodes:
         return None
     heard = [part.local(phrase.span) for phrase in phrases]
-    found = given_new_time(part.tree, phrases, Reader(part.tree, lexicon, heard), lexicon)
+    found = given_new_time(part.tree, phrases, Reader(part.tree, heard))
     return None if found is None else found.moved(part.offset)
 
 
-def _action_of(part: Part, said: SaidOfTime, lexicon: Lexicon, *, timed: bool) -> Action | None:
+def _action_of(part: Part, said: SaidOfTime, *, timed: bool) -> Action | None:
     """Give the verb that says what is to be done; None where none does."""
-    action = _untimed(part, action_of(part.tree, lexicon, told=tells_more(part)), said.phrases, lexicon)
+    action = _untimed(part, action_of(part.tree, told=tells_more(part)), said.phrases)
     if action is None or not (timed or not says_how_things_are(part.tree, action.place)):
         return None
     verb = part.tree.nodes[action.place].start + part.offset
@@ -173,13 +178,13 @@ def _action_of(part: Part, said: SaidOfTime, lexicon: Lexicon, *, timed: bool) -
     return None if in_clause else action
 
 
-def _asked(draft: Draft, part: Part, said: SaidOfTime, action: Action, lexicon: Lexicon) -> Sketch:
+def _asked(draft: Draft, part: Part, said: SaidOfTime, action: Action) -> Sketch:
     """Sketch a part whose verb says what is to be done, with the times that are about that."""
-    times = own_times(draft, part, said, action, lexicon)
-    reader = Reader(part.tree, lexicon, [part.local(span) for span in times.covered])
+    times = own_times(draft, part, said, action)
+    reader = Reader(part.tree, [part.local(span) for span in times.covered])
     operation = with_told(draft, part, as_remembered(reader.operation(action)))
     operation = of_which(draft.text, with_name(part, operation, action), times.of_things)
-    phrases, clauses, references = referred(part, times, action, operation, lexicon)
+    phrases, clauses, references = referred(part, times, action, operation)
     return Sketch(
         part=part,
         phrases=phrases,
@@ -203,7 +208,7 @@ def order_of(draft: Draft, part: Part) -> Order | None:
 
 
 def _happening(
-    draft: Draft, part: Part, phrases: Sequence[Phrase], clauses: Sequence[Clause], lexicon: Lexicon
+    draft: Draft, part: Part, phrases: Sequence[Phrase], clauses: Sequence[Clause]
 ) -> Operation | None:
     """Give what happens at a time, or after something else, where no verb says what is to be done."""
     root = part.tree.root
@@ -211,7 +216,7 @@ def _happening(
         return None
     timed = phrases or clauses
     places = [place for phrase in phrases for place in part.at(phrase.span)]
-    put = put_there(part.tree, places, lexicon)
+    put = put_there(part.tree, places)
     if put is not None and not part.segment.verbless:
         return put.moved(part.offset)
     due = {place for p in phrases for place in part.at(p.span) if p.said.constraint is Constraint.BEFORE}
@@ -220,27 +225,27 @@ def _happening(
     # "Dog walked this morning" may be news.
     news = {place for p in phrases for place in part.at(p.span) if p.said.is_day} - due - moments
     heard_now = [place for place in heard if place not in news]
-    so = due_by_then(part.tree, due, moments, heard_now, lexicon, listed=draft.listed)
+    so = due_by_then(part.tree, due, moments, heard_now, listed=draft.listed)
     if so is not None and not part.segment.verbless:
         return so.moved(part.offset)
     if part.segment.verbless or not timed:
         return None
-    named = None if clauses else named_moment(part.tree, phrases, lexicon, part.offset)
+    named = None if clauses else named_moment(part.tree, phrases, part.offset)
     if named is not None:
         return named.moved(part.offset)
-    if not happens(part.tree, phrases, lexicon):
-        deed = deed_at(part.tree, places, phrases, lexicon)
-        deed = deed or chores_at(part.tree, heard, phrases, lexicon, led=bool(clauses))
+    if not happens(part.tree, phrases):
+        deed = deed_at(part.tree, places, phrases)
+        deed = deed or chores_at(part.tree, heard, phrases, led=bool(clauses))
         return None if deed is None else deed.moved(part.offset)
     said = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
-    names = Reader(part.tree, lexicon, [part.local(span) for span in said])
-    found = happening_at(root, part.tree, phrases, names, lexicon)
+    names = Reader(part.tree, [part.local(span) for span in said])
+    found = happening_at(root, part.tree, phrases, names)
     return found.moved(part.offset)
 
 
-def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexicon: Lexicon) -> Action | None:
+def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Action | None:
     """Give the verb below one that is about time: "take your time peeling them", "spend an hour cleaning"."""
-    closed = lexicon.closed
+    closed = part.lexicon.closed
     if action is None:
         return None
     timed = {place for p in phrases for place in part.at(p.span)}
@@ -257,7 +262,7 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexic
     verbs = (place for place, node in nodes if node.is_verb and place not in timed)
     taken = set(part.tree.children(action.place, "dobj"))
     # "Take the bins out tonight to help mum": it is no time that is taken.
-    spends = part.tree.nodes[action.place].lemma in lexicon.doing.spent and taken <= timed
+    spends = part.tree.nodes[action.place].lemma in part.lexicon.doing.spent and taken <= timed
     spends = spends and not timed.isdisjoint(taken.union(part.tree.children(action.place, "npadvmod")))
     if spends:
         verbs = (place for place in verbs if place > action.place)

@@ -63,7 +63,7 @@ def of_which(text: str, operation: Operation, times: Sequence[Phrase]) -> Operat
 
 def with_name(part: Part, operation: Operation, action: Action) -> Operation:
     """Give an operation with what a thing is called by it: "mark the rent as paid"."""
-    nodes, lexicon = part.tree.nodes, part.tree.lexicon
+    nodes, lexicon = part.tree.nodes, part.lexicon
     if nodes[action.place].lemma not in lexicon.doing.marking or operation.complement is not None:
         return operation
     for place in range(action.place + 1, len(nodes) - 1):

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.sentence.segments.drafts import Draft
@@ -16,11 +15,10 @@ from fuzzytime.language.sentence.together.days.days_apart import on_owned_day, o
 from fuzzytime.language.sentence.together.days.days_left_out import left_out_behind, without_days_left_out
 from fuzzytime.language.sentence.together.days.days_on import days_on
 from fuzzytime.language.sentence.together.days.each_week import each_week
-from fuzzytime.language.sentence.together.days.things_alone import things_alone
+from fuzzytime.language.sentence.together.days.listed_days import things_alone
 from fuzzytime.language.sentence.together.lent.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.none_of_it.after_all import after_all
 from fuzzytime.language.sentence.together.times.again_between import again_between
-from fuzzytime.language.sentence.together.times.also_at_events import also_at_events
 from fuzzytime.language.sentence.together.times.at_once import at_once
 from fuzzytime.language.sentence.together.times.both_sides import on_both_sides
 from fuzzytime.language.sentence.together.times.choices_of_repetitions import first_of_choices
@@ -28,7 +26,7 @@ from fuzzytime.language.sentence.together.times.first_offered import first_offer
 from fuzzytime.language.sentence.together.times.first_times import from_first_time
 from fuzzytime.language.sentence.together.times.one_by_one import one_by_one
 from fuzzytime.language.sentence.together.times.said_again import done_again, each_of
-from fuzzytime.language.sentence.together.times.several_times import of_several_times
+from fuzzytime.language.sentence.together.times.several_times import also_at_events, of_several_times
 from fuzzytime.language.sentence.together.times.turns import counted_apart
 from fuzzytime.language.sentence.together.told.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.told.reasons_told import due_before_told
@@ -36,25 +34,23 @@ from fuzzytime.language.sentence.together.told.told_beside import told_beside
 from fuzzytime.requirement import Constraint
 
 
-def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Remark]]:
+def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     """Sketch the instructions of a draft; two times joined by "and" make two of one."""
     found: list[Sketch] = []
     remarks: list[Remark] = []
-    sketches, corrections = after_all(
-        [sketch_of(draft, part, lexicon) for part in draft.parts], draft, lexicon
-    )
+    sketches, corrections = after_all([sketch_of(draft, part) for part in draft.parts], draft)
     remarks += corrections
-    sketches = left_out_behind(sketches, lexicon)
-    sketches = within_opening_hours(told_beside(sketches, draft.text, lexicon), draft.text, lexicon)
-    sketches = due_before_told(sketches, draft.text, lexicon)
-    sketches = repeated(led(sketches, draft.text), draft.text, lexicon)
-    told = shared(at_once(within(sketches, draft.text, lexicon), draft.text), draft.text, lexicon)
+    sketches = left_out_behind(sketches)
+    sketches = within_opening_hours(told_beside(sketches, draft.text), draft.text)
+    sketches = due_before_told(sketches, draft.text)
+    sketches = repeated(led(sketches, draft.text), draft.text)
+    told = shared(at_once(within(sketches, draft.text), draft.text), draft.text)
     words = draft.scanned.words
     told = [without_days_left_out(sketch) for sketch in under_first_line(told, draft.text)]
-    told = [day_by_day(each_day_too(sketch, words, lexicon), draft.text, lexicon) for sketch in told]
-    told = days_on(told, draft.text, lexicon)
+    told = [day_by_day(each_day_too(sketch, words), draft.text) for sketch in told]
+    told = days_on(told, draft.text)
     split = (
-        one_by_one(counted_apart(one, words, lexicon), words, lexicon)
+        one_by_one(counted_apart(one, words), words)
         for sketch in told
         for each in each_of(sketch, draft.instances)
         for again in done_again(each, words)
@@ -62,13 +58,13 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     )
     for one in split:
         whole, remarked = first_offered(one, draft.text)
-        whole, others = first_of_choices(whole, words, lexicon)
+        whole, others = first_of_choices(whole, words)
         remarks += (*remarked, *(not_used(draft.text, span) for span in others))
-        for again in also_at_events(whole, words, lexicon):
-            found += of_several_times(again, words, lexicon)
-    found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in again_between(found)]
+        for again in also_at_events(whole, words):
+            found += of_several_times(again, words)
+    found = [on_owned_day(_ordered(sketch, draft)) for sketch in again_between(found)]
     headed = draft.heading is not None and draft.heading.day is not None
-    found = things_alone(each_week(found, draft.text, lexicon), draft.text, headed=headed)
+    found = things_alone(each_week(found, draft.text), draft.text, headed=headed)
     placed = on_their_days(found, draft.text, draft.heading)
     return _with_asides([from_first_time(sketch, words) for sketch in placed], draft), remarks
 

@@ -58,13 +58,13 @@ def paper_tokens(tree: Tree, timely: Collection[int]) -> tuple[Token, ...]:
     )
 
 
-def strict_reading(tree: Tree, lexicon: Lexicon) -> tuple[tuple[Token, ...], StrictReading]:
+def strict_reading(tree: Tree) -> tuple[tuple[Token, ...], StrictReading]:
     """Read a tree as the paper does.
 
     Search an oblique temporal modifier of the root verb; from it, recursively, number, fuzziness and
     preposition (section III-B1).
     """
-    timely = {place for place, node in enumerate(tree.nodes) if is_timely(node.lower, lexicon)}
+    timely = {place for place, node in enumerate(tree.nodes) if is_timely(node.lower, tree.lexicon)}
     tokens = paper_tokens(tree, timely)
     root = tree.root
     if not tree.nodes or not tree.nodes[root].is_verb:

@@ -21,8 +21,12 @@ class Wording:
     """The words of a tree; ``times`` are the stretches of characters that are about time."""
 
     tree: Tree
-    lexicon: Lexicon
     times: Sequence[Span]
+
+    @property
+    def lexicon(self) -> Lexicon:
+        """The words of its language."""
+        return self.tree.lexicon
 
     def timed(self, place: int) -> bool:
         """Whether a word is about time."""

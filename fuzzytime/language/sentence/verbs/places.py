@@ -117,7 +117,7 @@ class Places(Wording):
 
     def _is_numbered(self, place: int) -> bool:
         """Whether a verb with "to" is a place with a number: "take it to station 4"."""
-        return is_numbered_place(self.tree, place, self.lexicon)
+        return is_numbered_place(self.tree, place)
 
     def _behind_times(self, verb: int) -> Iterator[int]:
         """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""

@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.borrowed_words.frames import (
     acts_too,
@@ -16,10 +15,7 @@ from fuzzytime.language.sentence.segments.borrowed_words.frames import (
     lets_too,
 )
 from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import Stretch, Wish
-from fuzzytime.language.sentence.segments.borrowed_words.other_things import (
-    is_done_elsewhere,
-    is_given_too,
-)
+from fuzzytime.language.sentence.segments.borrowed_words.other_things import is_done_elsewhere, is_given_too
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
 from fuzzytime.language.sentence.trees.tree import Tree
@@ -44,15 +40,15 @@ IN_FRONT: tuple[Kind, ...] = (is_reminded_then, is_done_elsewhere)
 """What a wish may be that has its time in front, or stands apart."""
 
 
-def wishes_beside(one: Waiting, part: Part, lexicon: Lexicon) -> dict[int, tuple[Borrowed, ...]]:
+def wishes_beside(one: Waiting, part: Part) -> dict[int, tuple[Borrowed, ...]]:
     """Give where further wishes begin that borrow words, with these."""
     tree, timed = part.tree, one.timed(part.tree)
     found: dict[int, tuple[Borrowed, ...]] = {}
     for start in (*_starts(tree, timed), *_other_times(tree, timed)):
         behind = range(start, len(tree.nodes))
-        ends = (p for p in behind if p in timed or (tree.nodes[p].lower,) in lexicon.clauses)
+        ends = (p for p in behind if p in timed or (tree.nodes[p].lower,) in part.lexicon.clauses)
         end = next(ends, len(tree.nodes))
-        wish = Wish(tree, start, end, timed, lexicon)
+        wish = Wish(tree, start, end, timed, part.lexicon)
         borrowed = _borrowed(wish, IN_FRONT if start in timed else KINDS, part.offset)
         if borrowed is not None:
             found[tree.nodes[start].start + part.offset] = borrowed
@@ -73,7 +69,7 @@ def _borrowed(wish: Wish, kinds: Sequence[Kind], offset: int) -> tuple[Borrowed,
     )
 
 
-def wishes_behind(source: Source, parts: Mapping[int, Part], lexicon: Lexicon) -> Iterator[Part]:
+def wishes_behind(source: Source, parts: Mapping[int, Part]) -> Iterator[Part]:
     """Give the parts, by where they begin, that are done as the part before is: "…, then Ann to school"."""
     ordered: Part | None = None
     for start in sorted(parts):
@@ -84,9 +80,7 @@ def wishes_behind(source: Source, parts: Mapping[int, Part], lexicon: Lexicon) -
         said = source.scanned.text[end : part.segment.span[0]].lower()
         timed = any(start <= phrase.span[0] < part.segment.span[1] for phrase in source.phrases)
         borrowed = (
-            None
-            if ordered is None or not timed or not _joins(said)
-            else _behind(source, ordered, part, lexicon)
+            None if ordered is None or not timed or not _joins(said) else _behind(source, ordered, part)
         )
         if borrowed is None:
             ordered = part
@@ -99,7 +93,7 @@ def _joins(said: str) -> bool:
     return bool(said.strip()) and ENDS.isdisjoint(said) and JOINTS.union({THEN}).issuperset(said.split())
 
 
-def _behind(source: Source, ordered: Part, part: Part, lexicon: Lexicon) -> tuple[Borrowed, ...] | None:
+def _behind(source: Source, ordered: Part, part: Part) -> tuple[Borrowed, ...] | None:
     """Give the words of the part before that hold in a part; None where it is no further wish."""
     first, shift = ordered.tree.nodes, len(ordered.tree.nodes)
     nodes = (
@@ -109,9 +103,9 @@ def _behind(source: Source, ordered: Part, part: Part, lexicon: Lexicon) -> tupl
             for n in part.tree.nodes
         ),
     )
-    both = Tree(source.scanned.text, nodes, lexicon)
+    both = Tree(source.scanned.text, nodes, ordered.lexicon)
     timed = frozenset(place for phrase in source.phrases for place in both.at(*phrase.span))
-    return _borrowed(Wish(both, shift, len(nodes), timed, lexicon, apart=True), IN_FRONT, 0)
+    return _borrowed(Wish(both, shift, len(nodes), timed, ordered.lexicon, apart=True), IN_FRONT, 0)
 
 
 def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[int]:

@@ -25,7 +25,7 @@ NUMBERED = 2
 def is_done_too(wish: Wish) -> list[Stretch] | None:
     """Give what is said of what must be done: "must be" walked and the cat fed, "could" it "be" swept."""
     tree = wish.tree
-    action = action_of(tree, wish.lexicon)
+    action = action_of(tree)
     if action is None or action.negated:
         return None
     # "I want the car washed": a tree may have that for what was.

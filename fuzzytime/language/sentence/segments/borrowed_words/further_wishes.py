@@ -73,7 +73,7 @@ def end_of(wish: Wish, verb: int) -> int:
 
 def ordered(wish: Wish) -> range | None:
     """Give the verb of an order that has an object, with its particle; None without one."""
-    tree, action = wish.tree, action_of(wish.tree, wish.lexicon)
+    tree, action = wish.tree, action_of(wish.tree)
     if (
         action is None
         or action.negated

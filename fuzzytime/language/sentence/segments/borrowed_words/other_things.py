@@ -119,8 +119,10 @@ def _others(wish: Wish, here: int, end: int, first: int) -> int:
 
 def _is_somebody(wish: Wish, place: int) -> bool:
     """Whether somebody is named, or an animal is."""
-    lexicon = wish.lexicon
-    return wish.tree.nodes[place].lower in lexicon.persons | lexicon.names_like_words | lexicon.animals
+    return (
+        wish.tree.nodes[place].lower
+        in wish.lexicon.persons | wish.lexicon.names_like_words | wish.lexicon.animals
+    )
 
 
 def _tells(wish: Wish, place: int, named: int) -> bool:

@@ -6,7 +6,6 @@ Two times are a range, which the grammar reads; an event's time is that of anoth
 from collections.abc import Iterator
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.sentence.segments.events.event_edges import LONGEST_EVENT, is_event
 
@@ -16,16 +15,16 @@ AFTER, BY = "after  ", "by "
 """What is said instead, as long as "between" and "and" are."""
 
 
-def said_apart(scanned: Scanned, lexicon: Lexicon) -> str:
+def said_apart(scanned: Scanned) -> str:
     """Give a text of the same length that says on which side of either end something is."""
     text = scanned.text
-    for first, joint in _betweens(scanned, lexicon):
+    for first, joint in _betweens(scanned):
         for (start, end), word in ((first, AFTER), (joint, BY)):
             text = text[:start] + word + text[end:]
     return text
 
 
-def _betweens(scanned: Scanned, lexicon: Lexicon) -> Iterator[tuple[tuple[int, int], tuple[int, int]]]:
+def _betweens(scanned: Scanned) -> Iterator[tuple[tuple[int, int], tuple[int, int]]]:
     """Give the places of "between" and its "and", where one of them is an event and both have a time."""
     words = scanned.words
     for place, word in enumerate(words):
@@ -36,9 +35,9 @@ def _betweens(scanned: Scanned, lexicon: Lexicon) -> Iterator[tuple[tuple[int, i
         if joint is None:
             continue
         ends = range(joint + 2, min(joint + 2 + LONGEST_EVENT, len(words) + 1))
-        event = is_event(words, place + 1, joint, frozenset(), lexicon)
+        event = is_event(words, place + 1, joint, frozenset(), scanned.lexicon)
         # "Between two and four call mum": what a clock time or a day begins is no event.
-        other = any(is_event(words, joint + 1, end, frozenset(), lexicon) for end in ends)
+        other = any(is_event(words, joint + 1, end, frozenset(), scanned.lexicon) for end in ends)
         own = [p for p in scanned.pieces("wall") if _is_own(p)] + scanned.pieces("minutes past")
         other = other and not any(piece.start == joint + 1 for piece in own)
         walls = {(piece.start, piece.end) for piece in scanned.pieces("wall")} if event or other else set()

@@ -35,29 +35,30 @@ class Instances:
 NONE = Instances()
 
 
-def instances_of(scanned: Scanned, grammar: Grammar, lexicon: Lexicon) -> tuple[Scanned, Instances]:
+def instances_of(scanned: Scanned, grammar: Grammar) -> tuple[Scanned, Instances]:
     """Give a text without the words that tell several of one kind apart, each of which has a time."""
-    found = _marked(scanned, lexicon)
-    if len(found.starts) < 2 or _begins_alone(scanned, found, lexicon):
+    found = _marked(scanned)
+    if len(found.starts) < 2 or _begins_alone(scanned, found):
         return scanned, NONE
-    bare = Scanned.of(blanked(scanned.text, found.counting), grammar, lexicon, hours=scanned.hours)
-    times = [phrase.span for phrase in phrases_of(bare, lexicon)]
+    bare = Scanned.of(blanked(scanned.text, found.counting), grammar, scanned.lexicon, hours=scanned.hours)
+    times = [phrase.span for phrase in phrases_of(bare)]
     begins = [next((word.start for word in bare.words if word.start >= start), -1) for start in found.starts]
     # "Two visits today, one at nine": the first may have its day in front.
     timed = [any(first <= begin < end for first, end in times) for begin in begins]
     return (bare, found) if all(timed) else (scanned, NONE)
 
 
-def _begins_alone(scanned: Scanned, found: Instances, lexicon: Lexicon) -> bool:
+def _begins_alone(scanned: Scanned, found: Instances) -> bool:
     """Whether the first of several has its time before: "take one now, one at lunch and one at night"."""
     first = found.counting[0][0]
     ones = [word.end for word in scanned.words if word.end <= first and word.text in ONE]
-    ends = [phrase.span for phrase in phrases_of(scanned, lexicon)]
+    ends = [phrase.span for phrase in phrases_of(scanned)]
     return bool(ones) and any(ones[-1] < start and end == first for start, end in ends)
 
 
-def _marked(scanned: Scanned, lexicon: Lexicon) -> Instances:
+def _marked(scanned: Scanned) -> Instances:
     """Give where several of one kind are told apart: "…, one …, the other …"."""
+    lexicon = scanned.lexicon
     words = scanned.words
     starts: list[int] = []
     counting: list[Span] = []

@@ -27,27 +27,27 @@ FINITE = frozenset({"VBZ", "VBD", "MD"})
 """Tags of what is said to be so."""
 
 
-def called_first(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+def called_first(one: Waiting, part: Part) -> list[Segment]:
     """Give the segment without whom it calls: "robot 2 weld the frame", "let robot 2 weld it"."""
     timed = one.timed(part.tree)
-    found = None if one.segment.addressee is not None else _called_at(one, part, 0, timed, lexicon)
+    found = None if one.segment.addressee is not None else _called_at(one, part, 0, timed)
     if found is None:
         return []
     called, verb = found
     return [replace(one.segment, span=(verb.start + part.offset, one.segment.span[1]), addressee=called)]
 
 
-def called_next(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+def called_next(one: Waiting, part: Part) -> list[Segment]:
     """Cut a segment where it calls another: "…, robot 2 stack it", "… and Bob, stack it"."""
     first, last = one.segment.span
     nodes = part.tree.nodes
     # The words about time of a long list are looked for once.
     timed = one.timed(part.tree)
     for place in range(2, len(nodes)):
-        joined = nodes[place - 1].lower in lexicon.closed.joints_of_orders
+        joined = nodes[place - 1].lower in part.lexicon.closed.joints_of_orders
         # "Robot 1 and robot 2 stack the boxes"
-        together = joined and place - 1 == _length_of_name(nodes, 0, lexicon)
-        found = _called_at(one, part, place, timed, lexicon) if joined and not together else None
+        together = joined and place - 1 == _length_of_name(nodes, 0, part.lexicon)
+        found = _called_at(one, part, place, timed) if joined and not together else None
         if found is None:
             continue
         end = one.end_before(nodes[place].start + part.offset)
@@ -58,10 +58,9 @@ def called_next(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     return []
 
 
-def _called_at(
-    one: Waiting, part: Part, place: int, timed: Container[int], lexicon: Lexicon
-) -> tuple[str, Node] | None:
+def _called_at(one: Waiting, part: Part, place: int, timed: Container[int]) -> tuple[str, Node] | None:
     """Give the name that is called at a place, and the verb behind it; None where nobody is called."""
+    lexicon = part.lexicon
     nodes = part.tree.nodes
     leads = nodes[place : place + 1] and nodes[place].lower in (
         lexicon.letting | lexicon.causing | lexicon.addressing

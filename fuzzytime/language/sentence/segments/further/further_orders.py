@@ -39,7 +39,7 @@ WANTED = "xcomp"
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
 
 
-def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span], *, told: bool) -> list[int]:
+def further_verbs(tree: Tree, root: int, times: Sequence[Span], *, told: bool) -> list[int]:
     """Give the words at which further instructions of one sentence begin: imperatives beside the first.
 
     "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
@@ -50,7 +50,7 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
     first = (
         order_behind_order(tree, root, timed),
         order_behind_statement(tree, root, timed),
-        behind_named(tree, root, timed, lexicon),
+        behind_named(tree, root, timed),
         behind_heading(tree, root, timed),
     )
     found = [start for start in first if start is not None]
@@ -60,7 +60,7 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
         if place and tree.nodes[place - 1].tag == "POS" and tree.nodes[place - 1].relation == "case":
             # "Give dad's dog its pill"
             continue
-        start = _start_at(tree, place, root, timed, lexicon)
+        start = _start_at(tree, place, root, timed)
         if start is None and _is_second_statement(tree, place, root, timed, told=told):
             start = place
         if start is not None:
@@ -68,7 +68,7 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
     return found
 
 
-def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
+def _start_at(tree: Tree, place: int, root: int, timed: set[int]) -> int | None:
     """Give where the further instruction of a word begins; None where it has none."""
     told = result_behind_statement(tree, place, root, timed)
     told = second_statement(tree, place, timed) if told is None else told
@@ -77,23 +77,23 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     told = due_too(tree, place, root) if told is None else told
     if told is not None:
         return told
-    if _goes_on(tree, place, timed, lexicon) or goes_on(tree, place, root, timed):
+    if _goes_on(tree, place, timed) or goes_on(tree, place, root, timed):
         return place
     if _is_gerund_too(tree, place, root):
         return place
     if place > 1 and (_follows_so(tree, place, timed) or _follows_statement(tree, place, root, timed)):
         return place
-    if place > 1 and place != root and is_overlooked(tree, place, timed, lexicon):
+    if place > 1 and place != root and is_overlooked(tree, place, timed):
         return place
-    if place > 1 and is_led_by_time(tree, place, timed, lexicon):
+    if place > 1 and is_led_by_time(tree, place, timed):
         return behind_joint(tree, place, timed)
     if (
         place > 1
         and _is_passive_order(tree, place)
-        and tree.nodes[place - 1].lower in lexicon.closed.joints_of_orders
+        and tree.nodes[place - 1].lower in tree.lexicon.closed.joints_of_orders
     ):
         return place
-    return _start_of_coordinate(tree, place, root, timed, lexicon)
+    return _start_of_coordinate(tree, place, root, timed)
 
 
 def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
@@ -120,12 +120,12 @@ def _follows_statement(tree: Tree, place: int, root: int, timed: set[int]) -> bo
     return told and joined and whole and node.tag in IMPERATIVE and place - 2 in timed
 
 
-def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
+def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int]) -> int | None:
     """Give where begins what a bare verb asks for that the tree joins to the first: "…, and fry them"."""
     node = tree.nodes[place]
-    if place in {0, root} or not _is_bare(node, lexicon) or node.relation not in {*COORDINATE, WANTED}:
+    if place in {0, root} or not _is_bare(node, tree.lexicon) or node.relation not in {*COORDINATE, WANTED}:
         return None
-    wanted = _is_wanted_too(tree, place, root, lexicon)
+    wanted = _is_wanted_too(tree, place, root)
     if node.relation == WANTED and not wanted:
         return None
     denied = denied_from(tree, place)
@@ -134,35 +134,35 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lex
         return None
     first = min([_behind_place(tree, place), *tree.children(place, "aux")]) if denied is None else denied
     start = behind_joint(tree, first, timed)
-    joints = lexicon.closed.joints_of_orders
-    if _is_denied(tree, lexicon):
+    joints = tree.lexicon.closed.joints_of_orders
+    if _is_denied(tree):
         # "Don't open the lid or stir the soup"
-        joints |= lexicon.closed.denied_alternatives
+        joints |= tree.lexicon.closed.denied_alternatives
     if (
         start == 0
         or tree.nodes[start - 1].lower not in joints
         or (_is_embedded(tree, place, root) and not wanted)
     ):
         return None
-    if gone_to_do(tree, root, lexicon) == place:
+    if gone_to_do(tree, root) == place:
         return None
     return start if place > root else None
 
 
-def _is_denied(tree: Tree, lexicon: Lexicon) -> bool:
-    action = action_of(tree, lexicon)
+def _is_denied(tree: Tree) -> bool:
+    action = action_of(tree)
     return action is not None and action.negated
 
 
-def _is_wanted_too(tree: Tree, place: int, root: int, lexicon: Lexicon) -> bool:
+def _is_wanted_too(tree: Tree, place: int, root: int) -> bool:
     """Whether a verb is joined to the one that is meant below another: "I need to water it and feed him".
 
     So it is to what is to be remembered.
     """
-    action = action_of(tree, lexicon)
+    action = action_of(tree)
     if action is None or action.negated:
         return False
-    remembered = tree.nodes[action.place].lemma in lexicon.doing.remembering
+    remembered = tree.nodes[action.place].lemma in tree.lexicon.doing.remembering
     meant = {*tree.children(action.place, "xcomp")} if remembered else {action.place}
     over = tree.nodes[place].head
     if tree.nodes[place].relation == WANTED:
@@ -170,16 +170,20 @@ def _is_wanted_too(tree: Tree, place: int, root: int, lexicon: Lexicon) -> bool:
         return any(tree.nodes[p].head == over and p < place for p in meant - {root})
     while tree.nodes[over].relation in {"conj", "dep"} and over not in meant:
         over = tree.nodes[over].head
-    return over in meant - {root} and gone_to_do(tree, over, lexicon) != place
+    return over in meant - {root} and gone_to_do(tree, over) != place
 
 
-def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+def _goes_on(tree: Tree, place: int, timed: set[int]) -> bool:
     """Whether a participle with its own time goes on beside an order: "simmer it, stirring every ten"."""
     node = tree.nodes[place]
-    if node.tag != "VBG" or node.relation in EMBEDDED or node.lemma in lexicon.indicators:
+    if node.tag != "VBG" or node.relation in EMBEDDED or node.lemma in tree.lexicon.indicators:
         return False
     behind = next(
-        (p for p in range(place, len(tree.nodes)) if tree.nodes[p].lower in lexicon.closed.joints_of_orders),
+        (
+            p
+            for p in range(place, len(tree.nodes))
+            if tree.nodes[p].lower in tree.lexicon.closed.joints_of_orders
+        ),
         len(tree.nodes),
     )
     apart = place - 1 in timed or tree.nodes[place - 1].text == ","

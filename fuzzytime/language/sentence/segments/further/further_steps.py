@@ -14,27 +14,28 @@ THINGS = ("dobj", "npadvmod", "attr")
 """How a tree joins what is named to a verb."""
 
 
-def is_further_step(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+def is_further_step(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether a bare word behind a joint is a step behind the first, which a tree took for a thing."""
     root = tree.root
     if root >= place or tree.nodes[root].tag not in IMPERATIVE:
         return False
-    if not _may_be_step(tree, place, lexicon):
+    if not _may_be_step(tree, place):
         return False
     joint, behind = tree.nodes[place - 1].lower, tree.nodes[place + 1 : place + 2]
-    ends = not behind or _ends(behind[0], lexicon)
+    ends = not behind or _ends(behind[0], tree.lexicon)
     things = [p for p in tree.children(root, *THINGS) if p < place and p not in timed]
-    if tree.nodes[root].lemma in lexicon.doing.waiting and place - 2 in timed:
+    if tree.nodes[root].lemma in tree.lexicon.doing.waiting and place - 2 in timed:
         # "Wait a minute, read plate": nobody waits a plate.
         return not things and (ends or behind[0].tag.startswith("NN") or behind[0].tag in DETERMINERS)
     if joint == "," and place == root + 2:
         # "Rinse, dry"
         return ends and not things
-    return joint == "," and place - 2 not in timed and _names_control(tree, place, root, timed, lexicon)
+    return joint == "," and place - 2 not in timed and _names_control(tree, place, root, timed)
 
 
-def _may_be_step(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _may_be_step(tree: Tree, place: int) -> bool:
     """Whether a bare word behind a joint may say what is done, and calls nobody and names no event."""
+    lexicon = tree.lexicon
     node = tree.nodes[place]
     behind = tree.nodes[place + 1 : place + 2]
     named = lexicon.persons | lexicon.addresses | lexicon.happening | lexicon.taken
@@ -47,14 +48,14 @@ def _may_be_step(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return known and joined and bare and node.lower not in named and not node.text[0].isupper()
 
 
-def _names_control(tree: Tree, place: int, root: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+def _names_control(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> bool:
     """Whether what follows is named like a verb, behind a thing with an article: "…, press start"."""
     behind, further = tree.nodes[place + 1 : place + 2], tree.nodes[place + 2 : place + 3]
     # "Clean the table, work surface and sink"
-    pressed = tree.nodes[place].lower in lexicon.ordering and bool(behind)
+    pressed = tree.nodes[place].lower in tree.lexicon.ordering and bool(behind)
     named = pressed and behind[0].tag == "NN" and behind[0].may_act and place + 1 not in timed
     opened = any(tree.nodes[p].tag in DETERMINERS for p in range(root + 1, place - 1))
-    return named and opened and (not further or place + 2 in timed or _ends(further[0], lexicon))
+    return named and opened and (not further or place + 2 in timed or _ends(further[0], tree.lexicon))
 
 
 def _ends(node: Node, lexicon: Lexicon) -> bool:

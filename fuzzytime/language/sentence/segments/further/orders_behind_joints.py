@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.further.run_on_orders import governs, is_whole
@@ -39,14 +39,12 @@ class _Try:
     behind: str
 
 
-def orders_behind_joints(
-    waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees, lexicon: Lexicon
-) -> dict[int, int]:
+def orders_behind_joints(waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees) -> dict[int, int]:
     """Give where a second order begins, by the places of those that wait; ``found`` are their trees."""
     tries = [
         attempt
         for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
-        for attempt in _tries(place, one, tree, lexicon)
+        for attempt in _tries(place, one, tree)
     ]
     before = trees([CARRIER + attempt.before for attempt in tries])
     behind = trees([CARRIER + attempt.behind for attempt in tries])
@@ -55,25 +53,25 @@ def orders_behind_joints(
         one = first.without_carrier(CARRIER, attempt.before, 0)
         other = second.without_carrier(CARRIER, attempt.behind, 0)
         # "Swim at seven and ring Bob at nine", "clean up and order pizza"
-        alone = attempt.apart and bool(one.nodes) and _is_done_alone(one, lexicon)
-        whole = alone or (is_whole(one, lexicon, timed=True) and governs(one))
+        alone = attempt.apart and bool(one.nodes) and _is_done_alone(one)
+        whole = alone or (is_whole(one, timed=True) and governs(one))
         if whole and (attempt.sure or (governs(other) and other.nodes[0].tag in IMPERATIVE)):
             cut.setdefault(attempt.one, attempt.start)
     return cut
 
 
-def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     source, timed, covered = one.source, one.timed(tree), one.source.covered
-    main = one.main + max(one.behind_time, _behind_asking(tree, lexicon))
+    main = one.main + max(one.behind_time, _behind_asking(tree))
     for here in range(LEAST, len(tree.nodes) - 1):
         led = tree.nodes[here - 1]
-        sure = _is_surely_done(tree, here, timed, lexicon)
-        joined = led.lower in lexicon.closed.joints_of_orders
-        if not joined or not (sure or _may_act_on(tree, here, timed, lexicon)):
+        sure = _is_surely_done(tree, here, timed)
+        joined = led.lower in tree.lexicon.closed.joints_of_orders
+        if not joined or not (sure or _may_act_on(tree, here, timed)):
             continue
         start = tree.nodes[here].start + one.main
         words = (word for word in source.places(main, start) if word not in covered)
-        if any(longest_match(source.scanned.words, word, lexicon.clauses) is not None for word in words):
+        if any(longest_match(source.scanned.words, word, tree.lexicon.clauses) is not None for word in words):
             # "Stir it when the chef salts the soup and pepper the steak": what is in a clause.
             return
         before = source.sound[main : led.start + one.main].strip()
@@ -81,16 +79,17 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         yield _Try(place, start, sure, apart, before, source.sound[start : one.segment.span[1]])
 
 
-def _is_done_alone(tree: Tree, lexicon: Lexicon) -> bool:
+def _is_done_alone(tree: Tree) -> bool:
     """Whether words begin with an order that has no thing: "swim", "clean up"."""
     first, *behind = tree.nodes
-    carried = any(first.lower in lexicon.particles.get(node.lower, ()) for node in behind[:1])
-    return first.lower in lexicon.needing_nothing or carried
+    carried = any(first.lower in tree.lexicon.particles.get(node.lower, ()) for node in behind[:1])
+    return first.lower in tree.lexicon.needing_nothing or carried
 
 
-def _behind_asking(tree: Tree, lexicon: Lexicon) -> int:
+def _behind_asking(tree: Tree) -> int:
     """Give where an order begins behind words that only ask for it: "can you | brew the tea", "let's | …"."""
-    action = action_of(tree, lexicon)
+    lexicon = tree.lexicon
+    action = action_of(tree)
     before = tree.nodes[: action.place] if action is not None and not action.negated else ()
     leads = lexicon.letting | lexicon.forgetting | lexicon.doing.remembering
     asks = {node.lower for node in before} & lexicon.closed.first_and_second_person
@@ -105,21 +104,21 @@ def _behind_asking(tree: Tree, lexicon: Lexicon) -> int:
     return tree.nodes[len(before)].start if asks and known else 0
 
 
-def _may_act_on(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+def _may_act_on(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether a word has a thing behind it that it may be done with: "back up the files"."""
     node, behind, *further = tree.nodes[place : place + 3]
-    if not timed.isdisjoint({place, place + 1}) or node.lower in lexicon.function_words:
+    if not timed.isdisjoint({place, place + 1}) or node.lower in tree.lexicon.function_words:
         return False
     third = further[0].tag if further and place + 2 not in timed else ""
-    opens = behind.tag in DETERMINERS or behind.lower in lexicon.closed.indefinite_determiners
-    carried = node.lower in lexicon.particles.get(behind.lower, ()) and third in DETERMINERS
+    opens = behind.tag in DETERMINERS or behind.lower in tree.lexicon.closed.indefinite_determiners
+    carried = node.lower in tree.lexicon.particles.get(behind.lower, ()) and third in DETERMINERS
     # "Discharge bed four"
     counted = behind.tag == NOUN and third == "CD"
     return node.text.isalpha() and node.tag not in DETERMINERS and (opens or carried or counted)
 
 
-def _is_surely_done(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+def _is_surely_done(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether words say that it is an order, and not of one asked: "remind me to call Bob and text Ann"."""
     root = tree.root
-    asked = tree.nodes[root].lemma in lexicon.addressing and tree.children(root, "xcomp", "ccomp")
-    return not asked and is_bare_order(tree, place, timed, lexicon)
+    asked = tree.nodes[root].lemma in tree.lexicon.addressing and tree.children(root, "xcomp", "ccomp")
+    return not asked and is_bare_order(tree, place, timed)

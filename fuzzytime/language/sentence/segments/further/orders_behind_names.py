@@ -1,6 +1,5 @@
 """What is said behind a comma of what is named or told before it: "break duty at 10:50, Karen covers it"."""
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -14,7 +13,7 @@ BESIDE = frozenset({"advcl", "ccomp", "npadvmod", "dep", "nsubj", "nsubjpass", "
 """How trees hang what is named in front on a clause behind it."""
 
 
-def behind_named(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
+def behind_named(tree: Tree, root: int, timed: set[int]) -> int | None:
     """Give an order that has what is named with a time before it: "dentist at three, pick up the kids at 4".
 
     A machine is named to be asked: "robot at three, dock".
@@ -26,7 +25,7 @@ def behind_named(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> in
     if not named or not timed.issuperset(range(named, comma)):
         return None
     things = tree.nodes[:named]
-    asked = {node.lower for node in things} & (lexicon.machines | lexicon.addresses)
+    asked = {node.lower for node in things} & (tree.lexicon.machines | tree.lexicon.addresses)
     if asked or things[-1].tag not in SINGULAR or any(node.tag not in NAMING for node in things):
         return None
     bare = tree.nodes[root].tag in IMPERATIVE and tree.nodes[root].lower == tree.nodes[root].lemma

@@ -21,11 +21,8 @@ def order_behind_order(tree: Tree, root: int, timed: AbstractSet[int]) -> int | 
     # "Dust, lock the door": a tree may have an order for who does the second.
     subjects = [p for p in tree.children(root, *ANY_SUBJECTS) if not _names_nothing(tree, p)]
     start = min([root, *tree.below(subjects[0])]) if subjects else first_of(tree, root)
-    brought = [
-        p
-        for p in tree.children(root, "aux", "auxpass")
-        if p == start - 1 and tree.nodes[p].lower in {"have", "be"}
-    ]
+    helping = tree.children(root, "aux", "auxpass")
+    brought = [p for p in helping if p == start - 1 and tree.nodes[p].lower in {"have", "be"}]
     denied = denied_from(tree, root)
     if denied is not None:
         # "Mix the paint, don't touch the lid"
@@ -34,16 +31,14 @@ def order_behind_order(tree: Tree, root: int, timed: AbstractSet[int]) -> int | 
     start = min([start, *brought])
     start = start if subjects else behind_joint(tree, start, timed)
     joint = tree.nodes[start - 1].lower if start else ""
-    helping = {tree.nodes[p].lower for p in tree.children(root, "aux") if p not in brought}
-    telling = (
-        closed.predicting_modals | closed.present_be
-        if tree.nodes[root].tag == "VBG"
-        else closed.predicting_modals
-    )
+    left = {tree.nodes[p].lower for p in tree.children(root, "aux") if p not in brought}
+    telling = set(closed.predicting_modals)
+    if tree.nodes[root].tag == "VBG":
+        telling |= closed.present_be
     if tree.nodes[root].lemma in tree.lexicon.doing.waiting:
         # "Wash the dishes now, the pans can wait until tonight"
         telling |= {"can"}
-    if joint not in closed.joints_of_orders or (subjects and joint != ",") or not helping <= telling:
+    if joint not in closed.joints_of_orders or (subjects and joint != ",") or not left <= telling:
         return None
     orders = _orders_before(tree, root, start, joint, timed)
     if subjects and not brought:

@@ -2,7 +2,6 @@
 
 from collections.abc import Set as AbstractSet
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.further.further_steps import is_further_step
 from fuzzytime.language.sentence.segments.orders_beside_times import (
     is_order_before_time,
@@ -18,32 +17,31 @@ DESCRIBING = ("det", "amod", "poss", "nummod", "compound")
 """How a tree calls what says which thing it is."""
 
 
-def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+def is_overlooked(tree: Tree, place: int, timed: set[int]) -> bool:
     """Whether it is an order that a tree took for something else: "wipe the rug and empty the bins"."""
-    alone = tree.nodes[place].lower in lexicon.alone
+    alone = tree.nodes[place].lower in tree.lexicon.alone
     return (
-        (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
-        or _follows_turning(tree, place, lexicon)
-        or _is_done_between(tree, place, timed, lexicon)
-        or is_further_step(tree, place, timed, lexicon)
+        (_governs(tree, place) and (alone or place + 1 not in timed))
+        or _follows_turning(tree, place)
+        or _is_done_between(tree, place, timed)
+        or is_further_step(tree, place, timed)
         or is_order_before_time(tree, place, timed)
-        or is_order_between_times(tree, place, timed, lexicon)
-        or (
-            place - 2 in timed and (stands_alone(tree, place, lexicon) or _has_numbered(tree, place, lexicon))
-        )
+        or is_order_between_times(tree, place, timed)
+        or (place - 2 in timed and (stands_alone(tree, place) or _has_numbered(tree, place)))
     )
 
 
-def is_bare_order(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+def is_bare_order(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether what was taken for a thing is done to somebody, or with things: several, behind a time."""
     behind_time = not timed.isdisjoint({place - 1, place - 2})
-    ordered = tree.nodes[place].lower in lexicon.ordering
-    chore = (behind_time or ordered) and _is_chore(tree, place, lexicon)
-    return chore or _is_done_to_somebody(tree, place, lexicon)
+    ordered = tree.nodes[place].lower in tree.lexicon.ordering
+    chore = (behind_time or ordered) and _is_chore(tree, place)
+    return chore or _is_done_to_somebody(tree, place)
 
 
-def _is_done_to_somebody(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _is_done_to_somebody(tree: Tree, place: int) -> bool:
     """Whether what may be a verb has somebody behind it: "feed the cat and text ann"; not "and aunt ann"."""
+    lexicon = tree.lexicon
     node, who = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     called = lexicon.addressing - lexicon.persons
     # "Ring jane": a tree may have it for what goes on.
@@ -55,11 +53,12 @@ def _is_done_to_somebody(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return bare and node.lower not in lexicon.persons and any(one.lower in names for one in who)
 
 
-def _is_chore(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _is_chore(tree: Tree, place: int) -> bool:
     """Whether a chore taken for a thing has several behind it, or where: "… at noon and water plants at two".
 
     What is bought may be called so: "order bread today and paint brushes tomorrow".
     """
+    lexicon = tree.lexicon
     node, things = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     bought = tree.nodes[tree.root].lemma in lexicon.ordering | lexicon.doing.errands
     if not node.tag.startswith(("NN", "JJ")):
@@ -71,11 +70,12 @@ def _is_chore(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return node.lower in lexicon.chores and several and not bought
 
 
-def _is_done_between(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+def _is_done_between(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether a chore alone, or done somewhere, is one of several: "make the beds, hoover upstairs and …".
 
     What is bought may be called so: "buy bread, water and call Ann".
     """
+    lexicon = tree.lexicon
     node, before, joints = tree.nodes[place], tree.nodes[place - 1].lower, lexicon.closed.joints_of_orders
     errands = frozenset() if node.lower in lexicon.needing_nothing else lexicon.doing.errands
     bought = tree.nodes[tree.root].lemma in lexicon.ordering | errands
@@ -89,41 +89,42 @@ def _is_done_between(tree: Tree, place: int, timed: AbstractSet[int], lexicon: L
         return True
     further = behind[1:2] if behind and behind[0].lower in joints else []
     goes_on = any(one.is_bare and (where or tree.children(tree.nodes.index(one), "dobj")) for one in further)
-    return goes_on or _names_nothing(tree, place, timed, lexicon)
+    return goes_on or _names_nothing(tree, place, timed)
 
 
-def _names_nothing(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+def _names_nothing(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether an order that names nothing ends all, or one like it follows: "clean the bath and hoover".
 
     It may be a thing beside another like it: "move the mop and vacuum".
     """
-    orders = lexicon.needing_nothing
+    orders = tree.lexicon.needing_nothing
     behind, further = tree.nodes[place + 1 : place + 2], tree.nodes[place + 2 : place + 3]
     goes_on = all(word.tag in IMPERATIVE or word.lower in orders for word in further)
-    joined = all(word.lower in lexicon.closed.joints_of_orders | ENDS for word in behind) and goes_on
-    ends = joined or place + 1 in timed or any((word.lower,) in lexicon.clauses for word in behind)
+    joined = all(word.lower in tree.lexicon.closed.joints_of_orders | ENDS for word in behind) and goes_on
+    ends = joined or place + 1 in timed or any((word.lower,) in tree.lexicon.clauses for word in behind)
     named = [p for p in tree.children(tree.root, "dobj") if tree.children(p, *DESCRIBING)]
     beside = orders.intersection(tree.nodes[p].lower for p in named)
     return ends and not beside and tree.nodes[place].lower in orders
 
 
-def _follows_turning(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _follows_turning(tree: Tree, place: int) -> bool:
     """Whether what may be a verb stands behind where to turn, beside which is no thing: "left and park"."""
     node, before = tree.nodes[place], tree.nodes[place - 1].lower
-    turning = tree.nodes[place - 2].lower in lexicon.closed.sides | lexicon.beside.turnings
+    turning = tree.nodes[place - 2].lower in tree.lexicon.closed.sides | tree.lexicon.beside.turnings
     bare = node.may_act and node.lower == node.lemma.lower() and not tree.children(place, "det", "amod")
-    return turning and before in lexicon.closed.joints_of_orders and bare and node.relation == "conj"
+    return turning and before in tree.lexicon.closed.joints_of_orders and bare and node.relation == "conj"
 
 
-def _has_numbered(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _has_numbered(tree: Tree, place: int) -> bool:
     """Whether what may be a verb stands before what is called by a number: "…, clear bay 3"."""
     behind = tree.nodes[place + 1 : place + 3]
-    called = len(behind) > 1 and behind[0].lower in lexicon.machines and behind[1].tag == "CD"
+    called = len(behind) > 1 and behind[0].lower in tree.lexicon.machines and behind[1].tag == "CD"
     return called and tree.nodes[place].may_act and tree.nodes[place - 1].text == ","
 
 
-def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _governs(tree: Tree, place: int) -> bool:
     """Whether a word taken for no verb has an object, or a particle: "wipe the rug and empty the bins"."""
+    lexicon = tree.lexicon
     closed = lexicon.closed
     node, before = tree.nodes[place], tree.nodes[place - 1].lower
     if (
@@ -134,7 +135,7 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         return True
     if node.tag not in {"NN", "NNP", "JJ", "JJR"} or before not in closed.joints_of_orders:
         return False
-    if before == "," and _is_before_object(tree, place, lexicon):
+    if before == "," and _is_before_object(tree, place):
         return True
     if place + 1 >= len(tree.nodes):
         return False
@@ -158,13 +159,15 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return node.relation == "conj" and before in {"and", "&"} and behind in closed.noun_openers
 
 
-def _is_before_object(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _is_before_object(tree: Tree, place: int) -> bool:
     """Whether a bare word behind a comma has a thing or a person behind it: "…, hoover the seats"."""
     if place + 1 >= len(tree.nodes):
         return False
     node, behind = tree.nodes[place], tree.nodes[place + 1]
     described = tree.children(place, "det", "amod", "poss", "nummod")
-    called = node.lower in lexicon.addressing and (behind.lower in lexicon.persons or behind.tag == "NNP")
+    called = node.lower in tree.lexicon.addressing and (
+        behind.lower in tree.lexicon.persons or behind.tag == "NNP"
+    )
     thing = node.may_act and behind.tag in DETERMINERS
     return node.lower == node.lemma.lower() and not described and (thing or called)
 

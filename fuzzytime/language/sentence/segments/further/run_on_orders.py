@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER, COMPLEMENTS, binds, is_bare, is_order
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.waiting import Waiting
@@ -51,9 +51,7 @@ class _Try:
     behind: str
 
 
-def run_on_orders(
-    waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees, lexicon: Lexicon
-) -> dict[int, int]:
+def run_on_orders(waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees) -> dict[int, int]:
     """Give where the second of two orders begins without a joint, by the places of those that wait.
 
     ``found`` are their trees.
@@ -61,7 +59,7 @@ def run_on_orders(
     tries = [
         attempt
         for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
-        for attempt in _tries(place, one, tree, lexicon)
+        for attempt in _tries(place, one, tree)
     ]
     carriers = ["" if attempt.tells else CARRIER for attempt in tries]
     before = trees([carrier + one.before for carrier, one in zip(carriers, tries, strict=True)])
@@ -74,14 +72,14 @@ def run_on_orders(
         one = first.without_carrier(carrier, attempt.before, 0)
         other = second.without_carrier("" if attempt.told else CARRIER, attempt.behind, 0)
         if attempt.told:
-            messages = lexicon.no_times.speaking | lexicon.no_times.sending
+            messages = one.lexicon.no_times.speaking | one.lexicon.no_times.sending
             # "Wake me at six I'm flying at nine"; but "text Ann at six I'm late"
             sure = attempt.sure and bool(one.nodes) and one.nodes[0].lemma not in messages
             done = _has_object(one) or (sure and bool(one.children(one.root, "prt")))
-            whole = is_whole(one, lexicon, timed=sure) and done and _tells(other)
+            whole = is_whole(one, timed=sure) and done and _tells(other)
         else:
-            whole = _tells(one) if attempt.tells else is_whole(one, lexicon, timed=attempt.timed)
-            surely = attempt.timed or not attempt.tells or _is_state(one, lexicon)
+            whole = _tells(one) if attempt.tells else is_whole(one, timed=attempt.timed)
+            surely = attempt.timed or not attempt.tells or _is_state(one)
             whole = whole and (surely or _is_done_with_it(other, 0))
             whole = whole and (attempt.sure or governs(other) or governs(own))
         if attempt.one not in cut and whole:
@@ -89,18 +87,19 @@ def run_on_orders(
     return cut
 
 
-def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
+    lexicon = tree.lexicon
     if not tree.nodes:
         return
     source, end, timed = one.source, one.segment.span[1], one.timed(tree)
     tells = not tree.nodes[0].may_act
     for here in range(LEAST, len(tree.nodes) - 1):
         behind_time = (here - 2 if tree.nodes[here - 1].text == COMMA else here - 1) in timed
-        apart = behind_time or _is_parted(tree, here, lexicon)
-        told = not tells and apart and here not in timed and _may_tell(tree, here, lexicon)
-        if here in timed or not (told or _may_begin(tree, here, timed, lexicon)):
+        apart = behind_time or _is_parted(tree, here)
+        told = not tells and apart and here not in timed and _may_tell(tree, here)
+        if here in timed or not (told or _may_begin(tree, here, timed)):
             continue
-        if tells and here - 1 not in timed and not _may_be_state(tree, here, lexicon):
+        if tells and here - 1 not in timed and not _may_be_state(tree, here):
             # "The kids have to make their beds"
             continue
         led = next((place for place in range(here - 1, -1, -1) if place not in timed), 0)
@@ -116,17 +115,18 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             # "Stir it when the chef asks the waiter": what is in a clause.
             return
         said = source.sound[one.main : start].strip()
-        bare = is_bare_order(tree, here, timed, lexicon)
+        bare = is_bare_order(tree, here, timed)
         sure = here - 1 in timed and (bare or _is_carried(tree, here, timed))
         sure = tree.nodes[here + 1].text[0] in APOSTROPHES if told else sure
         yield _Try(place, start, here - 1 in timed, tells, told, sure, said, source.sound[verb:end])
 
 
-def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+def _may_begin(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether a bare verb with an object stands behind a word that does not lead to it."""
+    lexicon = tree.lexicon
     node, before, behind = tree.nodes[place - 1 : place + 2][1], tree.nodes[place - 1], tree.nodes[place + 1]
     acts = node.may_act or node.lower in lexicon.addressing
-    if not acts or not is_bare(node, lexicon) or binds(tree, place - 1, lexicon):
+    if not acts or not is_bare(node, lexicon) or binds(tree, place - 1):
         return False
     where = lexicon.places | lexicon.particles.keys() | lexicon.closed.prepositions_of_way
     if node.tag in {"IN", "RP", "TO"} or node.lower in where:
@@ -152,7 +152,7 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     if place - 1 in timed:
         # "The fair is on friday book two tickets", "… at six order pizza", "… at six lock up"
         named = node.lower in lexicon.orders - lexicon.persons and behind.tag.startswith(NOUNS)
-        bare = is_bare_order(tree, place, timed, lexicon) or _is_carried(tree, place, timed)
+        bare = is_bare_order(tree, place, timed) or _is_carried(tree, place, timed)
         led = led or behind.tag == "CD" or named or bare
     further = tree.nodes[place + 2 : place + 3]
     carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
@@ -166,8 +166,9 @@ def _is_carried(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     return particle and (place + 2 == len(tree.nodes) or place + 2 in timed)
 
 
-def _may_be_state(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _may_be_state(tree: Tree, place: int) -> bool:
     """Whether the words before a place may say how one is, or what one cannot: "i'm tired | let me sleep"."""
+    lexicon = tree.lexicon
     closed = lexicon.closed
     before = tree.nodes[:place]
     said = any(node.lemma in closed.lemmas_of_be or node.relation == "neg" for node in before[1:])
@@ -180,14 +181,14 @@ def _may_be_state(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return place > LEAST and said and leads.isdisjoint(node.lemma for node in before)
 
 
-def _is_state(tree: Tree, lexicon: Lexicon) -> bool:
+def _is_state(tree: Tree) -> bool:
     """Whether words say to their end how one is, or what one cannot."""
     root = tree.root
     helping = tree.children(root, "aux", "auxpass")
     denied = tree.children(root, "neg") and any(tree.nodes[place].tag == "MD" for place in helping)
-    if tree.nodes[root].lemma in lexicon.closed.lemmas_of_be:
+    if tree.nodes[root].lemma in tree.lexicon.closed.lemmas_of_be:
         return bool(tree.children(root, *COMPLEMENTS))
-    being = any(tree.nodes[place].lemma in lexicon.closed.lemmas_of_be for place in helping)
+    being = any(tree.nodes[place].lemma in tree.lexicon.closed.lemmas_of_be for place in helping)
     return bool(denied) or being
 
 
@@ -196,19 +197,19 @@ def _is_done_with_it(tree: Tree, verb: int) -> bool:
     return any(tree.nodes[p].lower in tree.lexicon.closed.it_or_them for p in tree.children(verb, "dobj"))
 
 
-def _may_tell(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _may_tell(tree: Tree, place: int) -> bool:
     """Whether who or what something is told of stands there, with a verb: "… | the game is starting"."""
     node = tree.nodes[place]
-    subject = node.lower in lexicon.closed.subject_pronouns or node.tag in DETERMINERS
+    subject = node.lower in tree.lexicon.closed.subject_pronouns or node.tag in DETERMINERS
     return subject and any(one.tag in FINITE | {"VBP", "MD"} for one in tree.nodes[place + 1 :])
 
 
-def _is_parted(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _is_parted(tree: Tree, place: int) -> bool:
     """Whether "it's" or "I'm" stands where an order is over: "bring the washing in | it's raining"."""
     before, node, behind = tree.nodes[place - 1 : place + 2]
-    over = (before.lower,) in lexicon.courtesies or before.lower in lexicon.particles
+    over = (before.lower,) in tree.lexicon.courtesies or before.lower in tree.lexicon.particles
     over = over and all(below < place - 1 for below in tree.children(place - 1))
-    return over and node.lower in lexicon.closed.subject_pronouns and behind.text[0] in APOSTROPHES
+    return over and node.lower in tree.lexicon.closed.subject_pronouns and behind.text[0] in APOSTROPHES
 
 
 def _has_object(tree: Tree) -> bool:
@@ -224,9 +225,10 @@ def _is_listed(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     return next(behind, len(tree.nodes)) - 1 in timed
 
 
-def is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
+def is_whole(tree: Tree, *, timed: bool) -> bool:
     """Whether an order is said to its end, and is none that leads to what others do: "let the kids"."""
     # "Don't boil the milk just warm it"
+    lexicon = tree.lexicon
     denied = denied_from(tree, tree.root) == 0
     if not is_order(tree) or not is_bare(tree.nodes[0], lexicon):
         return False

@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.waiting import Part, Source
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
@@ -16,7 +15,7 @@ JOINTS = frozenset({"", ",", "and", ", and", "&"})
 THEN = "then"
 
 
-def done_next(source: Source, parts: Mapping[int, Part], lexicon: Lexicon) -> Iterator[Part]:
+def done_next(source: Source, parts: Mapping[int, Part]) -> Iterator[Part]:
     """Give the parts, by where they begin, that say what the one of the part before does next.
 
     Each has in its segment who that is, and its verb has the ending for one.
@@ -24,8 +23,8 @@ def done_next(source: Source, parts: Mapping[int, Part], lexicon: Lexicon) -> It
     before: Part | None = None
     for start in sorted(parts):
         part = parts[start]
-        if before is not None and part.segment.doer is None and _goes_on(source, before, part, lexicon):
-            doer, asked = _doer(before, lexicon)
+        if before is not None and part.segment.doer is None and _goes_on(source, before, part):
+            doer, asked = _doer(before)
             if doer is not None:
                 called = doer if asked else part.segment.addressee
                 segment = replace(part.segment, doer=doer, addressee=called, verbless=False)
@@ -40,14 +39,14 @@ def tells_more(part: Part) -> bool:
     return part.segment.doer is not None and bool(tree.nodes) and tree.nodes[tree.root].tag == "VBZ"
 
 
-def _doer(part: Part, lexicon: Lexicon) -> tuple[str | None, bool]:
+def _doer(part: Part) -> tuple[str | None, bool]:
     """Give who does what a part tells, and whether that one is asked: "robot 2 cleans the tank"."""
     segment, tree, root = part.segment, part.tree, part.tree.root
     if segment.doer is not None:
         return segment.doer, segment.doer == segment.addressee
     if not tree.nodes or tree.nodes[root].tag != "VBZ":
         return None, False
-    worker = worker_doing(tree, root, lexicon)
+    worker = worker_doing(tree, root)
     if worker is not None:
         return worker, True
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
@@ -58,7 +57,7 @@ def _doer(part: Part, lexicon: Lexicon) -> tuple[str | None, bool]:
     return named or None, False
 
 
-def _goes_on(source: Source, before: Part, part: Part, lexicon: Lexicon) -> bool:
+def _goes_on(source: Source, before: Part, part: Part) -> bool:
     """Whether a part begins with a verb that only one can do, in the sentence of the part before."""
     text, first = source.scanned.text, part.segment.span[0]
     between = text[before.segment.span[1] : first].lower()
@@ -67,14 +66,14 @@ def _goes_on(source: Source, before: Part, part: Part, lexicon: Lexicon) -> bool
     if part.offset != first or not (then or joint in JOINTS):
         return False
     surely = then or joint.endswith(("and", "&"))
-    return _begins_doing(part.tree, lexicon, surely=surely and not part.segment.verbless)
+    return _begins_doing(part.tree, surely=surely and not part.segment.verbless)
 
 
-def _begins_doing(tree: Tree, lexicon: Lexicon, *, surely: bool) -> bool:
+def _begins_doing(tree: Tree, *, surely: bool) -> bool:
     """Whether the first word is what one does; a plural may be a thing: "…, drinks at seven"."""
     if not tree.nodes:
         return False
-    node, doing = tree.nodes[0], lexicon.doing
+    node, doing = tree.nodes[0], tree.lexicon.doing
     if not node.may_act or not node.lower.endswith("s") or node.lower == node.lemma:
         return False
     if any(p < tree.root for p in tree.children(tree.root, *SUBJECTS)):

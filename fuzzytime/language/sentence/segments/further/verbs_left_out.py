@@ -41,8 +41,9 @@ def _turns_to_particle(between: Sequence[Word], lexicon: Lexicon) -> bool:
     return texts[:1] in (["and"], [","], ["&"]) and alone and said[:1] != [] and said[0] in lexicon.particles
 
 
-def _particles_behind_clauses(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
+def _particles_behind_clauses(one: Waiting, part: Part) -> list[int]:
     """Give where a verb's other particle begins: "on when it gets dark and off at midnight"."""
+    lexicon = part.lexicon
     words, starts = one.source.scanned.words, {phrase.first for phrase in one.source.phrases}
     lemma, found, behind = part.tree.nodes[part.tree.root].lemma, [], False
     for place in one.source.places(part.offset, one.segment.span[1])[: -SHORTEST_GAP - 1]:
@@ -57,14 +58,14 @@ def _particles_behind_clauses(one: Waiting, part: Part, lexicon: Lexicon) -> lis
     return found
 
 
-def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
+def verbs_left_out(one: Waiting, part: Part) -> list[int]:
     """Give where the verb is left out before another thing and its time: "the cat at 8 and the dog at 9"."""
     words, phrases = one.source.scanned.words, one.source.phrases
     own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
-    found = _particles_behind_clauses(one, part, lexicon)
+    found = _particles_behind_clauses(one, part)
     for old, new in pairwise(own):
         between = words[old.end : new.first]
-        if _turns_to_particle(between, lexicon):
+        if _turns_to_particle(between, part.lexicon):
             found.append(between[1].start)
             continue
         if [word.text for word in between[:2]] in ([",", "and"], [",", "then"], ["and", "then"]):
@@ -72,14 +73,14 @@ def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
         elif not between or between[0].text not in {"and", ",", "or"}:
             continue
         if len(between) >= SHORTEST_GAP and (
-            _names_another(one, part, between, lexicon, old, new)
-            or _is_elsewhere(words, between, lexicon, old, new)
+            _names_another(one, part, between, old, new)
+            or _is_elsewhere(words, between, part.lexicon, old, new)
         ):
             found.append(between[1].start)
-    return found + _behind_first(one, part, own, lexicon)
+    return found + _behind_first(one, part, own)
 
 
-def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase], lexicon: Lexicon) -> list[int]:
+def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int]:
     """Give where the second thing begins: "wash the blue towels first and the white ones after that"."""
     words, found = one.source.scanned.words, []
     firsts = (span for span, order in one.source.orders if order is Order.FIRST and span[0] >= part.offset)
@@ -89,7 +90,7 @@ def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase], lexicon: Lexi
         if then is None or not _is_ordering(then) or len(between) <= SHORTEST_GAP:
             continue
         named = part.at((between[1].start, between[-1].end))
-        opened = between[0].text in {"and", ","} and between[1].text in lexicon.closed.noun_openers
+        opened = between[0].text in {"and", ","} and between[1].text in part.lexicon.closed.noun_openers
         if opened and all(_is_of_thing(part, p, ()) for p in named):
             found.append(between[1].start)
     return found
@@ -100,9 +101,7 @@ def _is_ordering(phrase: Phrase) -> bool:
     return isinstance(phrase.said.time, TimeWord) and phrase.said.time.word in ORDERING
 
 
-def _names_another(
-    one: Waiting, part: Part, between: Sequence[Word], lexicon: Lexicon, old: Phrase, new: Phrase
-) -> bool:
+def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phrase, new: Phrase) -> bool:
     """Whether words between two times name another thing to do the same with: "and the dog at 9"."""
     root = part.tree.root
     # "Tomorrow call Ann at eight and Bob at nine": a tree may have whom for what it becomes.
@@ -110,12 +109,12 @@ def _names_another(
     things = part.tree.said(objects)
     nodes = part.at((between[1].start, between[-1].end))
     others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
-    happens = not lexicon.happening.isdisjoint(word.text for word in between)
+    happens = not part.lexicon.happening.isdisjoint(word.text for word in between)
     listed = part.tree.nodes[root].tag in NAMES and between[0].text == ","
     if listed and not happens:
         # "Story at seven, lights out by half past": one word says what becomes of the thing.
         return all(tag == "RP" for tag in others[1:])
-    opened = between[1].text in lexicon.closed.noun_openers
+    opened = between[1].text in part.lexicon.closed.noun_openers
     lasting = opened and bool(objects) and Constraint.FOR in {old.said.constraint, new.said.constraint}
     if not (lasting or _binds_alike(old, new, happens=happens)):
         # "An alarm for seven and a timer for ten minutes"

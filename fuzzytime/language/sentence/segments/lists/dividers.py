@@ -237,7 +237,7 @@ def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
     if not words or len(words) > LONGEST_TIME:
         return False
     scanned = Scanned.of(text, grammar, lexicon)
-    found = [phrase for phrase in phrases_of(scanned, lexicon) if is_when(phrase)]
+    found = [phrase for phrase in phrases_of(scanned) if is_when(phrase)]
     return [(phrase.first, phrase.end) for phrase in found] == [(0, len(scanned.words))]
 
 
@@ -252,7 +252,7 @@ def _ends_still(line: str, end: int, grammar: Grammar, lexicon: Lexicon) -> bool
         return False
     scanned = Scanned.of(line, grammar, lexicon)
     length = sum(1 for word in scanned.words if word.start < end)
-    found = phrases_of(scanned, lexicon)
+    found = phrases_of(scanned)
     numbered = line[end:].strip()[:1].isdigit()
     heads = any(
         phrase.first == 0 and (phrase.end == length or (numbered and phrase.end > length)) for phrase in found

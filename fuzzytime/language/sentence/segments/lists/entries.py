@@ -30,7 +30,7 @@ class Entry:
     def of(cls, item: str, grammar: Grammar, lexicon: Lexicon) -> "Entry":
         """Give what stands between two marks."""
         scanned = Scanned.of(item, grammar, lexicon)
-        times = tuple(phrase for phrase in phrases_of(scanned, lexicon) if is_when(phrase))
+        times = tuple(phrase for phrase in phrases_of(scanned) if is_when(phrase))
         covered = places_in(times)
         things = (
             place

@@ -32,7 +32,7 @@ def head_of(line: str, grammar: Grammar, lexicon: Lexicon) -> tuple[Phrase, int]
     if found is None or len(words_of(found[1])) > LONGEST:
         return None
     scanned = Scanned.of(found[1] + LIST, grammar, lexicon)
-    phrases = [one for one in phrases_of(scanned, lexicon) if is_head(one)]
+    phrases = [one for one in phrases_of(scanned) if is_head(one)]
     whole = [one for one in phrases if not one.first and one.span[1] == len(found[1])]
     return (whole[0], found.end()) if whole else None
 

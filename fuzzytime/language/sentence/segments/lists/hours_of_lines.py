@@ -44,23 +44,13 @@ ALONE = re.compile(r"\s*(?P<hour>1[0-2]|[1-9])\s+(?P<dash>[-–—]\s+)?(?=[^\W\
 """A number alone in front of a line."""
 
 BESIDE_HOURS = (
-    "hedge",
-    "hedge_after",
-    "preposition_at",
-    "preposition_before",
-    "preposition_after",
-    "forward",
-    "within",
-    "weekday",
-    "day",
-    "month",
-    "unit",
-)
+    "hedge", "hedge_after", "preposition_at", "preposition_before", "preposition_after", "forward", "within",
+    "weekday", "day", "month", "unit",
+)  # fmt: skip
 """What words mean that belong to what is behind them: "exactly 9.10", "friday 9.30", "day 3"."""
 
 ENDS = r"\s*(?:$|[,;()!]|\.(?!\d)|[-–—]\s)"
 """What ends what is said of when something is."""
-
 
 DIGITS = r"(?:2[0-3]|[01]\d)[0-5]\d(?!\d|-\d\d-)"
 """An hour and its minutes without a mark: "0730"; where one has a zero in front, so are the others hours.

@@ -1,5 +1,4 @@
 """A tree for each segment (``parsing``), and what trees get wrong.
 
-``mended_verbs`` in ``mended_trees``, ``mended_things``, ``needed_deeds``, ``aims``; ``places_in_front``, and
-what one is ``reminded_of``.
+``mended_verbs`` in ``mended_trees``, ``mended_things``, ``needed_deeds``, ``aims``; ``places_in_front``.
 """

@@ -5,15 +5,15 @@
 
 from collections.abc import Set as AbstractSet
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
 TO = "to"
 
 
-def with_aim(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
+def with_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give a tree in which the aim right behind a thing is said of it, or is what that is set to."""
+    lexicon = tree.lexicon
     root = tree.root
     for thing in tree.children(root, "dobj"):
         to = max((p for p in tree.below(thing)), default=thing) + 1

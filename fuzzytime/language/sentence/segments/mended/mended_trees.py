@@ -1,6 +1,5 @@
 """Trees mended where a word that is done was taken for a thing, or a thing for what is done."""
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.mended.mended_verbs import (
     does_to_person,
     with_thing_done,
@@ -22,15 +21,21 @@ BESIDE_DONE = frozenset({"prep", "agent", "npadvmod", "advmod", "punct", "cc", "
 LET = 2
 """Words before what is done in "let's film"."""
 
+LEAST = 2
+"""Words of "remind me", before a clause."""
 
-def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
+WITHIN = ("advcl", "xcomp", "relcl", "acl", "ccomp")
+"""How a tree hangs such a verb on the clause before it."""
+
+
+def as_done(tree: Tree) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
     if not tree.nodes:
         return tree
-    tree = _with_manner(_with_name_in_front(_with_numbered_things(tree, lexicon), lexicon))
-    tree = does_to_person(tree, lexicon) or tree
-    mended = _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
-    mended = mended or _lets_know(tree, lexicon) or with_verb(tree, lexicon)
+    tree = _with_manner(_with_name_in_front(_with_numbered_things(tree)))
+    tree = does_to_person(tree) or tree
+    mended = _does_named(tree) or _lets(tree) or _does_nth(tree)
+    mended = mended or _lets_know(tree) or with_verb(tree)
     return _with_list(_wants_done(mended or tree))
 
 
@@ -56,20 +61,20 @@ def _does_named(tree: Tree) -> Tree | None:
     return with_thing_done(tree, root).changed(root - 1, relation="compound", head=root)
 
 
-def _lets_know(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _lets_know(tree: Tree) -> Tree | None:
     """Give "let ben know" its verb, which a tree takes for one that helps another."""
     root, nodes = tree.root, tree.nodes
-    helps = bool(nodes) and nodes[0].lower in lexicon.letting and nodes[0].relation == "aux"
+    helps = bool(nodes) and nodes[0].lower in tree.lexicon.letting and nodes[0].relation == "aux"
     if not helps or nodes[0].head != root or nodes[root].lemma != "know":
         return None
     return tree.changed(0, head=0, relation="ROOT", tag="VB").changed(root, head=0, relation="ccomp")
 
 
-def _with_numbered_things(tree: Tree, lexicon: Lexicon) -> Tree:
+def _with_numbered_things(tree: Tree) -> Tree:
     """Give what has a number as a thing, which was taken for what is done: "start pump 2", "test pump 1"."""
     for thing in range(1, len(tree.nodes) - 1):
         verb, node, number = tree.nodes[thing - 1 : thing + 2]
-        named = node.tag.startswith("VB") and node.lower in lexicon.machines and number.tag == "CD"
+        named = node.tag.startswith("VB") and node.lower in tree.lexicon.machines and number.tag == "CD"
         if not named or not verb.may_act or verb.lower != verb.lemma or verb.tag not in {"VB", "VBP", "NN"}:
             continue
         first = node.head == thing or (node.head == thing - 1 and node.relation in {"xcomp", "ccomp", "dobj"})
@@ -83,21 +88,21 @@ def _with_numbered_things(tree: Tree, lexicon: Lexicon) -> Tree:
     return tree
 
 
-def _with_name_in_front(tree: Tree, lexicon: Lexicon) -> Tree:
+def _with_name_in_front(tree: Tree) -> Tree:
     """Give "telly for half an hour" the thing that it names, which was taken for how the rest is."""
     if tree.root != 1 or tree.nodes[1].tag != "IN" or tree.nodes[0].head != 1:
         return tree
-    if tree.nodes[0].lower not in lexicon.happening | lexicon.taken:
+    if tree.nodes[0].lower not in tree.lexicon.happening | tree.lexicon.taken:
         return tree
     return tree.changed(0, tag="NN", relation="ROOT", head=0).changed(1, relation="prep", head=0)
 
 
-def _does_nth(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _does_nth(tree: Tree) -> Tree | None:
     """Give "prune the second rose" its thing, which was taken for what rose: behind a number it is one."""
     if len(tree.nodes) <= NTH:
         return None
     first, led, number, thing = tree.nodes[: NTH + 1]
-    counted = led.tag == "DT" and number.lower in lexicon.ordinals and number.relation == "nsubj"
+    counted = led.tag == "DT" and number.lower in tree.lexicon.ordinals and number.relation == "nsubj"
     if not counted or number.head != NTH or thing.tag != "VBD" or not first.may_act:
         return None
     return with_thing_done(tree, NTH).changed(1, head=NTH).changed(2, relation="amod", head=NTH)
@@ -181,3 +186,31 @@ def as_acting(tree: Tree) -> Tree:
     if not tree.nodes or tree.root != 0 or tree.nodes[0].tag not in {"NNS", "VB"}:
         return tree
     return tree.changed(0, tag="VBZ")
+
+
+def with_reminded(tree: Tree) -> Tree:
+    """Give "remind me once it is over to lock up" what is to be done, which a tree hangs on the clause.
+
+    What says more of a word of the clause stays there: "remind me when it is time to leave".
+    """
+    root = tree.root
+    if root != 0 or tree.nodes[0].lemma not in tree.lexicon.addressing or tree.children(root, "xcomp"):
+        return tree
+    reminded = tree.children(root, "dobj", "dative")
+    for verb in range(LEAST + 1, len(tree.nodes)):
+        to = verb - 1
+        node = tree.nodes[verb]
+        led = tree.nodes[to].lower == "to" and tree.nodes[to].head == verb and node.tag == "VB"
+        if not reminded or not led or node.relation not in WITHIN or node.head == root:
+            continue
+        if not _ends_clause(tree, to - 1):
+            continue
+        return tree.changed(verb, head=root, relation="xcomp")
+    return tree
+
+
+def _ends_clause(tree: Tree, place: int) -> bool:
+    """Whether no verb and no word that "to" says more of stands at a place."""
+    node = tree.nodes[place]
+    site = node.lower in tree.lexicon.beside.sites
+    return site or not (node.tag.startswith(("VB", "MD")) or node.lower in tree.lexicon.doing.more_said_of)

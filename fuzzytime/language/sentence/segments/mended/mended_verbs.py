@@ -19,17 +19,18 @@ NOUNS = frozenset({"NN", "NNS", "NNP"})
 """Tags of things, and of orders taken for one."""
 
 
-def with_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def with_verb(tree: Tree) -> Tree | None:
     """Give an order whose tree has another word for its verb that verb; None where it has none."""
     orders = (
         *(_orders_verb, _does_event, _does_led, _does_owned, _calls_person, _lists_order, _does_compound),
         *(_goes_to_do, _has_done, _does_that, _is_asked, _is_to_be_done),
     )
-    return next((mended for does in orders if (mended := does(tree, lexicon)) is not None), None)
+    return next((mended for does in orders if (mended := does(tree)) is not None), None)
 
 
-def does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def does_to_person(tree: Tree) -> Tree | None:
     """Give "feed grandpa at ten" its verb, where who stands right behind was taken for it."""
+    lexicon = tree.lexicon
     if tree.root != 1 or not tree.nodes[1].is_verb:
         return None
     first, person = tree.nodes[:LET]
@@ -44,14 +45,14 @@ def does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     return None if first.lower in lexicon.persons else with_thing_done(tree, 1)
 
 
-def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _orders_verb(tree: Tree) -> Tree | None:
     """Give "press start" its verb, where what is pressed, or are several, was taken for it."""
     if len(tree.nodes) < LET or tree.root != 1 or tree.nodes[0].relation not in {"aux", "compound"}:
         return None
     called = tree.nodes[1].may_act and tree.nodes[1].lower == tree.nodes[1].lemma
-    orders = called and tree.nodes[0].lower in lexicon.ordering
+    orders = called and tree.nodes[0].lower in tree.lexicon.ordering
     numbered = any(node.tag == "CD" and node.text.isalpha() for node in tree.nodes[LET:])
-    orders = orders or (not numbered and _orders_several(tree.nodes[0], tree.nodes[1], lexicon))
+    orders = orders or (not numbered and _orders_several(tree.nodes[0], tree.nodes[1], tree.lexicon))
     return with_thing_done(tree, 1) if orders else None
 
 
@@ -63,8 +64,9 @@ def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:
     return bare and things.tag == "NNS" and timed.isdisjoint({things.lower, things.lemma})
 
 
-def _does_event(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _does_event(tree: Tree) -> Tree | None:
     """Give "schedule a team call" its verb, where what happens was taken for what the first word does."""
+    lexicon = tree.lexicon
     root = tree.root
     if root < LEAST_DONE - 1 or tree.children(root, "aux"):
         return None
@@ -81,7 +83,7 @@ def _does_event(tree: Tree, lexicon: Lexicon) -> Tree | None:
     return with_thing_done(tree, root).hung(range(1, root), root).changed(root - 1, relation="compound")
 
 
-def _does_led(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _does_led(tree: Tree) -> Tree | None:
     """Give "thaw the cells", "forward the minutes" its verb: no noun or adverb is followed by an article."""
     root = tree.root
     if root < LEAST_DONE - 1 or not tree.nodes[root].tag.startswith("NN"):
@@ -89,35 +91,43 @@ def _does_led(tree: Tree, lexicon: Lexicon) -> Tree | None:
     first, led = tree.nodes[:LET]
     bare = first.may_act and first.lower == first.lemma and first.tag in {"NN", "RB", "JJ"}
     beside = first.head == root and first.relation in {"npadvmod", "advmod", "compound", "amod", "nmod"}
-    named = led.tag in DETERMINERS and led.head == root and lexicon.entries.keys().isdisjoint({first.lower})
-    if not bare or not beside or not named or first.lower in lexicon.places | lexicon.particles.keys():
+    named = (
+        led.tag in DETERMINERS and led.head == root and tree.lexicon.entries.keys().isdisjoint({first.lower})
+    )
+    if (
+        not bare
+        or not beside
+        or not named
+        or first.lower in tree.lexicon.places | tree.lexicon.particles.keys()
+    ):
         return None
     return with_thing_done(tree, root)
 
 
-def _does_owned(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _does_owned(tree: Tree) -> Tree | None:
     """Give "iron Ann's shirt" its verb, which a tree takes for a part of a name: "Uncle Tom's cabin"."""
     root = tree.root
     if root < LEAST_DONE or tree.children(1, "case") != (LET,) or tree.nodes[0].head != 1:
         return None
     first, owner = tree.nodes[:LET]
-    orders = first.lower in lexicon.orders - lexicon.persons and first.lower == first.text
+    orders = first.lower in tree.lexicon.orders - tree.lexicon.persons and first.lower == first.text
     owned = owner.relation == "poss" and owner.head == root and tree.nodes[root].tag in NOUNS
     return with_thing_done(tree, root) if orders and owned else None
 
 
-def _has_done(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _has_done(tree: Tree) -> Tree | None:
     """Give "have ben slice the tomato" who does it, whom a tree takes for a part of what is done."""
     root, nodes = tree.root, tree.nodes
-    helps = nodes[0].lower in lexicon.causing and nodes[0].relation == "aux" and nodes[0].head == root
+    helps = nodes[0].lower in tree.lexicon.causing and nodes[0].relation == "aux" and nodes[0].head == root
     if not helps or root != LET or nodes[1].relation not in {"compound", "npadvmod", "nmod"}:
         return None
-    person = nodes[1].lower in lexicon.persons or nodes[1].tag == "NNP"
+    person = nodes[1].lower in tree.lexicon.persons or nodes[1].tag == "NNP"
     return tree.changed(1, relation="nsubj") if person and nodes[root].is_bare else None
 
 
-def _does_that(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _does_that(tree: Tree) -> Tree | None:
     """Give "check that oven at six" its thing, which a tree takes for where, or for what that does."""
+    lexicon = tree.lexicon
     if tree.root != 0 or len(tree.nodes) <= LET or tree.nodes[1].lower != THAT:
         return None
     verb, that, thing = tree.nodes[: LET + 1]
@@ -141,8 +151,9 @@ def _does_that(tree: Tree, lexicon: Lexicon) -> Tree | None:
     return named.changed(LET, tag="NN", lemma=thing.lower, relation="dobj", head=0)
 
 
-def _calls_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _calls_person(tree: Tree) -> Tree | None:
     """Give "facetime granny", "zoom aunt jo" its verb, where who is called was taken for it."""
+    lexicon = tree.lexicon
     root = tree.root
     beside = tree.nodes[0].head == root and tree.nodes[0].relation in {"compound", "nsubj", "npadvmod"}
     if not 0 < root < LEAST_DONE or not beside or tree.nodes[root].is_verb:
@@ -157,7 +168,7 @@ def _calls_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     return with_thing_done(tree, root) if calls and person else None
 
 
-def _is_asked(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _is_asked(tree: Tree) -> Tree | None:
     """Give "could you hoover under the beds" its verb, which a tree takes for no verb."""
     root = tree.root
     helping, subjects = tree.children(root, "aux"), tree.children(root, "nsubj")
@@ -166,17 +177,17 @@ def _is_asked(tree: Tree, lexicon: Lexicon) -> Tree | None:
         not asked
         or subjects[-1] > root
         or tree.nodes[root].is_verb
-        or tree.nodes[root].lower not in lexicon.orders
+        or tree.nodes[root].lower not in tree.lexicon.orders
     ):
         return None
     return tree.changed(root, tag="VB", lemma=tree.nodes[root].lower)
 
 
-def _lists_order(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _lists_order(tree: Tree) -> Tree | None:
     """Give "add mop the hall to my chores" its verb, which a tree takes for one that helps another."""
     root, nodes = tree.root, tree.nodes
     things = tree.children(root, "dobj")
-    listed = root == 1 and nodes[0].lower in lexicon.beside.listing and nodes[0].relation == "aux"
+    listed = root == 1 and nodes[0].lower in tree.lexicon.beside.listing and nodes[0].relation == "aux"
     if not listed or not things or not any(nodes[p].lower == "to" for p in tree.children(root, "prep")):
         return None
     listing = tree.hung(tree.children(root, "prep"), 0).changed(0, tag="VB", relation="ROOT", head=0)
@@ -184,7 +195,7 @@ def _lists_order(tree: Tree, lexicon: Lexicon) -> Tree | None:
     return named.changed(things[0], relation="dobj", head=0)
 
 
-def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _does_compound(tree: Tree) -> Tree | None:
     """Give "review pull requests" its verb, where the second word was taken for it.
 
     A noun in the singular and a bare verb do not agree; and who would be called has a name of its own.
@@ -194,15 +205,15 @@ def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
     first, second, third = tree.nodes[:LEAST_DONE]
     things = tree.children(1, "dobj")
     bare = first.tag == "NN" and first.may_act and second.tag in {"VB", "VBP"} and third.tag in {"NN", "NNS"}
-    if not bare or first.lower in lexicon.persons | lexicon.workers or not things:
+    if not bare or first.lower in tree.lexicon.persons | tree.lexicon.workers or not things:
         return None
     done = tree.hung(tree.children(1), 0).changed(0, tag="VB", relation="ROOT", head=0)
     return done.changed(1, tag="NN", relation="compound", head=things[0])
 
 
-def _goes_to_do(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _goes_to_do(tree: Tree) -> Tree | None:
     """Give "go feed the cat" what is to be done, beside which "go" and "come" say nothing more."""
-    if tree.root != 0 or len(tree.nodes) < LEAST_DONE or tree.nodes[0].lemma not in lexicon.doing.trying:
+    if tree.root != 0 or len(tree.nodes) < LEAST_DONE or tree.nodes[0].lemma not in tree.lexicon.doing.trying:
         return None
     done = tree.nodes[1]
     # "Go mist the ferns": no noun is followed by an article
@@ -213,14 +224,14 @@ def _goes_to_do(tree: Tree, lexicon: Lexicon) -> Tree | None:
     return led.changed(1, tag="VB", relation="ROOT")
 
 
-def _is_to_be_done(tree: Tree, lexicon: Lexicon) -> Tree | None:
+def _is_to_be_done(tree: Tree) -> Tree | None:
     """Give "remind me to hoover the stairs" what is to be done, which a tree takes for where to."""
     for place in range(1, len(tree.nodes)):
         to, done, behind = tree.nodes[place - 1], tree.nodes[place], tree.nodes[place + 1 : place + 2]
         led = to.lower == "to" and to.relation == "prep" and done.relation == "pobj"
-        if not led or done.lower not in lexicon.orders or done.head != place - 1:
+        if not led or done.lower not in tree.lexicon.orders or done.head != place - 1:
             continue
-        ends = done.lower in lexicon.needing_nothing and not behind
+        ends = done.lower in tree.lexicon.needing_nothing and not behind
         # No noun is followed by an article.
         if ends or any(node.tag in DETERMINERS for node in behind):
             nodes = enumerate(tree.nodes)

@@ -18,15 +18,15 @@ JOINED = frozenset({"conj", "cc", "punct"})
 """Relations of what goes on behind."""
 
 
-def with_needed_deed(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
+def with_needed_deed(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "the cars need washing" what must be done with which thing."""
     for need in range(1, len(tree.nodes) - 1):
-        if tree.root in {need, need + 1} and _needs_deed(tree, need, timed, lexicon):
-            return _mended(tree, need, lexicon)
+        if tree.root in {need, need + 1} and _needs_deed(tree, need, timed):
+            return _mended(tree, need)
     return tree
 
 
-def _needs_deed(tree: Tree, need: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+def _needs_deed(tree: Tree, need: int, timed: AbstractSet[int]) -> bool:
     """Whether a thing stands before a verb of needs, and behind it what is done, of which nothing is."""
     thing, word, deed = tree.nodes[need - 1 : need + 2]
     behind = [
@@ -34,13 +34,15 @@ def _needs_deed(tree: Tree, need: int, timed: AbstractSet[int], lexicon: Lexicon
     ]
     # "The oven needs cleaning": a tree may have several needs there, that are like an oven.
     called = thing.tag.startswith(NOUNS) or (thing.relation == "amod" and thing.head == need)
-    called = called or thing.lower in lexicon.closed.universal_pronouns | {"it", "they"}
-    needs = word.lower.removesuffix("s") in lexicon.doing.needing and not tree.children(need, "neg", "aux")
+    called = called or thing.lower in tree.lexicon.closed.universal_pronouns | {"it", "they"}
+    needs = word.lower.removesuffix("s") in tree.lexicon.doing.needing and not tree.children(
+        need, "neg", "aux"
+    )
     done = deed.lower.endswith(PARTICIPLE) and need + 1 not in timed
     return called and needs and done and not any(node.tag.startswith((NOUNS, "DT", "PRP")) for node in behind)
 
 
-def _mended(tree: Tree, need: int, lexicon: Lexicon) -> Tree:
+def _mended(tree: Tree, need: int) -> Tree:
     thing, deed = need - 1, need + 1
     nodes = tree.nodes
     for place, node in enumerate(nodes):
@@ -55,7 +57,7 @@ def _mended(tree: Tree, need: int, lexicon: Lexicon) -> Tree:
     )
     named = "NN" if nodes[thing].tag == "JJ" else nodes[thing].tag
     tree = tree.changed(thing, tag=named, relation="nsubj", head=need)
-    lemma = nodes[deed].lemma if nodes[deed].tag == "VBG" else _bare(nodes[deed].lower, lexicon)
+    lemma = nodes[deed].lemma if nodes[deed].tag == "VBG" else _bare(nodes[deed].lower, tree.lexicon)
     return tree.changed(deed, tag="VBG", lemma=lemma, relation="xcomp", head=need)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.instruction import Span, blanked
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
 from fuzzytime.language.sentence.segments.mended.aims import with_aim, with_purpose
@@ -14,12 +14,17 @@ from fuzzytime.language.sentence.segments.mended.mended_things import (
     with_thing_before_time,
     with_whole_things,
 )
-from fuzzytime.language.sentence.segments.mended.mended_trees import as_acting, as_done, as_order
+from fuzzytime.language.sentence.segments.mended.mended_trees import (
+    as_acting,
+    as_done,
+    as_order,
+    with_reminded,
+)
 from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed
 from fuzzytime.language.sentence.segments.mended.places_in_front import with_places_in_front
-from fuzzytime.language.sentence.segments.mended.reminded_of import with_reminded
+from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_done_alone, is_numbered
 from fuzzytime.language.sentence.segments.waiting import Waiting
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 from fuzzytime.language.sentence.verbs.meant.actions import is_doubtful
 from fuzzytime.language.sentence.verbs.statements.called import (
@@ -28,14 +33,15 @@ from fuzzytime.language.sentence.verbs.statements.called import (
     with_event,
     with_worker,
 )
-from fuzzytime.language.sentence.verbs.statements.statement_trees import as_statement
+from fuzzytime.language.sentence.verbs.statements.statement_trees import as_statement, leaves
+from fuzzytime.language.sentence.verbs.without_verbs.happenings import happens, may_be_ordered
 from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import with_named_deed
 
 CARRIERS = ("please ", "you should ")
 """Words that make a parser see the verb behind them, tried in this order."""
 
 
-def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
+def trees_of(waiting: Sequence[Waiting], trees: Trees) -> list[Tree]:
     """Parse segments without a time in front; one whose tree is doubtful again behind other words."""
     texts = [_heard(one) for one in waiting]
     found = uncapitalised(texts, trees, [one.heard_from for one in waiting])
@@ -44,7 +50,7 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list
     for place, tree in zip(astray, carried, strict=True):
         # "Text Leo at five and | text Jen at six"
         found[place] = tree.without_carrier(CARRIERS[0], texts[place], 0)
-    found = [as_done(_in_place(one, tree), lexicon) for one, tree in zip(waiting, found, strict=True)]
+    found = [as_done(_in_place(one, tree)) for one, tree in zip(waiting, found, strict=True)]
     own = {place for place, one in enumerate(waiting) if not one.segment.borrowed}
     led_astray = [p for p, tree in enumerate(found) if p in own and tree.root in waiting[p].timed(tree)]
     blanked = trees([_without_root(found[place]) for place in led_astray])
@@ -56,42 +62,86 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list
         again = [
             (place, waiting[place].behind_time)
             for place, tree in enumerate(found)
-            if place in own and waiting[place].doubts(tree, lexicon)
+            if place in own and _is_astray(waiting[place], tree)
         ]
         carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
         for (place, skipped), tree in zip(again, carried, strict=True):
             bare = as_order(tree.without_carrier(carrier, texts[place], skipped))
-            if bare.nodes and _may_be_done(bare, lexicon) and not waiting[place].doubts(bare, lexicon):
+            if bare.nodes and _may_be_done(bare) and not _is_astray(waiting[place], bare):
                 found[place] = bare
-    found = with_places_in_front(waiting, found, trees, lexicon)
+    found = with_places_in_front(waiting, found, trees)
     told = [place for place, one in enumerate(waiting) if one.segment.doer is not None]
     led = trees([f"{waiting[place].segment.doer} {texts[place]}" for place in told])
     for place, tree in zip(told, led, strict=True):
         # "The plumber comes at four, fixes the tap": it is a verb behind who does it.
         alone = tree.without_carrier(f"{waiting[place].segment.doer} ", texts[place], 0)
         found[place] = as_acting(alone)
-    return [_mended(one, tree, lexicon) for one, tree in zip(waiting, found, strict=True)]
+    return [_mended(one, tree) for one, tree in zip(waiting, found, strict=True)]
 
 
-def _mended(one: Waiting, tree: Tree, lexicon: Lexicon) -> Tree:
+def _mended(one: Waiting, tree: Tree) -> Tree:
     """Give a tree with what its model overlooks; where all words are of its time, it is empty."""
     if not tree.nodes:
         return tree
     timed = one.timed(tree)
     tree = with_thing_before_time(with_her(with_whole_things(tree), timed), timed)
-    tree = with_purpose(with_aim(tree, timed, lexicon))
+    tree = with_purpose(with_aim(tree, timed))
     tree = with_event_names(with_object_of_aim(tree, timed), timed)
-    tree = with_event(with_clause(with_reminded(tree, lexicon), lexicon), lexicon)
-    tree = with_called(with_worker(with_needed_deed(tree, timed, lexicon), lexicon), timed, lexicon)
-    tree = with_named_deed(tree, timed, lexicon) if timed or one.heard_from else tree
-    return as_statement(tree, timed, lexicon.travelling)
+    tree = with_event(with_clause(with_reminded(tree)))
+    tree = with_called(with_worker(with_needed_deed(tree, timed)), timed)
+    tree = with_named_deed(tree, timed) if timed or one.heard_from else tree
+    return as_statement(tree, timed, one.lexicon.travelling)
 
 
-def _may_be_done(tree: Tree, lexicon: Lexicon) -> bool:
+def _is_astray(one: Waiting, tree: Tree) -> bool:
+    """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
+    if not tree.nodes:
+        return False
+    if one.phrases and happens(tree, one.phrases):
+        return may_be_ordered(tree) or begins_order(tree)
+    if leaves(tree, tree.root, one.lexicon.travelling):
+        return False
+    if is_doubtful(tree) or is_numbered(tree):
+        return True
+    if _overlooks_order(one, tree) or begins_order(tree) or tree.root in one.timed(tree):
+        return True
+    words, root = one.source.scanned.words, one.main + tree.nodes[tree.root].start
+    before = [p for p in one.source.places(one.main, root) if p not in one.source.covered]
+    led = [longest_match(words, place, one.lexicon.clauses) is not None for place in before]
+    return any(led) and not led[0]
+
+
+def _overlooks_order(one: Waiting, tree: Tree) -> bool:
+    """Whether a bare verb right behind a time in front is not its root: "from now on keep it shut"."""
+    first = next(iter(tree.at(one.behind_time, one.behind_time + 1)), None)
+    if first is None or first == tree.root:
+        return False
+    node = tree.nodes[first]
+    if not node.may_act or node.lower != node.lemma:
+        return False
+    if is_done_alone(tree, first):
+        return True
+    if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in {"it", "them"}:
+        # "Pat it dry"
+        return True
+    if first == 0 and node.lower in one.lexicon.particles.get(tree.nodes[1].lower, ()):
+        # "Top up the water troughs"
+        return True
+    if first == 0 and node.tag.startswith("NN") and tree.nodes[1].tag in {"DT", "PRP$"}:
+        # "Print the boarding passes tonight"
+        return True
+    # "Fetch crate 4, bring it here": the first order is taken for who does the second.
+    subjects = tree.children(tree.root, *SUBJECTS, *(() if tree.nodes[tree.root].may_act else ("advcl",)))
+    taken = any(first in tree.below(place) for place in subjects)
+    return taken and tree.root > 0 and tree.nodes[tree.root - 1].lower in {",", "and", ";"}
+
+
+def _may_be_done(tree: Tree) -> bool:
     """Whether the root of a tree is a known verb, or has an object: "pipette the buffer", but "session 2".
 
     Behind "please", a parser takes any noun for a verb.
     """
+    lexicon = tree.lexicon
     node = tree.nodes[tree.root]
     known = lexicon.addressing | lexicon.chores | lexicon.ordering | lexicon.alone | lexicon.timing_alone
     led = any(one.tag in DETERMINERS | {"PRP"} for one in tree.nodes[tree.root + 1 : tree.root + 2])

@@ -4,7 +4,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from fuzzytime.english import PARTICIPLE
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_order, may_be_done
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
@@ -27,9 +26,7 @@ class _Try:
     order: str
 
 
-def with_places_in_front(
-    waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees, lexicon: Lexicon
-) -> list[Tree]:
+def with_places_in_front(waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees) -> list[Tree]:
     """Give trees in which words in front that say where hang on what is done there.
 
     One tree of the whole may have the verb for a part of the thing in front, or of the one behind. So it is
@@ -38,7 +35,7 @@ def with_places_in_front(
     tries = [
         attempt
         for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
-        for attempt in _tries(place, one, tree, lexicon)
+        for attempt in _tries(place, one, tree)
     ]
     fronts = trees([attempt.front for attempt in tries])
     orders = trees([CARRIER + attempt.order for attempt in tries])
@@ -51,11 +48,15 @@ def with_places_in_front(
     return mended
 
 
-def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     nodes, skipped = tree.nodes, one.behind_time
     # "At six in the garage record the match"
     first = next((p for p, node in enumerate(nodes) if node.start >= skipped), len(nodes))
-    if len(nodes) <= first + LEAST or nodes[first].tag != "IN" or nodes[first].lower not in lexicon.places:
+    if (
+        len(nodes) <= first + LEAST
+        or nodes[first].tag != "IN"
+        or nodes[first].lower not in tree.lexicon.places
+    ):
         return
     if nodes[first + 1].tag not in DETERMINERS:
         return
@@ -64,10 +65,10 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         node, before = nodes[here], nodes[here - 1]
         if here in timed or not timed.isdisjoint(range(first, here)):
             return
-        if here == root and node.may_act and is_bare(node, lexicon):
+        if here == root and node.may_act and is_bare(node, tree.lexicon):
             return
         led = before.text == COMMA or (before.tag.startswith(NOUNS) and not before.lower.endswith(PARTICIPLE))
-        if led and may_be_done(tree, here, lexicon) and nodes[here + 1].lower != "of":
+        if led and may_be_done(tree, here) and nodes[here + 1].lower != "of":
             front, order = tree.text[nodes[first].start : before.end], tree.text[node.start :]
             yield _Try(place, front.rstrip(" ,"), order)
 

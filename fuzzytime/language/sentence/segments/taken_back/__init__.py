@@ -1,1 +1,1 @@
-"""What is said better at once: ``corrections`` of times, ``corrected_things``, and ``retractions``."""
+"""What is said better at once: ``corrections`` of times, and ``corrected_things``."""

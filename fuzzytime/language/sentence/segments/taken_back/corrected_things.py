@@ -1,4 +1,4 @@
-"""What is done with another thing after all: "wash the car, I mean the van", "feed the cat - no, the dog"."""
+"""What is done with another thing after all, or let be: "feed the cat - no, the dog", "forget that"."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -16,6 +16,9 @@ PAUSES = frozenset({",", "-", ".", "…", ";", "(", "–", "—"})
 
 LONGEST = 4
 """Words of a thing at most: "the old red van"."""
+
+BEGINS = frozenset({".", ";", "!", ",", "-", "…", "\n"})
+ENDS = frozenset({*BEGINS, "?"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,3 +93,17 @@ def _thing_before(
         if words[start].text in lexicon.closed.noun_openers:
             return range(start, end) if _is_thing(words, start, end, lexicon) else None
     return range(end - 1, end) if end > 1 and _is_thing(words, end - 1, end, lexicon) else None
+
+
+def retractions(words: Sequence[Word], lexicon: Lexicon, corrected: Sequence[Span]) -> Iterator[range]:
+    """Give the words that let be what was said before: between two pauses, and behind something.
+
+    Not those in what is ``corrected`` by a time behind them: "tonight. Scratch that, tomorrow morning".
+    """
+    forms = lexicon.conversation["retracting"]
+    for place in range(1, len(words)):
+        found = longest_match(words, place, forms) if words[place - 1].text in BEGINS else None
+        end = place + len(found or ())
+        mends = any(first <= words[place].start < last for first, last in corrected)
+        if found is not None and not mends and (end == len(words) or words[end].text in ENDS):
+            yield range(place, end)

@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.understood.lent import is_timed_entry
 from fuzzytime.language.instruction import Remark, RemarkKind
@@ -29,9 +29,7 @@ from fuzzytime.requirement import MOMENTS, Constraint, Unit
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
 
 
-def corrected(
-    scanned: Scanned, phrases: Sequence[Phrase], lexicon: Lexicon
-) -> tuple[list[Phrase], list[Remark]]:
+def corrected(scanned: Scanned, phrases: Sequence[Phrase]) -> tuple[list[Phrase], list[Remark]]:
     """Replace times that are taken back, and say so."""
     kept: list[Phrase] = []
     remarks: list[Remark] = []
@@ -40,7 +38,7 @@ def corrected(
     waiting = list(phrases)
     while waiting:
         phrase = waiting.pop(0)
-        while (found := _correction(scanned, phrase, starts, lexicon)) is not None:
+        while (found := _correction(scanned, phrase, starts)) is not None:
             old, new = scanned.text[slice(*phrase.span)], scanned.text[slice(*found.span)]
             taken_back = (phrase.span[0], found.span[0])
             remarks.append(Remark(RemarkKind.CORRECTED, taken_back, f"{old!r} is corrected by {new!r}"))
@@ -143,8 +141,9 @@ def _denied(scanned: Scanned, phrase: Phrase) -> Remark | None:
     return Remark(RemarkKind.CORRECTED, span, f"{said!r} is not meant: another time follows")
 
 
-def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexicon: Lexicon) -> Phrase | None:
+def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int]) -> Phrase | None:
     """Give the time that replaces a phrase, if words right behind it take it back."""
+    lexicon = scanned.lexicon
     place = _behind_pauses(scanned, phrase.end)
     marker = longest_match(scanned.words, place, lexicon.corrections) if place < len(scanned.words) else None
     # "By six, no later than seven": the marker begins a time itself.
@@ -153,11 +152,8 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
     start = _behind_pauses(scanned, place + len(marker))
     if start >= len(scanned.words):
         return None
-    if (
-        marker[-1] in lexicon.doing.waiting
-        and start == place + len(marker)
-        and ("duration" in scanned.cells[start] or _is_timed(scanned, start))
-    ):
+    waits = marker[-1] in lexicon.doing.waiting and start == place + len(marker)
+    if waits and ("duration" in scanned.cells[start] or _is_timed(scanned, start)):
         # "Heat it at eight, wait three minutes"; but "at eight, wait, nine"
         return None
     left_out = {word.text for word in scanned.words[place:start]} <= lexicon.beside.denying_weekdays
@@ -168,7 +164,7 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
     if further is not None:
         # "Actually, make it twenty"
         start = min(_behind_pauses(scanned, start + len(further)), len(scanned.words) - 1)
-    start = _behind_who_says(scanned, start, lexicon)
+    start = _behind_who_says(scanned, start)
     lets_be = marker in lexicon.conversation["retracting"]
     cell = scanned.cells[start]
     # "From two to four, no, three to five"
@@ -198,12 +194,15 @@ def _are_weekdays(scanned: Scanned, place: int) -> bool:
     return any(weekdays_in(piece.value) for piece in pieces)
 
 
-def _behind_who_says(scanned: Scanned, place: int, lexicon: Lexicon) -> int:
+def _behind_who_says(scanned: Scanned, place: int) -> int:
     """Give the place behind who says the new time: "at five, no, Jonas said 5:30"."""
     words = scanned.words
     behind = place + 2
-    named = words[place].capital or words[place].text in lexicon.closed.personal_pronouns | lexicon.persons
-    says = behind < len(words) and words[place + 1].text in lexicon.doing.saying
+    named = (
+        words[place].capital
+        or words[place].text in scanned.lexicon.closed.personal_pronouns | scanned.lexicon.persons
+    )
+    says = behind < len(words) and words[place + 1].text in scanned.lexicon.doing.saying
     return behind if named and says else place
 
 

@@ -35,12 +35,12 @@ class Aside:
     bounds: bool = False
 
 
-def asides_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:
+def asides_of(scanned: Scanned) -> tuple[Aside, ...]:
     """Give the asides of a text in order."""
-    if lexicon.asides["taking"].isdisjoint(word.text for word in scanned.words):
+    if scanned.lexicon.asides["taking"].isdisjoint(word.text for word in scanned.words):
         return ()
-    lengths = (p for p in phrases_of(scanned, lexicon) if isinstance(p.said.time, Duration))
-    found = (_aside(scanned, phrase, lexicon) for phrase in lengths)
+    lengths = (p for p in phrases_of(scanned) if isinstance(p.said.time, Duration))
+    found = (_aside(scanned, phrase) for phrase in lengths)
     return tuple(aside for aside in found if aside is not None)
 
 
@@ -50,8 +50,8 @@ def beside_each_other(some: Sequence[Aside], others: Sequence[Aside]) -> tuple[A
     return tuple(sorted((*some, *apart), key=lambda aside: aside.span))
 
 
-def _aside(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
-    words, told = scanned.words, lexicon.asides
+def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
+    words, told = scanned.words, scanned.lexicon.asides
     place = phrase.first - 1
     while place > 0 and words[place].text in told["whom"] | told["helping"]:
         place -= 1
@@ -61,7 +61,11 @@ def _aside(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
     while place > 0 and words[place].text in told["helping"]:
         place -= 1
     bracketed = words[place].text == BRACKET or words[place - 1].text in {BRACKET, "-"}
-    behind = phrase.end == len(words) or words[phrase.end].text in ENDING or _becomes(words, phrase, lexicon)
+    behind = (
+        phrase.end == len(words)
+        or words[phrase.end].text in ENDING
+        or _becomes(words, phrase, scanned.lexicon)
+    )
     if words[place].text in told["naming"] or (words[place].text in told["back"] and (bracketed or behind)):
         place -= 1
     if place < 1 or words[place].text not in OPENING:

@@ -23,11 +23,11 @@ NAME = 4
 AS = "as"
 
 
-def asides_of_hours(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:
+def asides_of_hours(scanned: Scanned) -> tuple[Aside, ...]:
     """Give the asides of a text that say when somewhere opens or closes, in order."""
-    if lexicon.doing.hours.isdisjoint(word.text for word in scanned.words):
+    if scanned.lexicon.doing.hours.isdisjoint(word.text for word in scanned.words):
         return ()
-    found = (_aside(scanned.words, phrase, lexicon) for phrase in phrases_of(scanned, lexicon))
+    found = (_aside(scanned.words, phrase, scanned.lexicon) for phrase in phrases_of(scanned))
     return tuple(aside for aside in found if aside is not None)
 
 

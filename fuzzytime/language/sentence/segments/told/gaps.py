@@ -18,18 +18,19 @@ APART, EACH_ONE = "apart", "each"
 """What is said instead, which is shorter."""
 
 
-def with_gaps(scanned: Scanned, lexicon: Lexicon) -> str:
+def with_gaps(scanned: Scanned) -> str:
     """Give a text of the same length in which gaps are so long "apart", and turns so long "each"."""
     text = scanned.text
-    if not {BETWEEN, *lexicon.closed.rates}.isdisjoint(word.text for word in scanned.words):
-        for before, (first, end), said in _gaps(scanned, lexicon):
+    if not {BETWEEN, *scanned.lexicon.closed.rates}.isdisjoint(word.text for word in scanned.words):
+        for before, (first, end), said in _gaps(scanned):
             text = text[:first] + said.rjust(end - first) + text[end:]
             text = blanked(text, [before])
     return text
 
 
-def _gaps(scanned: Scanned, lexicon: Lexicon) -> Iterator[tuple[Span, Span, str]]:
+def _gaps(scanned: Scanned) -> Iterator[tuple[Span, Span, str]]:
     """Give for each gap the words before its length that say no more, those behind it, and what they mean."""
+    lexicon = scanned.lexicon
     words = scanned.words
     lengths = [piece for piece in scanned.pieces("duration") if isinstance(piece.value, Duration)]
     whole = {piece.end: piece for piece in sorted(lengths, key=lambda piece: -piece.start)}

@@ -61,19 +61,19 @@ class _Source:
         return places_in(self.phrases)
 
 
-def messages_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Message, ...]:
+def messages_of(scanned: Scanned) -> tuple[Message, ...]:
     """Give what is told in a text, in order."""
-    doing = lexicon.doing
+    doing = scanned.lexicon.doing
     verbs = (
         doing.messaging
-        | lexicon.letting
+        | scanned.lexicon.letting
         | doing.letters
         | doing.replying
         | {form.split()[0] for form in doing.noting}
     )
     if verbs.isdisjoint(word.text for word in scanned.words):
         return ()
-    source = _Source(scanned.words, phrases_of(scanned, lexicon), lexicon)
+    source = _Source(scanned.words, phrases_of(scanned), scanned.lexicon)
     found: list[Message] = []
     for verb, start in _starts(source):
         end = _end(source, start)

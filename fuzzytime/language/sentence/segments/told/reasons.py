@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
@@ -14,14 +13,14 @@ LEAST = 3
 """Words of "lunch is at one", at least, before its time."""
 
 
-def reason_in_front(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+def reason_in_front(one: Waiting, part: Part) -> list[Segment]:
     """Give a reason that has a time of its own as something told, and what is to be done behind its comma.
 
     "As the pan heats, stir the soup" has none, and says when.
     """
     words = one.source.scanned.words
     places = one.source.places(*one.segment.span)
-    if not places or words[places[0]].text not in lexicon.beside.reasons_in_front:
+    if not places or words[places[0]].text not in part.lexicon.beside.reasons_in_front:
         return []
     comma = next((place for place in places if words[place].text == ","), None)
     if comma is None or comma - places[0] <= LEAST or comma + 1 not in places:

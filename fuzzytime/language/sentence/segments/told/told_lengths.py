@@ -6,7 +6,6 @@ They stand beside what they are about, or on a line of their own, and are read a
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings.looked_up import TIMELY
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Phrase, Said
@@ -29,10 +28,10 @@ MARKS = frozenset({",", "(", ")", "-", ".", ";", ":", "!", "–", "—"})
 """Marks around such words."""
 
 
-def told_lengths(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:
+def told_lengths(scanned: Scanned) -> tuple[Aside, ...]:
     """Give the lengths that a text tells in words of their own, in order."""
     found: list[Aside] = []
-    telling = _Telling(scanned, lexicon)
+    telling = _Telling(scanned)
     pieces = sorted(scanned.pieces("duration"), key=lambda piece: (piece.start, -piece.end))
     for piece in pieces:
         aside = telling.aside(piece)
@@ -42,10 +41,10 @@ def told_lengths(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:
 
 
 class _Telling:
-    def __init__(self, scanned: Scanned, lexicon: Lexicon) -> None:
+    def __init__(self, scanned: Scanned) -> None:
         self.scanned = scanned
-        self.lexicon = lexicon
-        self.told = lexicon.told
+        self.lexicon = scanned.lexicon
+        self.told = scanned.lexicon.told
         self.texts = [word.text for word in scanned.words]
 
     def aside(self, piece: Piece) -> Aside | None:

@@ -6,7 +6,6 @@ What hardly is a place waits for it; what may be one is one where nothing happen
 
 from collections.abc import Iterator, Sequence
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.clauses.clause import Clause
@@ -27,7 +26,7 @@ def at_events(
     remarks: list[Remark] = []
     if sketch.operation is None or sketch.operation.stated or sketch.phrases:
         return found, remarks
-    for span, is_moment in events_in(sketch, words, anchors.lexicon):
+    for span, is_moment in events_in(sketch, words):
         said = text[slice(*span)]
         name = said[len(AT) :].strip()
         clause = Clause("while", AT, span, span, object=name, is_event=True, edge=Edge.START)
@@ -47,8 +46,9 @@ def untold(said: str, span: Span) -> Remark:
     return Remark(RemarkKind.UNRESOLVED, span, message)
 
 
-def events_in(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Iterator[tuple[Span, bool]]:
+def events_in(sketch: Sketch, words: Sequence[Word]) -> Iterator[tuple[Span, bool]]:
     """Give the stretches of "at" and an event behind it, and whether that is hardly a place."""
+    lexicon = sketch.lexicon
     first, end = sketch.part.segment.span
     places = [place for place, word in enumerate(words) if first <= word.start < end]
     for place in places:

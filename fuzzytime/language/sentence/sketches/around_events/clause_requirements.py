@@ -35,15 +35,13 @@ def of_clause(
     clause: Clause, anchors: Anchors, sketch: Sketch, draft: Draft
 ) -> tuple[TimeRequirement, list[Remark]]:
     """Give what a clause requires: a condition, or where another instruction lies; and remarks on it."""
-    lexicon = anchors.lexicon
     text = draft.text[slice(*clause.span)]
     remarks: list[Remark] = []
-    numbers = comparisons_in(draft.scanned, clause.content, lexicon)
-    target = anchors.target_of(clause)
-    said = clause.condition
-    if target is None and said and said.word in lexicon.results and clause.kind in RESULTING:
+    numbers = comparisons_in(draft.scanned, clause.content)
+    target, said = anchors.target_of(clause), clause.condition
+    if target is None and said and said.word in anchors.lexicon.results and clause.kind in RESULTING:
         # "Boil the pasta. Drain it when it is done": when it is boiled.
-        named = _named(said, _meant_by_pronoun(clause, anchors, sketch), lexicon)
+        named = _named(said, _meant_by_pronoun(clause, anchors, sketch), anchors.lexicon)
         target = anchors.target_of(replace(clause, condition=named))
     target = meal_of(clause, anchors) if target is None else target
     target = _begun(clause, anchors, sketch) if target is None else target
@@ -52,13 +50,12 @@ def of_clause(
     if target is None and said is not None and clause.kind in STATING:
         condition = replace(said, text=text, comparisons=numbers)
         required = _of_condition(clause, condition, anchors, sketch)
-        return required, list(_once_or_at_start(clause, required, sketch.operation, lexicon))
+        return required, list(_once_or_at_start(clause, required, sketch.operation, anchors.lexicon))
     what = draft.text[slice(*clause.content)]
     if target is None:
         subject = None if said is None else said.subject
-        if clause.is_event or (
-            subject is not None and subject not in anchors.lexicon.closed.first_and_second_person
-        ):
+        speaks = subject in anchors.lexicon.closed.first_and_second_person
+        if clause.is_event or (subject is not None and not speaks):
             remarks.append(untold(text, clause.span))
         else:
             message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
@@ -165,11 +162,7 @@ def _under_way(said: Condition, condition: Condition, anchors: Anchors) -> int |
 
 def referred(requirement: TimeRequirement, reference: Reference | None) -> TimeRequirement:
     """Give a requirement the moment of the execution that its verb is about."""
-    if reference is None or requirement.constraint in {
-        Constraint.FOR,
-        Constraint.EVERY,
-        Constraint.WHEN,
-    }:
+    if reference is None or requirement.constraint in {Constraint.FOR, Constraint.EVERY, Constraint.WHEN}:
         return requirement
     lasting = requirement.preposition in LASTING or requirement.constraint is Constraint.BETWEEN
     if reference is Reference.THROUGHOUT and not lasting:

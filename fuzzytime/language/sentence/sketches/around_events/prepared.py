@@ -52,7 +52,7 @@ def _begin_of(instruction: Instruction) -> float | None:
 def _goes(sketch: Sketch) -> bool:
     """Whether somebody is to leave, or to be somewhere: "leave at nine"."""
     operation = sketch.operation
-    return operation is not None and operation.is_asked and is_there(operation, sketch.part.tree.lexicon)
+    return operation is not None and operation.is_asked and is_there(operation, sketch.lexicon)
 
 
 def _is_to_the_hour(sketch: Sketch) -> bool:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.judging.beside.titles import written_out
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.surroundings.known_names import named_in
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Wall
@@ -43,17 +43,14 @@ EVEN = "even"
 
 
 def clauses_of(
-    tree: Tree,
-    words: Sequence[Word],
-    phrases: Sequence[Phrase],
-    lexicon: Lexicon,
-    named: Sequence[Phrase] = (),
+    tree: Tree, words: Sequence[Word], phrases: Sequence[Phrase], named: Sequence[Phrase] = ()
 ) -> list[Clause]:
     """Find the clauses of one instruction.
 
     A marker inside a time ("before noon") begins none. ``named`` are times that name events: "before my four
     o'clock meeting" is before four.
     """
+    lexicon = tree.lexicon
     found: list[Clause] = []
     covered = places_in(phrases)
     titled = written_out(words, lexicon) | named_in(words, lexicon)

@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.phrases import places_in
-from fuzzytime.language.sentence.segments.waiting import goes_on_behind
+from fuzzytime.language.sentence.segments.leading_markers import goes_on_behind
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Constraint
 

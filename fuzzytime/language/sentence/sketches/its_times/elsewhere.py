@@ -6,7 +6,6 @@
 from collections.abc import Sequence
 from itertools import pairwise, takewhile
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Wall
@@ -32,17 +31,15 @@ LEAST_CASE = 3
 """Words of such a case, at least, behind the first of them."""
 
 
-def elsewhere(
-    part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Lexicon, *, told: bool = False
-) -> list[Phrase]:
+def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, *, told: bool = False) -> list[Phrase]:
     """Give the times that are no times of what is to be done, of which a clause may have ``told`` when."""
     starts = {phrase.span: next(part.at(phrase.span), None) for phrase in phrases}
     timed = {place for phrase in phrases for place in part.at(phrase.span)}
-    said = told_from(part, action, timed, lexicon)
+    said = told_from(part, action, timed)
     own = said is not None and any(place is None or place < said for place in starts.values())
-    if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
+    if part.tree.nodes[action.place].lemma in part.lexicon.doing.recalling and not own:
         said = recalled_from(part, action)
-    found = _of_moved(part, phrases, action, lexicon) + _of_aim(part, phrases, action)
+    found = _of_moved(part, phrases, action) + _of_aim(part, phrases, action)
     found += _of_prepared(part, [phrase for phrase in phrases if phrase not in found], action)
     found += _of_inner(part, phrases) + _of_subject(part, phrases, action, told=told)
     past: int | None = None
@@ -74,7 +71,7 @@ def _of_subject(part: Part, phrases: Sequence[Phrase], action: Action, *, told: 
     places = {phrase.span: set(part.at(phrase.span)) for phrase in phrases}
     own = [phrase for phrase in phrases if not places[phrase.span] <= inside]
     verb = part.tree.nodes[action.place]
-    if verb.tag != "VBZ" or verb.lemma in part.tree.lexicon.doing.happening or not (own or told):
+    if verb.tag != "VBZ" or verb.lemma in part.lexicon.doing.happening or not (own or told):
         # "Dinner for Saturday is at eight"
         return []
     return [phrase for phrase in phrases if phrase not in own and phrase.said.preposition == FOR]
@@ -93,7 +90,7 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
             continue
         first = min(part.tree.below(subjects[0]))
         so = first - 1 - (nodes[first - 1].lower == "that")
-        lexicon = part.tree.lexicon
+        lexicon = part.lexicon
         own_end = nodes[subjects[0]].lower in lexicon.closed.anaphors
         if nodes[so].lower != "so" or (own_end and nodes[verb].lemma not in lexicon.doing.arriving):
             # "Soak it overnight so it's ready by six"; but "order it today so that it comes on friday"
@@ -109,7 +106,7 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
 
 def reason_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:
     """Give the stretch that says why: "clear it by five because the painters come in overnight"."""
-    nodes, closed = part.tree.nodes, part.tree.lexicon.closed
+    nodes, closed = part.tree.nodes, part.lexicon.closed
     for place in range(action.place + 1, len(nodes) - LEAST_CASE):
         opening = f"{nodes[place].lower} {nodes[place + 1].lower}"
         if opening in closed.subordinators_of_precaution and nodes[place + 2].lower != "of":
@@ -124,14 +121,14 @@ def reason_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | N
     return None
 
 
-def _of_moved(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Lexicon) -> list[Phrase]:
+def _of_moved(part: Part, phrases: Sequence[Phrase], action: Action) -> list[Phrase]:
     """Give when what is moved or cancelled would have been: "move the meetings on friday to monday".
 
     The new time stands right behind it; of what is cancelled, all that are so are meant.
     """
     nodes = part.tree.nodes
     lemma = nodes[action.place].lemma
-    if lemma in lexicon.moving:
+    if lemma in part.lexicon.moving:
         pairs = pairwise(phrases)
         return [old for old, new in pairs if new.said.preposition == "to" and old.end == new.first]
     objects = part.tree.children(action.place, "dobj")
@@ -139,9 +136,9 @@ def _of_moved(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
         thing
         for thing in objects
         for p in part.tree.children(thing, "det")
-        if nodes[p].lower in lexicon.closed.universal_determiners
+        if nodes[p].lower in part.lexicon.closed.universal_determiners
     ]
-    if lemma not in lexicon.doing.dropping or not several:
+    if lemma not in part.lexicon.doing.dropping or not several:
         return []
     behind = nodes[several[-1]].end + part.offset
     return [phrase for phrase in phrases if behind <= phrase.span[0] <= behind + 1]
@@ -224,4 +221,4 @@ def _is_described(part: Part, place: int, action: Action) -> bool:
     # "The meeting I have tomorrow" is what is counted from; "let that cool for an hour" has no thing.
     before = (p for p in tree.children(verb) if p < verb and tree.nodes[p].relation != "mark")
     things = (p for p in before if tree.nodes[p - 1].tag.startswith(NAMING))
-    return any(tree.nodes[p].lower in part.tree.lexicon.closed.relatives for p in things)
+    return any(tree.nodes[p].lower in part.lexicon.closed.relatives for p in things)

@@ -34,7 +34,7 @@ class _Things:
     """The things that an action is about."""
 
     def __init__(self, part: Part, action: Action) -> None:
-        self.part, self.tree, self.lexicon = part, part.tree, part.tree.lexicon
+        self.part, self.tree, self.lexicon = part, part.tree, part.lexicon
         self.nodes, self.verb = part.tree.nodes, action.place
         node = self.nodes[action.place]
         following = self.nodes[action.place + 1 : action.place + 1 + FARTHEST]

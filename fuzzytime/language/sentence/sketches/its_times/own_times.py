@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, Span, overlap
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clauses.clause import Clause
@@ -31,7 +30,7 @@ class OwnTimes:
     remarks: tuple[Remark, ...]
 
 
-def own_times(draft: Draft, part: Part, said: SaidOfTime, action: Action, lexicon: Lexicon) -> OwnTimes:
+def own_times(draft: Draft, part: Part, said: SaidOfTime, action: Action) -> OwnTimes:
     """Tell the times of an action from those of what it is about, what it is for and why it is done."""
     reasons = (
         (aim_of(part, said.phrases, action), "what it is for"),
@@ -42,7 +41,7 @@ def own_times(draft: Draft, part: Part, said: SaidOfTime, action: Action, lexico
     def is_of_aim(span: Span) -> bool:
         return any(overlap(span, aim) for aim, _ in aims)
 
-    others = elsewhere(part, said.phrases, action, lexicon, told=bool(said.clauses))
+    others = elsewhere(part, said.phrases, action, told=bool(said.clauses))
     things = [phrase for phrase in of_things(part, said.phrases, action) if phrase not in others]
     of_aims = [phrase for phrase in said.phrases if is_of_aim(phrase.span)]
     others, things = ([one for one in found if one not in of_aims] for found in (others, things))

@@ -22,22 +22,21 @@ LEAVE = "leave"
 
 
 def referred(
-    part: Part, times: OwnTimes, action: Action, operation: Operation, lexicon: Lexicon
+    part: Part, times: OwnTimes, action: Action, operation: Operation
 ) -> tuple[tuple[Phrase, ...], tuple[Clause, ...], tuple[Reference | None, ...]]:
     """Give an operation's times as its verb means them, its clauses, and what each of the times is about."""
     clauses = tuple(
-        replace(clause, reference=_reference_at(part, clause.span, action, lexicon))
-        for clause in times.clauses
+        replace(clause, reference=_reference_at(part, clause.span, action)) for clause in times.clauses
     )
     phrases = times.phrases
     if not operation.negated:
         phrases = tuple(by_that_day(phrase, clauses) for phrase in phrases)
-    references = tuple(_reference(part, phrase, action, lexicon, clauses) for phrase in phrases)
-    if is_there(operation, lexicon):
+    references = tuple(_reference(part, phrase, action, clauses) for phrase in phrases)
+    if is_there(operation, part.lexicon):
         phrases = tuple(on_that_day(phrase) for phrase in phrases)
-    if not operation.negated and {operation.lemma, operation.phrase} & lexicon.moving:
+    if not operation.negated and {operation.lemma, operation.phrase} & part.lexicon.moving:
         phrases = tuple(put_off(phrase) for phrase in phrases)
-    if _is_gone(operation, lexicon):
+    if _is_gone(operation, part.lexicon):
         references = tuple(None if one is Reference.THROUGHOUT else one for one in references)
     if operation.stated:
         # "The shop is closed between ten and eleven" is so all that time.
@@ -57,9 +56,7 @@ def _is_gone(operation: Operation, lexicon: Lexicon) -> bool:
     return operation.place is None and operation.object.lower().split()[-1] in lexicon.beside.sites
 
 
-def _reference(
-    part: Part, phrase: Phrase, action: Action, lexicon: Lexicon, clauses: Sequence[Clause]
-) -> Reference | None:
+def _reference(part: Part, phrase: Phrase, action: Action, clauses: Sequence[Clause]) -> Reference | None:
     """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
     if phrase.rule in {DATED, DEADLINE}:
         # What its clause is about starts or ends then, not what is to be done.
@@ -70,10 +67,10 @@ def _reference(
     if action.reference is Reference.FINISH and is_of_subject(part, phrase, action):
         # "Staff meeting at 3.30, should be done by half four"
         return None
-    return _reference_at(part, phrase.span, action, lexicon)
+    return _reference_at(part, phrase.span, action)
 
 
-def _reference_at(part: Part, span: Span, action: Action, lexicon: Lexicon) -> Reference | None:
+def _reference_at(part: Part, span: Span, action: Action) -> Reference | None:
     """Give which moment words in a stretch are about, by the verb nearest above them."""
     first, end = part.local(span)
     for place in part.tree.at(first, end):
@@ -82,5 +79,5 @@ def _reference_at(part: Part, span: Span, action: Action, lexicon: Lexicon) -> R
                 return action.reference
             inside = first <= part.tree.nodes[above].start < end
             if part.tree.nodes[above].is_verb and not inside:
-                return reference_of(part.tree, above, lexicon) or action.reference
+                return reference_of(part.tree, above) or action.reference
     return action.reference

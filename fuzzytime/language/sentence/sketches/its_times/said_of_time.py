@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.leftovers.leftovers import not_understood
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.days.relations import days_away
 from fuzzytime.language.meaning.expressions import Edge, Offset, Phrase, Range, Said, Wall, wall_of
@@ -47,17 +46,17 @@ class SaidOfTime:
     remarks: list[Remark]
 
 
-def said_of_time(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: Lexicon) -> SaidOfTime:
+def said_of_time(draft: Draft, part: Part, phrases: Sequence[Phrase]) -> SaidOfTime:
     """Tell the times of a part, ``phrases``, from those of its clauses."""
     first, end = part.segment.span
     clauses: list[Clause] = []
     if part.front is not None:
-        clauses += _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
+        clauses += _clauses(draft, part.front, (first, part.offset), phrases)
     if part.tree.nodes:
-        clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
+        clauses += _clauses(draft, part.tree, (part.offset, end), phrases)
     follows = bool(draft.text[:first].strip())
     clauses, passed = with_deadlines(
-        clauses, phrases, draft.text, part.offset, draft.scanned.lexicon, follows=follows
+        clauses, phrases, draft.text, part.offset, draft.lexicon, follows=follows
     )
     clauses = [_without_clock(clause, draft.text) for clause in clauses]
     clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
@@ -171,9 +170,7 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
     return Phrase(said, places[0], places[-1] + 1, clause.span, DATED)
 
 
-def _clauses(
-    draft: Draft, tree: Tree, span: Span, phrases: Sequence[Phrase], lexicon: Lexicon
-) -> list[Clause]:
+def _clauses(draft: Draft, tree: Tree, span: Span, phrases: Sequence[Phrase]) -> list[Clause]:
     """Give the clauses in a tree's stretch of text, with places in the whole text."""
     offset, end = span
     places = [place for place, word in enumerate(draft.scanned.words) if offset <= word.start < end]
@@ -190,4 +187,4 @@ def _clauses(
         ]
         for found in (phrases, draft.naming)
     )
-    return [clause.moved(offset) for clause in clauses_of(tree, local_words, local, lexicon, named)]
+    return [clause.moved(offset) for clause in clauses_of(tree, local_words, local, named)]

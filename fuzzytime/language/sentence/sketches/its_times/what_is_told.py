@@ -2,7 +2,6 @@
 
 from collections.abc import Collection
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.verbs.meant.actions import FINITE, Action
@@ -15,16 +14,16 @@ ASKED = 3
 """Words for who is asked, at most."""
 
 
-def told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexicon) -> int | None:
+def told_from(part: Part, action: Action, timed: Collection[int]) -> int | None:
     """Give the "that" behind which is what somebody is told; None where nothing is."""
     nodes = part.tree.nodes
     known = [p for p in part.tree.children(action.place, "ccomp") if nodes[p].lower == "know"]
-    if nodes[action.place].lemma in lexicon.letting and known:
+    if nodes[action.place].lemma in part.lexicon.letting and known:
         # "Let them know the meeting's at ten"
-        return _said_from(part, known[0] + 1, timed, lexicon)
+        return _said_from(part, known[0] + 1, timed)
     asked = _asked_from(part, action, timed)
     asked = _requested_from(part, action, timed) if asked is None else asked
-    if asked is not None or nodes[action.place].lemma not in lexicon.addressing:
+    if asked is not None or nodes[action.place].lemma not in part.lexicon.addressing:
         return asked
     for place in range(action.place + 2, len(nodes) - 1):
         behind_whom = place - 1 in timed or nodes[place - 1].tag.startswith(PERSONS)
@@ -35,12 +34,12 @@ def told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexic
         subjects = [p for p in part.tree.children(below, "nsubj") if action.place + 1 < p < below]
         if subjects and nodes[below].tag in FINITE:
             return min(part.tree.below(subjects[0]))
-    return _said_from(part, action.place + 2, timed, lexicon)
+    return _said_from(part, action.place + 2, timed)
 
 
 def is_of_telling(part: Part, phrase: Phrase, action: Action, told: int) -> bool:
     """Whether a time behind what is told is when it is told: "ask Sam to call me every day"."""
-    if part.tree.nodes[action.place].lemma in part.tree.lexicon.doing.recalling:
+    if part.tree.nodes[action.place].lemma in part.lexicon.doing.recalling:
         # "Remind me what I said in ten minutes"
         return isinstance(phrase.said.time, Offset)
     return isinstance(phrase.said.time, Repeat) and part.tree.nodes[told].lower == "to"
@@ -49,14 +48,14 @@ def is_of_telling(part: Part, phrase: Phrase, action: Action, told: int) -> bool
 def recalled_from(part: Part, action: Action) -> int | None:
     """Give where that begins which is asked about and was: "remind me what i said about tuesday"."""
     nodes, first = part.tree.nodes, action.place + 2
-    asked = first < len(nodes) and (nodes[first].lower,) in part.tree.lexicon.questions["asking"]
+    asked = first < len(nodes) and (nodes[first].lower,) in part.lexicon.questions["asking"]
     was = any(node.tag == "VBD" for node in nodes[first:])
     return first if asked and was else None
 
 
 def _asked_from(part: Part, action: Action, timed: Collection[int]) -> int | None:
     """Give the "if" or "whether" behind which is what somebody is asked: "ask Tom if he's free at six"."""
-    nodes, lexicon = part.tree.nodes, part.tree.lexicon
+    nodes, lexicon = part.tree.nodes, part.lexicon
     asking = lexicon.closed.subordinators_of_questions
     behind = [place for place in range(action.place + 1, len(nodes)) if place not in timed]
     found = next((place for place in behind[: ASKED + 1] if nodes[place].lower in asking), None)
@@ -79,7 +78,7 @@ def _asked_from(part: Part, action: Action, timed: Collection[int]) -> int | Non
 
 def _is_to_come(part: Part, first: int, timed: Collection[int]) -> bool:
     """Whether what is found out is of another time: "see if he can come on monday", "if there's a train"."""
-    nodes, lexicon = part.tree.nodes, part.tree.lexicon
+    nodes, lexicon = part.tree.nodes, part.lexicon
     told = {nodes[p].lower for p in range(first + 1, len(nodes)) if p not in timed}
     named = {nodes[p].lemma for p in range(first + 1, len(nodes)) if nodes[p].tag.startswith("NN")}
     helping = lexicon.closed.tentative_modals | lexicon.closed.future
@@ -91,7 +90,7 @@ def _requested_from(part: Part, action: Action, timed: Collection[int]) -> int |
 
     Who speaks is reminded, and a machine does it when it is told to.
     """
-    nodes, lexicon = part.tree.nodes, part.tree.lexicon
+    nodes, lexicon = part.tree.nodes, part.lexicon
     if nodes[action.place].lemma not in lexicon.doing.requesting:
         return None
     behind = [place for place in range(action.place + 1, len(nodes) - 1) if place not in timed]
@@ -101,7 +100,7 @@ def _requested_from(part: Part, action: Action, timed: Collection[int]) -> int |
     return None if to is None or whom & refused - lexicon.closed.indefinite_pronouns else to
 
 
-def _said_from(part: Part, first: int, timed: Collection[int], lexicon: Lexicon) -> int | None:
+def _said_from(part: Part, first: int, timed: Collection[int]) -> int | None:
     """Give the first word of what somebody is told, where the one before a time says that of a thing.
 
     "Tell her dinner's at seven", "tell Sam the bus leaves at four"; but "ask what time it is at noon".
@@ -111,8 +110,8 @@ def _said_from(part: Part, first: int, timed: Collection[int], lexicon: Lexicon)
         verb = place - 1
         asked = any(node.tag.startswith("W") for node in nodes[first:verb])
         if verb > first and verb not in timed and not asked:
-            word, doing = nodes[verb].lower, lexicon.doing
+            word, doing = nodes[verb].lower, part.lexicon.doing
             comes = nodes[verb].tag == "VBZ" and nodes[verb].lemma in doing.arriving
-            if comes or word in lexicon.closed.present_be or word in doing.timed:
+            if comes or word in part.lexicon.closed.present_be or word in doing.timed:
                 return first
     return None

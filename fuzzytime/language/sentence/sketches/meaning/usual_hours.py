@@ -20,7 +20,7 @@ CLAUSE = re.compile("[,;:.(–]|-(?= )")
 """What ends before a clause that says when somewhere opens."""
 
 
-def at_usual_hours(moment: Moment, sketch: Sketch, text: str, lexicon: Lexicon) -> Moment:
+def at_usual_hours(moment: Moment, sketch: Sketch, text: str) -> Moment:
     """Give the moment for one instruction, with the policy of the hours that its words are usual at."""
     named = [sketch.operation.name] if sketch.operation is not None else []
     # "Let me sleep until ten", "don't sleep past nine"
@@ -36,13 +36,13 @@ def at_usual_hours(moment: Moment, sketch: Sketch, text: str, lexicon: Lexicon) 
         # They were said of something else, which tells which half of the day is meant.
         moment = replace(moment, since=None)
     words = words_of(" ; ".join((*dated, *named)))
-    places = (place for place in range(len(words)) if not _is_thing(words, place, lexicon))
-    found = (longest_match(words, place, lexicon.usual_hours) for place in places)
+    places = (place for place in range(len(words)) if not _is_thing(words, place, sketch.lexicon))
+    found = (longest_match(words, place, sketch.lexicon.usual_hours) for place in places)
     # "Sleep until" says more than "sleep"
     form = max((form for form in found if form is not None), key=len, default=None)
     if form is None:
         return moment
-    first, last = lexicon.usual_hours[form]
+    first, last = sketch.lexicon.usual_hours[form]
     if last is not None and not all(_is_in(clock, first, last) for clock in _clocks_of(sketch)):
         # "Wake grandma from her nap at three": not at its usual hours.
         return moment

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from datetime import timedelta
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.sentence.segments.drafts import Draft
@@ -56,7 +55,7 @@ def _dated(draft: Draft) -> Phrase | None:
     return replace(first, said=replace(first.said, time=date, clocks=None)) if fits else None
 
 
-def heads_lines(drafts: Sequence[Draft], place: int, lexicon: Lexicon) -> bool:
+def heads_lines(drafts: Sequence[Draft], place: int) -> bool:
     """Whether a line names a day, and what that is about, above lines with the hours of it."""
     draft = drafts[place]
     if len(draft.phrases) != 1 or not (names_day(draft.phrases[0]) and is_of_calendar(draft.phrases[0])):
@@ -64,7 +63,7 @@ def heads_lines(drafts: Sequence[Draft], place: int, lexicon: Lexicon) -> bool:
     (day,), words = draft.phrases, draft.scanned.words
     behind = words[day.end : day.end + 1]
     apart = day.first == 0 and all(word.text in APART for word in behind) and len(words) - day.end <= LONGEST
-    return apart and _has_hours(drafts, place) and not begins_order(draft, lexicon)
+    return apart and _has_hours(drafts, place) and not begins_order(draft)
 
 
 def _has_hours(drafts: Sequence[Draft], place: int) -> bool:

@@ -19,7 +19,7 @@ from fuzzytime.language.sentence.together.times.said_again import apart
 from fuzzytime.requirement import Constraint, Reference, Unit
 
 
-def day_by_day(sketch: Sketch, text: str, lexicon: Lexicon) -> Sketch:
+def day_by_day(sketch: Sketch, text: str) -> Sketch:
     """Let a length of days bound the repetition beside it, or put what is in a part of the day on each day.
 
     Of several parts of the day, each is on each day; what is at a clock time may begin there.
@@ -30,9 +30,9 @@ def day_by_day(sketch: Sketch, text: str, lexicon: Lexicon) -> Sketch:
     bound = lengths[0].said
     bound = replace(bound, constraint=Constraint.FOR) if isinstance(bound.time, Duration) else bound
     series = [phrase for phrase in sketch.phrases if isinstance(phrase.said.time, Repeat)]
-    if not series and not _goes_on(sketch, lexicon):
-        series = _of_each_day(sketch, lengths[0], text, lexicon)
-    repeat = _repeated(series, _nightly(lengths[0], text, lexicon))
+    if not series and not _goes_on(sketch):
+        series = _of_each_day(sketch, lengths[0], text)
+    repeat = _repeated(series, _nightly(lengths[0], text, sketch.lexicon))
     bounded = None if repeat is None else _within(repeat, bound)
     if bounded is None:
         return sketch
@@ -54,13 +54,13 @@ def _lasting(said: Said) -> Duration | None:
     return said.lasting if isinstance(said.time, Repeat) else None
 
 
-def each_day_too(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketch:
+def each_day_too(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     """Put a part of the day on each day that "and" joins to others: "before each meal and at bedtime"."""
     for first, second in pairwise(sketch.phrases):
         between = {word.text for word in words[first.end : second.first]}
         series = [one.said.time for one in (first, second) if isinstance(one.said.time, Repeat)]
         parts = [one.said for one in (first, second) if _is_part(one)]
-        if len(series) != 1 or len(parts) != 1 or not between or between - lexicon.closed.additions:
+        if len(series) != 1 or len(parts) != 1 or not between or between - sketch.lexicon.closed.additions:
             continue
         more = in_parts_of_each_day(parts) if _is_daily_in_parts(series[0]) else None
         if more is not None:
@@ -113,7 +113,7 @@ def _is_of_days(said: Said) -> bool:
     return length.unit not in SUB_DAY and length.seconds > UNIT_SECONDS[Unit.DAY]
 
 
-def _of_each_day(sketch: Sketch, length: Phrase, text: str, lexicon: Lexicon) -> list[Phrase]:
+def _of_each_day(sketch: Sketch, length: Phrase, text: str) -> list[Phrase]:
     """Give the parts of a day that is not said, where all of them are meant.
 
     So of clock times, if what is to be done is soon over ("water the plants at seven for a week"), or the
@@ -124,12 +124,12 @@ def _of_each_day(sketch: Sketch, length: Phrase, text: str, lexicon: Lexicon) ->
     if not times and operation is not None:
         in_front = length.span[1] <= operation.span[0]
         apart = in_front or not isinstance(length.said.time, Duration)
-        if not apart and not _is_soon_over(operation, lexicon):
+        if not apart and not _is_soon_over(operation, sketch.lexicon):
             return []
         walls = ((phrase, phrase.said.wall) for phrase in sketch.phrases)
         times = [phrase for phrase, wall in walls if wall.days is None and wall.clock is not None]
     between = text[times[0].span[1] : times[-1].span[0]].lower().split() if times else []
-    return times if lexicon.closed.alternatives.isdisjoint(between) else []
+    return times if sketch.lexicon.closed.alternatives.isdisjoint(between) else []
 
 
 def _is_part(phrase: Phrase) -> bool:
@@ -143,9 +143,9 @@ def _is_soon_over(operation: Operation, lexicon: Lexicon) -> bool:
     return not brought and operation.lemma in lexicon.dosing | lexicon.doing.by_the_day
 
 
-def _goes_on(sketch: Sketch, lexicon: Lexicon) -> bool:
+def _goes_on(sketch: Sketch) -> bool:
     """Whether it is what goes on for days itself: "rent a car in the morning for three days"."""
     operation: Operation | None = sketch.operation
     if operation is None or operation.stated or Reference.THROUGHOUT in sketch.references:
         return True
-    return operation.lemma in lexicon.doing.for_days | lexicon.timing
+    return operation.lemma in sketch.lexicon.doing.for_days | sketch.lexicon.timing

@@ -7,7 +7,7 @@ behind it; any other for the times of its own instruction.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from fuzzytime.language.grammar.lexicon import Entry, Lexicon
+from fuzzytime.language.grammar.lexicon import Entry
 from fuzzytime.language.meaning.calendar import Fields, is_weekday
 from fuzzytime.language.meaning.expressions import Duration, Ending, Offset, Phrase, Range, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
@@ -92,12 +92,12 @@ def _on_each_day(sketch: Sketch) -> Sketch:
     return sketch.telling([phrase for phrase in sketch.phrases if phrase.said in (*clocks, *rests)], told)
 
 
-def on_owned_day(sketch: Sketch, lexicon: Lexicon) -> Sketch:
+def on_owned_day(sketch: Sketch) -> Sketch:
     """Put what happens on the day that it is named by: "friday's meeting is at ten"."""
     operation = sketch.operation
     named = (operation.object or "").lower().replace("’", "'") if operation and operation.stated else ""
     owner, mark, _ = named.removeprefix("the ").partition("'s ")
-    entries = lexicon.entries.get(owner, ()) if mark else ()
+    entries = sketch.lexicon.entries.get(owner, ()) if mark else ()
     days = [Fields(weekday=e.value) if e.category == "weekday" else e.value for e in entries if _is_day(e)]
     if not days or any(phrase.said.is_day for phrase in sketch.phrases):
         return sketch

@@ -7,7 +7,6 @@ on sundays", "…, skip weekends".
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import Phrase, Repeat
 from fuzzytime.language.meaning.joined.weekdays_left_out import weekdays_in, without_weekdays
@@ -32,12 +31,12 @@ def without_days_left_out(sketch: Sketch) -> Sketch:
     return sketch.keeping(lambda phrase: phrase not in denied).telling(repeated, told)
 
 
-def left_out_behind(sketches: Sequence[Sketch], lexicon: Lexicon) -> list[Sketch]:
+def left_out_behind(sketches: Sequence[Sketch]) -> list[Sketch]:
     """Give times that are denied alone to the order right before them, and so what is skipped of it."""
     found: list[Sketch] = []
     for sketch in sketches:
         before = found[-1] if found else None
-        denied = () if before is None or not before.asks else _left_out(before, sketch, lexicon)
+        denied = () if before is None or not before.asks else _left_out(before, sketch)
         if before is None or not denied:
             found.append(sketch)
             continue
@@ -46,19 +45,24 @@ def left_out_behind(sketches: Sequence[Sketch], lexicon: Lexicon) -> list[Sketch
     return found
 
 
-def _left_out(before: Sketch, sketch: Sketch, lexicon: Lexicon) -> tuple[Phrase, ...]:
+def _left_out(before: Sketch, sketch: Sketch) -> tuple[Phrase, ...]:
     """Give the times that a sketch leaves out of what stands before it; none where it says anything else."""
     if not sketch.phrases or sketch.clauses:
         return ()
     operation = sketch.operation
     if operation is None:
-        alone = all(phrase.said.denied for phrase in sketch.phrases) and _says_no_more(sketch, lexicon)
+        alone = all(phrase.said.denied for phrase in sketch.phrases) and _says_no_more(sketch)
         return sketch.phrases if alone else ()
-    if before.repeats and _is_denied_again(before, operation, lexicon):
+    if before.repeats and _is_denied_again(before, operation):
         # "Feed the cat every day. Don't feed it on sundays"
         return _denied(sketch) if all(weekdays_in(phrase.said.time) for phrase in sketch.phrases) else ()
     bare = (operation.object, operation.place, operation.complement) == (None, None, None)
-    if not before.repeats or not bare or operation.negated or operation.lemma not in lexicon.doing.dropping:
+    if (
+        not before.repeats
+        or not bare
+        or operation.negated
+        or operation.lemma not in before.lexicon.doing.dropping
+    ):
         return ()
     # "Skip sundays"
     return _denied(sketch)
@@ -69,21 +73,21 @@ def _denied(sketch: Sketch) -> tuple[Phrase, ...]:
     return tuple(replace(phrase, said=replace(phrase.said, denied=True)) for phrase in sketch.phrases)
 
 
-def _is_denied_again(before: Sketch, operation: Operation, lexicon: Lexicon) -> bool:
+def _is_denied_again(before: Sketch, operation: Operation) -> bool:
     """Whether what is not to be done is what was asked for right before it."""
     first = before.operation
     if first is None or not operation.negated or operation.lemma not in {first.lemma, DO}:
         return False
     thing = (operation.object or "").lower()
-    return not thing or thing in lexicon.closed.all_anaphors or operation.object == first.object
+    return not thing or thing in before.lexicon.closed.all_anaphors or operation.object == first.object
 
 
-def _says_no_more(sketch: Sketch, lexicon: Lexicon) -> bool:
+def _says_no_more(sketch: Sketch) -> bool:
     """Whether nothing but small words stands beside times."""
     part = sketch.part
     for node in part.tree.nodes:
         span = part.span(node)
         timed = any(overlap(span, phrase.span) for phrase in sketch.phrases)
-        if not timed and node.text.isalpha() and node.lower not in lexicon.beside.around_denials:
+        if not timed and node.text.isalpha() and node.lower not in sketch.lexicon.beside.around_denials:
             return False
     return True

@@ -15,7 +15,7 @@ HABITS = frozenset({STARTING, FROM})
 """Prepositions of days from which on something is done again and again; "not before monday" is done once."""
 
 
-def days_on(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def days_on(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Let repetitions, and clock times, begin with a day that is said apart from them.
 
     A day in front of an order is of those that it is joined to, too: "from monday on wake me at six and feed
@@ -26,10 +26,12 @@ def days_on(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Ske
     for sketch in sketches:
         if found and ENDS & set(text_between(found[-1], sketch, text)):
             held = None
-        days = [one for one in sketch.phrases if _is_first_day(one.said) and _goes_on(one, text, lexicon)]
+        days = [
+            one for one in sketch.phrases if _is_first_day(one.said) and _goes_on(one, text, sketch.lexicon)
+        ]
         own = days[0] if len(days) == 1 else None
         first = own or (held if not days else None)
-        told = sketch if first is None else _from_day_on(sketch, first, text, lexicon)
+        told = sketch if first is None else _from_day_on(sketch, first, text)
         if own is not None:
             # "Starting tomorrow take the pill every morning and call Ann at six" asks for one call.
             alone = not sketch.repeats
@@ -38,14 +40,14 @@ def days_on(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Ske
     return found
 
 
-def _from_day_on(sketch: Sketch, first: Phrase, text: str, lexicon: Lexicon) -> Sketch:
+def _from_day_on(sketch: Sketch, first: Phrase, text: str) -> Sketch:
     """Give a sketch whose repetition begins with a day; clock times are on each day from then on."""
     others = [phrase for phrase in sketch.phrases if phrase is not first]
     series = [phrase for phrase in others if isinstance(phrase.said.time, Repeat)]
     repeats = {phrase.said.time for phrase in series}
     repeat = series[0].said.time if len(repeats) == 1 else None
-    if not series and first.said.preposition in HABITS and _is_habit(sketch, lexicon):
-        series = _clocks(others, text, lexicon)
+    if not series and first.said.preposition in HABITS and _is_habit(sketch):
+        series = _clocks(others, text, sketch.lexicon)
         part = first.said.wall.part
         repeat = in_parts_of_each_day(
             [one.said if part is None else in_part(one.said, part) for one in series]
@@ -82,12 +84,12 @@ def _goes_on(first: Phrase, text: str, lexicon: Lexicon) -> bool:
     return not isinstance(first.said.time, TimeWord) or last in lexicon.beside.onward
 
 
-def _is_habit(sketch: Sketch, lexicon: Lexicon) -> bool:
+def _is_habit(sketch: Sketch) -> bool:
     """Whether it may be done day by day: "from monday the meeting is at three" is told, and no order."""
     operation = sketch.operation
     if operation is None or operation.stated or operation.negated:
         return False
-    return not {operation.lemma, operation.phrase} & lexicon.moving
+    return not {operation.lemma, operation.phrase} & sketch.lexicon.moving
 
 
 def _clocks(phrases: Sequence[Phrase], text: str, lexicon: Lexicon) -> list[Phrase]:

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.calendar import Cycle, is_weekday
 from fuzzytime.language.meaning.days.relations import Away, Relative, days_onward
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
@@ -12,7 +11,7 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 
-def each_week(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def each_week(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Let a weekday be that of each week, where its sentence says before it that something is done weekly.
 
     That is said in front of the first order, which holds for all; behind it, it holds for what is done with
@@ -28,11 +27,11 @@ def each_week(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[S
         if ended:
             weekly = None
         told = sketch
-        if daily is not None and sketch.asks and (not ended or _is_about_it(sketch, lexicon)):
+        if daily is not None and sketch.asks and (not ended or _is_about_it(sketch)):
             told = _told_onward(sketch, daily)
         elif ended:
             daily = None
-        if weekly is not None and sketch.asks and (in_front or _is_about_it(sketch, lexicon)):
+        if weekly is not None and sketch.asks and (in_front or _is_about_it(sketch)):
             told = _told_weekly(told, weekly)
         found.append(told)
         repeated = next((phrase for phrase in sketch.phrases if _is_on_days(phrase)), None)
@@ -105,8 +104,8 @@ def _in_each_week(phrase: Phrase, weekly: Phrase) -> Phrase:
     return replace(phrase, said=replace(said, time=repeat, constraint=Constraint.EVERY))
 
 
-def _is_about_it(sketch: Sketch, lexicon: Lexicon) -> bool:
+def _is_about_it(sketch: Sketch) -> bool:
     """Whether something is done with what was said before."""
     operation = sketch.operation
     thing = "" if operation is None else (operation.object or "").lower()
-    return thing in lexicon.closed.all_anaphors
+    return thing in sketch.lexicon.closed.all_anaphors

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.days.relations import Relative
@@ -36,18 +35,15 @@ CALLED = 2
 """Words that call a worker: "Robot 2:"."""
 
 
-def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
+def under_headings(drafts: Sequence[Draft]) -> list[Draft]:
     """Give drafts of lines said at one moment, each with the time that the nearest line above names alone.
 
     A part of the day, or a clause, is of the day that a line above it names.
     """
     drafts = with_dates(drafts)
-    headings = [
-        _heading_of(draft, lexicon, heads=heads_lines(drafts, place, lexicon))
-        for place, draft in enumerate(drafts)
-    ]
+    headings = [_heading_of(draft, heads=heads_lines(drafts, place)) for place, draft in enumerate(drafts)]
     if headings and headings[0] is None:
-        headings[0] = title_of(drafts, lexicon)
+        headings[0] = title_of(drafts)
     found: list[Draft] = []
     heading: Heading | None = None
     day: Heading | None = None
@@ -99,22 +95,22 @@ def _holds(headings: Sequence[Heading | None], place: int) -> bool:
     return below[0] is None or (heading.is_day and not below[0].is_day)
 
 
-def _heading_of(draft: Draft, lexicon: Lexicon, *, heads: bool) -> Heading | None:
+def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
     """Give what a line names that says a time, and nothing else, or that ``heads`` others."""
     if heads:
         return Heading(name_of(draft), draft.text, draft.scanned, held(draft, draft.phrases))
     marked = draft.text.rstrip(" *_").endswith(MARK)
-    if marked and (called := _called(draft, lexicon)) is not None:
+    if marked and (called := _called(draft)) is not None:
         return Heading(called, draft.text, draft.scanned, addressee=called)
-    if marked and _is_title(draft, lexicon):
+    if marked and _is_title(draft):
         days = [phrase for phrase in draft.phrases if not _names_thing(phrase, draft)]
         return Heading(name_of(draft), draft.text, draft.scanned, held(draft, days))
-    if marked and (hours := hours_of(draft, lexicon)) is not None:
+    if marked and (hours := hours_of(draft)) is not None:
         return hours
     if len(draft.parts) != 1 or not (marked or len(draft.phrases) == 1):
         return None
     if marked:
-        sketch = sketch_of(draft, draft.parts[0], lexicon)
+        sketch = sketch_of(draft, draft.parts[0])
         phrases, clauses = sketch.phrases, sketch.clauses
     else:
         phrases, clauses = draft.phrases, ()
@@ -130,7 +126,7 @@ def _heading_of(draft: Draft, lexicon: Lexicon, *, heads: bool) -> Heading | Non
     return Heading(name_of(draft), draft.text, draft.scanned, held(draft, phrases), clauses)
 
 
-def _is_title(draft: Draft, lexicon: Lexicon) -> bool:
+def _is_title(draft: Draft) -> bool:
     """Whether a line with a colon says what the lines below are about: "Saturday, garden:", "Bakery:".
 
     It has no times but days, and asks for nothing.
@@ -140,11 +136,11 @@ def _is_title(draft: Draft, lexicon: Lexicon) -> bool:
     beside = [
         word for place, word in enumerate(draft.scanned.words) if place not in timed and word.is_letters
     ]
-    if not beside or beside[0].text in lexicon.function_words or len(named) > LONGEST:
+    if not beside or beside[0].text in draft.lexicon.function_words or len(named) > LONGEST:
         return False
     if not all(phrase.said.is_day and is_of_calendar(phrase) for phrase in draft.phrases):
         return False
-    return not begins_order(draft, lexicon)
+    return not begins_order(draft)
 
 
 def _names_thing(phrase: Phrase, draft: Draft) -> bool:
@@ -153,10 +149,10 @@ def _names_thing(phrase: Phrase, draft: Draft) -> bool:
     return not names_day(phrase) and phrase.end < len(words) and words[phrase.end].is_letters
 
 
-def _called(draft: Draft, lexicon: Lexicon) -> str | None:
+def _called(draft: Draft) -> str | None:
     """Give who is called by a number, and asked for nothing: "Robot 2:"."""
     words = [word for word in draft.scanned.words if word.text[0].isalnum()]
-    if len(words) != CALLED or words[0].text not in lexicon.workers or not words[1].is_digits:
+    if len(words) != CALLED or words[0].text not in draft.lexicon.workers or not words[1].is_digits:
         return None
     return draft.text[words[0].start : words[1].end]
 

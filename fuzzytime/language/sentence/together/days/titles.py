@@ -50,7 +50,7 @@ APART = ",:-–—("
 """What may stand between the name of a title and its day: "Brew day, Saturday"."""
 
 
-def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
+def title_of(drafts: Sequence[Draft]) -> Heading | None:
     """Give the day, or the hours, that the first of some lines names with what they are about.
 
     So does "Early shift Thursday", or "Night shift Friday 21:00-07:00". The lines below have clock times,
@@ -59,42 +59,42 @@ def title_of(drafts: Sequence[Draft], lexicon: Lexicon) -> Heading | None:
     """
     first, below = drafts[0], [draft for draft in drafts[1:] if draft.now == drafts[0].now]
     clocks = [found for draft in below if (found := clocks_in(draft))]
-    night = _night_of(first, lexicon) if len(clocks) >= FEWEST else None
+    night = _night_of(first) if len(clocks) >= FEWEST else None
     if night is not None:
         return Heading(name_of(first), first.text, first.scanned, held(first, [night]))
     if len(below) < FEWEST or len(first.phrases) > 1:
         return None
-    alone = len(clocks) >= FEWEST and (_only_names(first, lexicon) or _is_numbered(first, lexicon))
+    alone = len(clocks) >= FEWEST and (_only_names(first) or _is_numbered(first))
     if not first.phrases:
         return Heading(name_of(first), first.text, first.scanned) if alone else None
     (time,) = first.phrases
     if is_window(time):
-        within = sum(_is_within(found, time, first, lexicon.policy) for found in clocks)
+        within = sum(_is_within(found, time, first, first.lexicon.policy) for found in clocks)
         most = 2 * within >= len(below) and FEW_DATED * (len(clocks) - within) <= len(clocks)
-        named = most and _is_named(first, time, lexicon)
+        named = most and _is_named(first, time)
     else:
         time = _whole_day(time)
-        named = time.said.is_day and is_of_calendar(time) and _names_day_of(first, time, below, lexicon)
+        named = time.said.is_day and is_of_calendar(time) and _names_day_of(first, time, below)
     if not named or time.said.preposition not in {None, "between"}:
         return None
-    return _heading(first, time, lexicon)
+    return _heading(first, time)
 
 
-def _night_of(first: Draft, lexicon: Lexicon) -> Phrase | None:
+def _night_of(first: Draft) -> Phrase | None:
     """Give the hours of the night of which a title names the shift: "Night shift Saturday", "Nights".
 
     Without a day it is tonight; its hours may be said, too: "on 10pm off 6am".
     """
     words, times = first.scanned.words, [phrase.said.time for phrase in first.phrases]
-    worked = {one.text for one, behind in pairwise(words) if behind.text in lexicon.beside.shifts}
+    worked = {one.text for one, behind in pairwise(words) if behind.text in first.lexicon.beside.shifts}
     named = [
         entry.value
         for word in words
-        for entry in lexicon.entries.get(word.text, ())
+        for entry in first.lexicon.entries.get(word.text, ())
         if entry.category == SEVERAL or (entry.category == PART and word.text in worked)
     ]
     night = any(part.half is Half.NIGHT and part.start for part in named)
-    if not night or begins_order(first, lexicon):
+    if not night or begins_order(first):
         return None
     windows = [phrase for phrase in first.phrases if is_window(phrase)]
     if windows:
@@ -111,23 +111,24 @@ def _night_of(first: Draft, lexicon: Lexicon) -> Phrase | None:
     return Phrase(Said(hours), 0, 0, (0, len(first.text)), HEADED)
 
 
-def _names_day_of(first: Draft, time: Phrase, below: Sequence[Draft], lexicon: Lexicon) -> bool:
+def _names_day_of(first: Draft, time: Phrase, below: Sequence[Draft]) -> bool:
     """Whether lines below have hours, few of them have days, and the first is nothing to do on its day."""
     hours = sum(bool(clocks_in(draft)) for draft in below)
     dated = sum(any(map(names_day, draft.phrases)) for draft in below)
     if FEW_DATED * dated > len(below):
         return False
-    most, alone = 2 * hours >= len(below), hours >= FEWEST and _only_names(first, lexicon)
-    if hours >= ENOUGH and 3 * hours >= len(below) and not begins_order(first, lexicon):
+    most, alone = 2 * hours >= len(below), hours >= FEWEST and _only_names(first)
+    if hours >= ENOUGH and 3 * hours >= len(below) and not begins_order(first):
         return True
     apart = first.text[: time.span[0]].rstrip()[-1:]
     enough = most or (hours >= FEWEST and apart != "" and apart in APART)
-    numbered = hours >= FEWEST and _numbers_day(first, time, lexicon)
-    return numbered or ((enough or alone) and _is_named(first, time, lexicon))
+    numbered = hours >= FEWEST and _numbers_day(first, time)
+    return numbered or ((enough or alone) and _is_named(first, time))
 
 
-def begins_order(draft: Draft, lexicon: Lexicon) -> bool:
+def begins_order(draft: Draft) -> bool:
     """Whether a part of a line begins with what is done to something: "clean:", "fix the fence:"."""
+    lexicon = draft.lexicon
     asked = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
     return any(_begins_with(part, asked) for part in draft.parts)
 
@@ -151,23 +152,23 @@ def _whole_day(time: Phrase) -> Phrase:
     return time.at(replace(wall, part=None))
 
 
-def hours_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
+def hours_of(draft: Draft) -> Heading | None:
     """Give the hours that a line with a colon names behind what goes on then: "Market 9-16:"."""
     (time, *others) = draft.phrases or (None,)
-    if time is None or others or not is_window(time) or not _is_named(draft, time, lexicon):
+    if time is None or others or not is_window(time) or not _is_named(draft, time):
         return None
-    return _heading(draft, time, lexicon)
+    return _heading(draft, time)
 
 
-def _heading(draft: Draft, time: Phrase, lexicon: Lexicon) -> Heading:
+def _heading(draft: Draft, time: Phrase) -> Heading:
     """Give a heading with a time; what goes on in those hours, as a shift does, is told by its line too."""
     named = [word.text for word in draft.scanned.words[: time.first] if word.is_letters]
-    happens = is_window(time) and not lexicon.frames.isdisjoint(named[-1:])
+    happens = is_window(time) and not draft.lexicon.frames.isdisjoint(named[-1:])
     name = draft.text[slice(*time.span)]
     return Heading(name, draft.text, draft.scanned, held(draft, (time,)), happens=happens)
 
 
-def _is_named(first: Draft, time: Phrase, lexicon: Lexicon) -> bool:
+def _is_named(first: Draft, time: Phrase) -> bool:
     """Whether a time stands behind the name of what goes on then, which asks for nothing.
 
     How many there are may follow: "Wedding, Saturday 120 guests".
@@ -178,7 +179,7 @@ def _is_named(first: Draft, time: Phrase, lexicon: Lexicon) -> bool:
     counted = words[time.first - 1].text in APART and bool(behind) and behind[0].is_digits
     if not named or (any(word.is_letters for word in behind) and not counted):
         return False
-    return counted or _is_name(named, lexicon)
+    return counted or _is_name(named, first.lexicon)
 
 
 def _is_name(named: Sequence[str], lexicon: Lexicon) -> bool:
@@ -188,31 +189,31 @@ def _is_name(named: Sequence[str], lexicon: Lexicon) -> bool:
     return named[-1] not in events - lexicon.frames and named[0] not in done
 
 
-def _only_names(first: Draft, lexicon: Lexicon) -> bool:
+def _only_names(first: Draft) -> bool:
     """Whether a line names something, and no verb is understood but in a name: "School run", "Sports day"."""
     said = [word.text for word in first.scanned.words if word.is_letters]
-    if not FEWEST_NAMING <= len(said) <= LONGEST or not lexicon.function_words.isdisjoint(said):
+    if not FEWEST_NAMING <= len(said) <= LONGEST or not first.lexicon.function_words.isdisjoint(said):
         return False
     if len(first.parts) != 1 or not first.parts[0].tree.nodes:
         return False
     (part,) = first.parts
-    sketch, tree = sketch_of(first, part, lexicon), part.tree
-    deed = tree.root == len(tree.nodes) - 1 and names_deed(tree, 0, tree.root, lexicon)
+    sketch, tree = sketch_of(first, part), part.tree
+    deed = tree.root == len(tree.nodes) - 1 and names_deed(tree, 0, tree.root)
     named = sketch.operation is None or not tree.nodes[tree.root].may_act
-    return named or deed or _is_unit(said[-1], lexicon)
+    return named or deed or _is_unit(said[-1], first.lexicon)
 
 
-def _is_numbered(first: Draft, lexicon: Lexicon) -> bool:
+def _is_numbered(first: Draft) -> bool:
     """Whether it begins with the number of a day, or week, of something: "Day 4 - harbour", "Day 9 of 22"."""
     unit, number, behind = ([word.text for word in first.scanned.words] + [""] * 3)[:3]
-    return _is_unit(unit, lexicon) and number.isdecimal() and behind in {*APART, OF, ""}
+    return _is_unit(unit, first.lexicon) and number.isdecimal() and behind in {*APART, OF, ""}
 
 
-def _numbers_day(first: Draft, time: Phrase, lexicon: Lexicon) -> bool:
+def _numbers_day(first: Draft, time: Phrase) -> bool:
     """Whether it numbers the days, or weeks, of something: "Tomorrow: shoot day 4"."""
     words = first.scanned.words
     beside = [word for place, word in enumerate(words) if not time.first <= place < time.end]
-    return any(second.is_digits and _is_unit(one.text, lexicon) for one, second in pairwise(beside))
+    return any(second.is_digits and _is_unit(one.text, first.lexicon) for one, second in pairwise(beside))
 
 
 def _is_unit(word: str, lexicon: Lexicon) -> bool:

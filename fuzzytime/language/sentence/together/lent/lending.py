@@ -55,16 +55,16 @@ def _until_then(said: Said) -> Said:
     return replace(said, constraint=Constraint.AT, preposition="in") if alone else said
 
 
-def repeated(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def repeated(sketches: list[Sketch], text: str) -> list[Sketch]:
     """Let a time or a thing alone be of what was done before: "then five minutes on high"."""
     found: list[Sketch] = []
     for sketch in sketches:
         before = found[-1].operation if found else None
-        again = None if before is None else done_again_of(before, sketch, text, lexicon)
+        again = None if before is None else done_again_of(before, sketch, text)
         if again is None:
             found.append(sketch)
             continue
-        requested = requested_too(found[-1], sketch, again, text, lexicon)
+        requested = requested_too(found[-1], sketch, again, text)
         if requested is not None:
             found[-1:] = requested
             continue
@@ -93,7 +93,7 @@ def _from_then(phrase: Phrase, before: Sketch) -> Phrase:
     return phrase.at(replace(time, starting=starting, until=until))
 
 
-def within(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def within(sketches: list[Sketch], text: str) -> list[Sketch]:
     """Let times count from the start of what lasts: "roast it for an hour and turn it after ten minutes".
 
     What goes on beside it has its object ("bake the bread for an hour, turning it"), and what happens to the
@@ -105,7 +105,7 @@ def within(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
         if before.operation is not None and sketch.operation is not None:
             between = text_between(before, sketch, text)
             joined = between.strip(" ,").lower() == "and"
-            operation = _beside(before.operation, sketch, sketch.operation, lexicon, joined=joined)
+            operation = _beside(before.operation, sketch, sketch.operation, joined=joined)
             told = replace(sketch, operation=operation)
         if sketch.part.segment.connective != "then":
             length = _length(before)
@@ -128,11 +128,9 @@ def _length(sketch: Sketch) -> float:
     return next((time.seconds for time in lengths if isinstance(time, Duration)), 0.0)
 
 
-def _beside(
-    before: Operation, sketch: Sketch, operation: Operation, lexicon: Lexicon, *, joined: bool
-) -> Operation:
+def _beside(before: Operation, sketch: Sketch, operation: Operation, *, joined: bool) -> Operation:
     """Give an operation with the object of the one before, which it is about too."""
-    doing = lexicon.doing
+    doing = sketch.lexicon.doing
     tree = sketch.part.tree
     if operation.object is not None or not tree.nodes:
         return operation
@@ -167,7 +165,7 @@ def _counted_in(phrase: Phrase, length: float) -> Phrase:
     return replace(phrase, said=Said(Offset(replace(time, hedges=())), None, INTO, said.hedges))
 
 
-def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def shared(sketches: list[Sketch], text: str) -> list[Sketch]:
     """Let a verb alone share the object and the start of the next: "rinse and drain the rice at noon"."""
     found = list(sketches)
     for place in range(len(found) - 1, 0, -1):
@@ -178,7 +176,7 @@ def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
             # "Shower, and be downstairs in twenty minutes": by then one is there.
             continue
         operation = first.operation
-        if operation.object is None and not _is_apart(operation, second.operation, lexicon):
+        if operation.object is None and not _is_apart(operation, second.operation, first.lexicon):
             operation = replace(operation, object=second.operation.object)
         first = replace(first, operation=operation)
         goes_on = Reference.THROUGHOUT in second.references

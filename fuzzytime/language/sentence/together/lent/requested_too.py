@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.sketches.telling import of_something_else, of_which
@@ -11,16 +10,14 @@ TO = " to "
 """What stands between who is asked and what to do."""
 
 
-def requested_too(
-    before: Sketch, sketch: Sketch, again: Operation, text: str, lexicon: Lexicon
-) -> list[Sketch] | None:
+def requested_too(before: Sketch, sketch: Sketch, again: Operation, text: str) -> list[Sketch] | None:
     """Give a request, and what is asked behind it; None where its times are those of asking.
 
     ``again`` is the operation of the request with what is said anew: another request where that is somebody,
     but the same where it is a thing: "ask Ann to wash the windows today and the doors tomorrow".
     """
     first = before.operation
-    if first is None or again.lemma not in lexicon.doing.requesting or before.phrases:
+    if first is None or again.lemma not in before.lexicon.doing.requesting or before.phrases:
         return None
     if not sketch.part.segment.verbless and sketch.operation is not None:
         return None
@@ -29,7 +26,7 @@ def requested_too(
         return [before, _named(sketch, of_which(text, again, sketch.phrases), text)]
     if not whom or TO not in said or not before.named:
         return None
-    if _is_somebody(whom, before, lexicon):
+    if _is_somebody(whom, before):
         asked = said.split(TO, 1)[1]
         for phrase in before.named:
             # "Tell Ann to come at four": the time is in what she is told.
@@ -42,10 +39,10 @@ def requested_too(
     return [replace(kept, remarks=(*before.remarks, *named.remarks))]
 
 
-def _is_somebody(whom: str, before: Sketch, lexicon: Lexicon) -> bool:
+def _is_somebody(whom: str, before: Sketch) -> bool:
     """Whether another is named who is asked, and not a thing to do it with."""
     words, tree = whom.split(), before.part.tree
-    named = words[0][:1].isupper() or words[-1].lower() in lexicon.persons
+    named = words[0][:1].isupper() or words[-1].lower() in before.lexicon.persons
     return named or not any(tree.children(place, "dobj") for place in tree.children(tree.root, "xcomp"))
 
 

@@ -16,8 +16,9 @@ from fuzzytime.requirement import Constraint
 DO = "do"
 
 
-def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Operation | None:
+def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | None:
     """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
+    lexicon = sketch.lexicon
     closed = lexicon.closed
     part = sketch.part
     spans = list(map(part.span, part.tree.nodes))
@@ -33,7 +34,7 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     if said_again is not None and _is_it_after_all(before, said_again, lexicon) and sketch.phrases:
         # "Don't water the plants today, do it tomorrow"
         return replace(before, negated=False)
-    if sketch.operation is not None and not _is_next_numbered(before, sketch, lexicon):
+    if sketch.operation is not None and not _is_next_numbered(before, sketch):
         return None
     then = part.segment.connective == "then"
     counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
@@ -49,25 +50,25 @@ def done_again_of(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon
     if not rest or before.object is None:
         return None
     first = rest.split()[0] if _is_led_later(sketch, said[0]) else text[slice(*spans[0])]
-    return _with_another_thing(before, before.object, rest, first, sketch, lexicon)
+    return _with_another_thing(before, before.object, rest, first, sketch)
 
 
 def _with_another_thing(
-    before: Operation, old: str, rest: str, first: str, sketch: Sketch, lexicon: Lexicon
+    before: Operation, old: str, rest: str, first: str, sketch: Sketch
 ) -> Operation | None:
     """Give the operation before with another thing, which begins so: "dust the hall, then the stairs"."""
     then, verbless = sketch.part.segment.connective == "then", sketch.part.segment.verbless
-    thing = first.lower() in lexicon.closed.noun_openers or _is_next_numbered(before, sketch, lexicon)
+    thing = first.lower() in sketch.lexicon.closed.noun_openers or _is_next_numbered(before, sketch)
     # "Call Ann at ten, then Bob"
     called = then and first[:1].isupper() and old[:1].isupper()
     if not ((thing or verbless) if sketch.phrases else ((thing or called) and then)):
         return None
-    if not takes_verb(before.lemma, old, rest, lexicon):
+    if not takes_verb(before.lemma, old, rest, sketch.lexicon):
         # "Ring Bob, then a nap"
         return None
     # "Hand me the wrench, then the pliers"
     whom, more, _ = old.partition(" ")
-    given = [whom] if more and whom.lower() in lexicon.closed.indirect_objects else []
+    given = [whom] if more and whom.lower() in sketch.lexicon.closed.indirect_objects else []
     return replace(before, object=" ".join((*given, rest)), place=None)
 
 
@@ -128,11 +129,11 @@ def _goes_on(said: Said) -> bool:
     return said.constraint is Constraint.FOR or isinstance(said.time, Repeat)
 
 
-def _is_next_numbered(before: Operation, sketch: Sketch, lexicon: Lexicon) -> bool:
+def _is_next_numbered(before: Operation, sketch: Sketch) -> bool:
     """Whether it is another of what the one before is about: "do ward 7, then ward 9"."""
     first = sketch.part.tree.nodes[:2]
     named = (before.object or "").lower().split()
-    return len(first) > 1 and first[1].tag == "CD" and first[0].lower in lexicon.machines & {*named}
+    return len(first) > 1 and first[1].tag == "CD" and first[0].lower in sketch.lexicon.machines & {*named}
 
 
 def _particle_alone(before: Operation, text: str, lexicon: Lexicon) -> str | None:

@@ -3,51 +3,47 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.taken_back.corrected_things import (
     AFTER_ALL,
     CorrectedThing,
     corrected_things,
+    retractions,
 )
-from fuzzytime.language.sentence.segments.taken_back.retractions import retractions
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.none_of_it.orders_again import told_again
 
 
-def after_all(
-    sketches: Sequence[Sketch], draft: Draft, lexicon: Lexicon
-) -> tuple[list[Sketch], list[Remark]]:
+def after_all(sketches: Sequence[Sketch], draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     """Give what is done with the things that are meant, and say which were taken back."""
-    things = {thing.new[0]: thing for thing in corrected_things(draft.scanned.words, draft.phrases, lexicon)}
-    corrected = [remark.span for remark in draft.remarks if remark.kind is RemarkKind.CORRECTED]
     said = draft.scanned.words
-    let_be = {said[words.start].start for words in retractions(said, lexicon, corrected)}
+    things = {thing.new[0]: thing for thing in corrected_things(said, draft.phrases, draft.lexicon)}
+    corrected = [remark.span for remark in draft.remarks if remark.kind is RemarkKind.CORRECTED]
+    let_be = {said[words.start].start for words in retractions(said, draft.lexicon, corrected)}
     found: list[Sketch] = []
     remarks: list[Remark] = []
     retracted = False
     for sketch in sketches:
-        if found and sketch.part.segment.verbless and _is_or_else(found[-1], sketch, draft.text, lexicon):
+        if found and sketch.part.segment.verbless and _is_or_else(found[-1], sketch, draft.text):
             remarks.append(_not_chosen(sketch, draft.text))
             continue
         if found and sketch.part.segment.span[0] in let_be:
             remarks.append(_retracted(found.pop(), sketch, draft.text))
             retracted = True
             continue
-        if retracted and _is_done_by_oneself(sketch, lexicon):
+        if retracted and _is_done_by_oneself(sketch):
             continue
         retracted = False
         thing = things.get(sketch.part.segment.span[0])
         before = found[-1] if found else None
-        anew = None if before is None else told_again(before, sketch, draft, lexicon)
+        anew = None if before is None else told_again(before, sketch, draft)
         if anew is not None:
             found[-1], remark = anew
             remarks += [] if remark is None else [remark]
             continue
         if before is None or thing is None or sketch.part.segment.connective != AFTER_ALL:
-            again = before is not None and _is_time_again(found, sketch, things, draft.text)
-            if before is not None and again:
+            if before is not None and _is_time_again(found, sketch, things, draft.text):
                 found[-1] = _timed(before, sketch)
             else:
                 found.append(sketch)
@@ -56,14 +52,13 @@ def after_all(
         if before.operation is not None:
             before = replace(before, operation=_instead(before.operation, old, new))
         found[-1] = _timed(before, sketch)
-        span = (thing.old[0], thing.old[1])
-        remarks.append(Remark(RemarkKind.CORRECTED, span, f"{old!r} is corrected by {new!r}"))
+        remarks.append(Remark(RemarkKind.CORRECTED, thing.old, f"{old!r} is corrected by {new!r}"))
     return found, remarks
 
 
-def _is_or_else(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+def _is_or_else(before: Sketch, sketch: Sketch, text: str) -> bool:
     """Whether "or" joins another thing to the one before: "call Eva at three or Tom at four"."""
-    return text_between(before, sketch, text).strip(" ,").lower() in lexicon.closed.alternatives
+    return text_between(before, sketch, text).strip(" ,").lower() in before.lexicon.closed.alternatives
 
 
 def _not_chosen(sketch: Sketch, text: str) -> Remark:
@@ -79,12 +74,14 @@ def _retracted(before: Sketch, sketch: Sketch, text: str) -> Remark:
     return Remark(RemarkKind.CORRECTED, (first[0], last[1]), message)
 
 
-def _is_done_by_oneself(sketch: Sketch, lexicon: Lexicon) -> bool:
+def _is_done_by_oneself(sketch: Sketch) -> bool:
     """Whether who lets something be says who does it: "forget that, I'll do it myself"."""
     operation, tree = sketch.operation, sketch.part.tree
     named = tree.said(tree.children(tree.root, "nsubj"))
-    anaphor = operation is not None and (operation.object or "").lower() in lexicon.closed.singular_anaphors
-    return anaphor and bool(named & lexicon.closed.first_person)
+    anaphor = (
+        operation is not None and (operation.object or "").lower() in sketch.lexicon.closed.singular_anaphors
+    )
+    return anaphor and bool(named & sketch.lexicon.closed.first_person)
 
 
 def _instead(operation: Operation, old: str, new: str) -> Operation:

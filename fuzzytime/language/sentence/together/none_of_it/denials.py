@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 
@@ -17,16 +16,14 @@ AND = frozenset({"and", "&"})
 """Words that join what is denied to what may be asked for, too: a note says that it is not."""
 
 
-def denied_together(
-    sketches: Sequence[Sketch], text: str, lexicon: Lexicon
-) -> tuple[list[Sketch], list[Remark]]:
+def denied_together(sketches: Sequence[Sketch], text: str) -> tuple[list[Sketch], list[Remark]]:
     """Deny what is joined to what is denied, and say so where it may have been meant otherwise."""
     found = list(sketches)
     remarks: list[Remark] = []
-    joints = _joints(sketches, text, lexicon)
+    joints = _joints(sketches, text)
     for place, joint in enumerate(joints, start=1):
         before, sketch = found[place - 1], found[place]
-        if sketch.operation is None or not _goes_on(before, sketch, joint, lexicon):
+        if sketch.operation is None or not _goes_on(before, sketch, joint):
             continue
         said = f"{before.denial} {text[slice(*before.part.segment.span)]}"
         denied = replace(sketch, operation=replace(sketch.operation, negated=True), denial=said)
@@ -45,18 +42,22 @@ def denied_together(
     return found, remarks
 
 
-def _joints(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[str]:
+def _joints(sketches: Sequence[Sketch], text: str) -> list[str]:
     """Give what joins each instruction to the one before it; a comma as what ends its list."""
     found = [text_between(before, sketch, text).strip(" \t").lower() for before, sketch in pairwise(sketches)]
     for place in range(len(found) - 2, -1, -1):
-        if found[place] == "," and found[place + 1].strip(" ,") in lexicon.closed.denied_alternatives:
+        if (
+            found[place] == ","
+            and found[place + 1].strip(" ,") in sketches[place].lexicon.closed.denied_alternatives
+        ):
             # "Never open the lid, lift the pan or leave the room"
             found[place] = found[place + 1]
     return [joint.strip(" ,") for joint in found]
 
 
-def _goes_on(before: Sketch, sketch: Sketch, joint: str, lexicon: Lexicon) -> bool:
+def _goes_on(before: Sketch, sketch: Sketch, joint: str) -> bool:
     """Whether an order goes on with what is denied before it, and does not turn to another thing."""
+    lexicon = before.lexicon
     one, other, segment = before.operation, sketch.operation, sketch.part.segment
     if one is None or not one.negated or other is None or not sketch.asks or sketch.part is before.part:
         return False

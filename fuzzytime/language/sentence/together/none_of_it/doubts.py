@@ -32,30 +32,29 @@ SO = "so"
 """What begins a purpose, alone or before "that"."""
 
 
-def doubts_of(
-    text: str, span: Span, words: Sequence[Word], sketch: Sketch, lexicon: Lexicon
-) -> Iterator[Remark]:
+def doubts_of(text: str, span: Span, words: Sequence[Word], sketch: Sketch) -> Iterator[Remark]:
     """Give what makes a stretch of a text no instruction; ``sketch`` is that of its words."""
     heads = [phrase.span for phrase in sketch.phrases if phrase.rule in HEADS_ALONE]
     # "AM: post the letters" is not about who speaks.
     inside = (word for word in words if span[0] <= word.start < span[1])
     said = [word for word in inside if not any(first <= word.start < end for first, end in heads)]
     behind = next((word.text for word in words if word.start >= span[1]), "")
-    what = _does(said, behind, sketch, lexicon)
+    what = _does(said, behind, sketch)
     if what is not None:
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} {what}")
 
 
-def _does(said: Sequence[Word], behind: str, sketch: Sketch, lexicon: Lexicon) -> str | None:
+def _does(said: Sequence[Word], behind: str, sketch: Sketch) -> str | None:
     """Give what words do that ask for nothing, as in "greets"; None where they may ask for something.
 
     ``behind`` is the mark that follows them.
     """
+    lexicon = sketch.lexicon
     tree = sketch.part.tree
     has_to = " ".join(word.text for word in said[:2]) in lexicon.beside.obliging and behind != "?"
     if (asks(said, behind, lexicon) and not has_to) or (behind == "?" and _is_inverted(tree)):
         return "asks, and says nothing to do"
-    if _greets(sketch, said, lexicon):
+    if _greets(sketch, said):
         return "greets, and says nothing to do"
     if _takes_back(said, lexicon):
         return "takes back what was said before, and says nothing to do"
@@ -65,10 +64,10 @@ def _does(said: Sequence[Word], behind: str, sketch: Sketch, lexicon: Lexicon) -
         return "is about when something else is: say the new time of that itself"
     if is_about_orders(sketch.operation, lexicon):
         return "is about what was asked for before: say anew what is meant"
-    told = _tells(sketch, lexicon)
+    told = _tells(sketch)
     if told is not None:
         return f"tells {told}, and says nothing to do"
-    foreign = foreign_words(tree, lexicon)
+    foreign = foreign_words(tree)
     return f"is not English, as {tree.nodes[foreign[0]].text!r} shows" if foreign else None
 
 
@@ -101,7 +100,7 @@ def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[S
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
 
 
-def things_or_orders(text: str, part: Part, lexicon: Lexicon) -> Iterator[Remark]:
+def things_or_orders(text: str, part: Part) -> Iterator[Remark]:
     """Point at a thing beside another that may as well be an order: "strip the wall and paint by noon"."""
     tree = part.tree
     for place, node in enumerate(tree.nodes):
@@ -109,7 +108,7 @@ def things_or_orders(text: str, part: Part, lexicon: Lexicon) -> Iterator[Remark
         joined = node.relation == "conj" and over.relation == "dobj" and over.tag.startswith("NN")
         bare = node.tag == "NN" and not tree.children(place) and tree.nodes[place - 1].lower in {"and", "&"}
         led = any(tree.nodes[p].tag in DETERMINERS for p in tree.children(node.head, "det", "poss"))
-        if joined and bare and led and node.lower in lexicon.chores:
+        if joined and bare and led and node.lower in part.lexicon.chores:
             span = part.span(node)
             yield Remark.noted(text, span, "is taken for a thing: say 'then' before it if it is to be done")
 
@@ -123,11 +122,10 @@ def unused_front(text: str, part: Part, heard: Sequence[Span]) -> Iterator[Remar
         yield Remark(RemarkKind.NOT_UNDERSTOOD, (first, first + len(said)), message)
 
 
-def unused_words(
-    text: str, part: Part, operation: Operation, heard: Sequence[Span], lexicon: Lexicon
-) -> Iterator[Remark]:
+def unused_words(text: str, part: Part, operation: Operation, heard: Sequence[Span]) -> Iterator[Remark]:
     """Point at names and numbers of an instruction that neither its operation nor a time holds."""
-    beside, why = lexicon.beside, _reasons(part.tree, lexicon)
+    lexicon = part.lexicon
+    beside, why = lexicon.beside, _reasons(part.tree)
     held = {word.text for word in words_of(f"{operation.name} {operation.addressee or ''}")}
     known = held | {word.removesuffix("'s") for word in held}
     persons = lexicon.persons - lexicon.names
@@ -147,9 +145,9 @@ def unused_words(
         yield Remark.noted(text, span, "is not used")
 
 
-def _reasons(tree: Tree, lexicon: Lexicon) -> frozenset[int]:
+def _reasons(tree: Tree) -> frozenset[int]:
     """Give the words that only say why, or what for: "… because Ann comes", "… so we can cook the fish"."""
-    closed, nodes = lexicon.closed, tree.nodes
+    closed, nodes = tree.lexicon.closed, tree.nodes
     marks = [p for p, node in enumerate(nodes) if node.lower in closed.subordinators_of_reason]
     for place, node in enumerate(nodes):
         # "So we can …", "so that we can …"
@@ -159,8 +157,9 @@ def _reasons(tree: Tree, lexicon: Lexicon) -> frozenset[int]:
     return frozenset(place for verb in led for place in tree.below(verb))
 
 
-def uncounted(text: str, part: Part, operation: Operation, lexicon: Lexicon) -> Iterator[Remark]:
+def uncounted(text: str, part: Part, operation: Operation) -> Iterator[Remark]:
     """Point at a number of which nothing says what it counts: "plank 10"; but "play 7" names one."""
+    lexicon = part.lexicon
     lasting = lexicon.timing | lexicon.timing_alone | lexicon.intransitive | lexicon.lasting
     # "Call 911"
     lasting -= lexicon.addressing
@@ -189,9 +188,9 @@ def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[
         yield Remark(RemarkKind.NOT_UNDERSTOOD, part.segment.span, message)
 
 
-def _tells(sketch: Sketch, lexicon: Lexicon) -> str | None:
+def _tells(sketch: Sketch) -> str | None:
     """Give what a sentence tells where it asks for nothing: what was, or what nobody does."""
-    closed, tree = lexicon.closed, sketch.part.tree
+    closed, tree = sketch.lexicon.closed, sketch.part.tree
     root = tree.root
     if not tree.nodes:
         return None
@@ -201,7 +200,7 @@ def _tells(sketch: Sketch, lexicon: Lexicon) -> str | None:
         return "what nobody does"
     if _is_denied(tree, root):
         return "what is not to be"
-    return WHAT_WAS if tells_what_was(sketch, lexicon) else None
+    return WHAT_WAS if tells_what_was(sketch) else None
 
 
 def _is_denied(tree: Tree, root: int) -> bool:
@@ -218,12 +217,12 @@ def _is_no_one(tree: Tree, place: int) -> bool:
     return tree.nodes[place].lower == "one" and place > 0 and tree.nodes[place - 1].lower == "no"
 
 
-def _greets(sketch: Sketch, said: Sequence[Word], lexicon: Lexicon) -> bool:
+def _greets(sketch: Sketch, said: Sequence[Word]) -> bool:
     """Whether words wish something, or take leave: "merry christmas", "see you tomorrow".
 
     Behind the greeting stands who is greeted, at most, or what for.
     """
-    greeting = longest_match(said, 0, lexicon.conversation["greeting"]) if said else None
+    greeting = longest_match(said, 0, sketch.lexicon.conversation["greeting"]) if said else None
     if greeting is None:
         return False
     heard = sketch.heard
@@ -232,7 +231,7 @@ def _greets(sketch: Sketch, said: Sequence[Word], lexicon: Lexicon) -> bool:
     if left and any(isinstance(p.said.time, Wall) and p.said.time.clock for p in sketch.phrases):
         # "Happy hour at six"
         return False
-    return len(left) <= GREETED and not any(word.text in lexicon.particles for word in left)
+    return len(left) <= GREETED and not any(word.text in sketch.lexicon.particles for word in left)
 
 
 def _takes_back(said: Sequence[Word], lexicon: Lexicon) -> bool:
@@ -290,7 +289,7 @@ def asks(words: Sequence[Word], behind: str, lexicon: Lexicon) -> bool:
     return placed or opens(0, "asking", "stating") or (opens(0, "helping") and opens(1, "asked"))
 
 
-def foreign_words(tree: Tree, lexicon: Lexicon) -> list[int]:
+def foreign_words(tree: Tree) -> list[int]:
     """Give the words that no English sentence has: small words of another language.
 
     Of those that English has too, "den" is one without an article, and "die" where it has an object.
@@ -298,7 +297,7 @@ def foreign_words(tree: Tree, lexicon: Lexicon) -> list[int]:
     found = []
     for place, node in enumerate(tree.nodes):
         named = place > 0 and tree.nodes[place - 1].tag in DETERMINERS
-        if node.text in lexicon.foreign and not named:
+        if node.text in tree.lexicon.foreign and not named:
             acts = node.is_verb and bool(tree.children(place, *OBJECTS))
             if acts or not (node.may_act and node.is_verb):
                 found.append(place)

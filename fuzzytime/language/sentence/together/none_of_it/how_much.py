@@ -21,14 +21,14 @@ AT_END = re.compile(
 """A number that may be an hour behind the thing that ends what is said."""
 
 
-def counted(text: str, sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Iterator[Remark]:
+def counted(text: str, sketch: Sketch, words: Sequence[Word]) -> Iterator[Remark]:
     """Say how the last numbers of an order without a time are taken: they may be meant as its hours."""
     first, end = sketch.part.segment.span
     said = [word for word in words if first <= word.start < end and word.text.isalnum()]
     if sketch.phrases or sketch.clauses:
         return
-    joint = _joint(said, lexicon)
-    if not joint and (span := _number_at_end(text, sketch, said, lexicon)) is not None:
+    joint = _joint(said, sketch.lexicon)
+    if not joint and (span := _number_at_end(text, sketch, said)) is not None:
         number = text[slice(*span)]
         yield Remark(
             RemarkKind.POLICY, span, f"{number!r} is not taken as a time: say 'at {number}' if it is"
@@ -55,8 +55,9 @@ def _joint(said: Sequence[Word], lexicon: Lexicon) -> int:
     return place if said[place].text in AMOUNTED | {FOR} else 0
 
 
-def _number_at_end(text: str, sketch: Sketch, said: Sequence[Word], lexicon: Lexicon) -> Span | None:
+def _number_at_end(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | None:
     """Give where an hour ends what is said that no thing is called by: "milk 10", but "read chapter 4"."""
+    lexicon = sketch.lexicon
     kinds, polite = lexicon.no_times, lexicon.beside.polite_ends
     asked = [*dropwhile(lambda word: word.text in polite, reversed(said))]
     found = AT_END.search(text[: asked[0].end], asked[-1].start) if asked else None

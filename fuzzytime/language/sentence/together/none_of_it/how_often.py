@@ -2,16 +2,15 @@
 
 from collections.abc import Iterator, Sequence
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.segments.waiting import Part
 
 BETWEEN = "between"
 
 
-def unknown_moments(text: str, part: Part, heard: Sequence[Span], lexicon: Lexicon) -> Iterator[Remark]:
+def unknown_moments(text: str, part: Part, heard: Sequence[Span]) -> Iterator[Remark]:
     """Point at what is repeated as often as something that is not known, and at what lies between events."""
-    for place in _unknown(part, lexicon):
+    for place in _unknown(part):
         first, end = part.tree.reach(place)
         span = part.span(part.tree.nodes[first], part.tree.nodes[end - 1])
         if not any(overlap(span, other) for other in heard):
@@ -19,8 +18,9 @@ def unknown_moments(text: str, part: Part, heard: Sequence[Span], lexicon: Lexic
             yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
 
 
-def _unknown(part: Part, lexicon: Lexicon) -> Iterator[int]:
+def _unknown(part: Part) -> Iterator[int]:
     """Give the words over such stretches: a noun, or its preposition."""
+    lexicon = part.lexicon
     tree = part.tree
     events = lexicon.events | lexicon.happening | lexicon.taken | lexicon.lasting
     for place, node in enumerate(tree.nodes):

@@ -27,14 +27,14 @@ def naming_none(remarks: Iterable[Remark], sketches: Sequence[Sketch]) -> list[R
 def _calls_moment(span: Span, sketch: Sketch) -> bool:
     """Whether words are what a moment is called by: "arrival time 10:15"."""
     operation = sketch.operation
-    named = sketch.part.tree.lexicon.closed.named_moments
+    named = sketch.lexicon.closed.named_moments
     return operation is not None and operation.verb in named and span[1] == operation.span[1]
 
 
 def _is_somebody(span: Span, sketch: Sketch) -> bool:
     """Whether a word names who is called or asked: "ask june to call back", "invite june and april"."""
     part, operation = sketch.part, sketch.operation
-    if operation is None or operation.lemma not in part.tree.lexicon.addressing or span[0] < part.offset:
+    if operation is None or operation.lemma not in part.lexicon.addressing or span[0] < part.offset:
         return False
     places = list(part.at(span))
     said = (operation.object or "").lower().split()

@@ -12,14 +12,12 @@ from fuzzytime.requirement import Constraint
 DO = "do"
 
 
-def told_again(
-    before: Sketch, sketch: Sketch, draft: Draft, lexicon: Lexicon
-) -> tuple[Sketch, Remark | None] | None:
+def told_again(before: Sketch, sketch: Sketch, draft: Draft) -> tuple[Sketch, Remark | None] | None:
     """Give an order with the time that is said of it anew, and what to say of its old one; None elsewhere.
 
     "Do it" names what is asked for right before it, and so does the same verb behind "no" or "actually".
     """
-    if not _is_again(before, sketch, draft, lexicon) or not (sketch.phrases or sketch.clauses):
+    if not _is_again(before, sketch, draft) or not (sketch.phrases or sketch.clauses):
         return None
     pairs = list(zip(before.phrases, before.references, strict=True))
     lengths = [(one, about) for one, about in pairs if one.said.constraint is Constraint.FOR]
@@ -40,7 +38,7 @@ def told_again(
     return mended, Remark(RemarkKind.CORRECTED, (first[0], new[0]), message)
 
 
-def _is_again(before: Sketch, sketch: Sketch, draft: Draft, lexicon: Lexicon) -> bool:
+def _is_again(before: Sketch, sketch: Sketch, draft: Draft) -> bool:
     """Whether an order is the one before it, and names nothing else."""
     old, new = before.operation, sketch.operation
     if old is None or new is None or not (old.is_asked and new.is_asked) or sketch.part.segment.connective:
@@ -49,17 +47,17 @@ def _is_again(before: Sketch, sketch: Sketch, draft: Draft, lexicon: Lexicon) ->
         return False
     thing = (new.object or "").lower()
     if new.lemma == DO and old.lemma != DO:
-        return thing in lexicon.closed.singular_anaphors
-    same = new.lemma == old.lemma and old.object is not None and thing in lexicon.closed.all_anaphors
-    return same and _is_correction(before, sketch, draft, lexicon)
+        return thing in draft.lexicon.closed.singular_anaphors
+    same = new.lemma == old.lemma and old.object is not None and thing in draft.lexicon.closed.all_anaphors
+    return same and _is_correction(before, sketch, draft)
 
 
-def _is_correction(before: Sketch, sketch: Sketch, draft: Draft, lexicon: Lexicon) -> bool:
+def _is_correction(before: Sketch, sketch: Sketch, draft: Draft) -> bool:
     """Whether words between two orders take back the first: "no wait, …"."""
     end = before.part.segment.span[1]
     verb = end if sketch.operation is None else sketch.operation.span[0]
     places = [p for p, word in enumerate(draft.scanned.words) if end <= word.start < verb]
-    return any(longest_match(draft.scanned.words, place, lexicon.corrections) for place in places)
+    return any(longest_match(draft.scanned.words, place, draft.lexicon.corrections) for place in places)
 
 
 def is_about_orders(operation: Operation | None, lexicon: Lexicon) -> bool:

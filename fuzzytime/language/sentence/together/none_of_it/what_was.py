@@ -1,6 +1,5 @@
 """What tells what was, and whose times are over: "her last turn was at six"."""
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.days.relations import Deictic, Relative
 from fuzzytime.language.meaning.expressions import Coming, Offset, Said, Wall
 from fuzzytime.language.sentence.sketches.sketch import Sketch
@@ -12,19 +11,19 @@ DONE = ("dobj", "acomp", "attr")
 """What who speaks or is spoken to did, or was: "I fed the cat", "you were late"."""
 
 
-def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
+def tells_what_was(sketch: Sketch) -> bool:
     """Whether a sentence tells what was: "her last turn was at six", "I fed the cat at seven"."""
-    tree, closed = sketch.part.tree, lexicon.closed
+    tree, closed = sketch.part.tree, sketch.lexicon.closed
     root = tree.root
     due = sketch.operation is not None and sketch.operation.due is not None
     due = due and closed.past_be.isdisjoint(tree.nodes[p].lower for p in tree.children(root, "auxpass"))
     if due and not _names_past(sketch) and (sketch.phrases or sketch.clauses):
         # The dog must be "walked by seven", actors "called for 14:00".
         return False
-    if not tree.nodes or tree.nodes[root].lemma in lexicon.wanting - {"be"}:
+    if not tree.nodes or tree.nodes[root].lemma in sketch.lexicon.wanting - {"be"}:
         return False
     node = tree.nodes[root]
-    moved_on = (node.lower,) in lexicon.conversation["rescheduled"]
+    moved_on = (node.lower,) in sketch.lexicon.conversation["rescheduled"]
     if moved_on and sketch.operation is not None and any(p.said.preposition == "to" for p in sketch.phrases):
         # "The dentist was moved to four": it is then; but "I moved the meeting to four".
         return not sketch.operation.stated
@@ -42,16 +41,16 @@ def tells_what_was(sketch: Sketch, lexicon: Lexicon) -> bool:
     did = bool(subjects) and node.tag == "VBD" and not helping and bool(tree.children(root, *DONE))
     # "I fed the cat", with no time, is news of what was planned.
     did = did and bool(sketch.phrases)
-    return (_is_past(tree, root, lexicon) or moved or has or ended) and (named or did)
+    return (_is_past(tree, root) or moved or has or ended) and (named or did)
 
 
-def is_over(sketch: Sketch, lexicon: Lexicon) -> bool:
+def is_over(sketch: Sketch) -> bool:
     """Whether the times of what tells what was are over: no deadline, and none of what was said to come.
 
     "They said the parcel would come at noon" tells of a noon ahead.
     """
     tree = sketch.part.tree
-    if not tree.nodes or not _is_past(tree, tree.root, lexicon):
+    if not tree.nodes or not _is_past(tree, tree.root):
         return False
     subjects = tree.children(tree.root, *SUBJECTS)
     if any(tree.nodes[p].text.endswith("/") for p in subjects):
@@ -63,12 +62,12 @@ def is_over(sketch: Sketch, lexicon: Lexicon) -> bool:
     )
 
 
-def _is_past(tree: Tree, root: int, lexicon: Lexicon) -> bool:
+def _is_past(tree: Tree, root: int) -> bool:
     """Whether a verb is in the past itself: "fed", "was fed"; but not "has been moved to four"."""
     node = tree.nodes[root]
     helping = tree.said(tree.children(root, "aux", "auxpass"))
     alone = node.tag == "VBD" and node.lower != node.lemma and not helping
-    return alone or bool(helping & lexicon.closed.past_be)
+    return alone or bool(helping & tree.lexicon.closed.past_be)
 
 
 def _hangs_on_past(sketch: Sketch, start: int, root: int) -> bool:

@@ -74,7 +74,7 @@ def _goes_on(sketches: Sequence[Sketch], place: int) -> bool:
     first, second = sketches[place - 1], sketches[place]
     if first.operation is None or second.operation is None:
         return False
-    closed = second.part.tree.lexicon.closed
+    closed = second.lexicon.closed
     thing = second.operation.object
     anaphor = thing is not None and thing.lower() in closed.all_anaphors
     return anaphor or second.operation.again or (thing is not None and thing == first.operation.object)

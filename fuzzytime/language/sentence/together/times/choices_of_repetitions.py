@@ -15,14 +15,14 @@ from fuzzytime.requirement import Constraint
 MOMENTS = frozenset({None, Constraint.AT, Constraint.BETWEEN})
 
 
-def first_of_choices(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> tuple[Sketch, list[Span]]:
+def first_of_choices(sketch: Sketch, words: Sequence[Word]) -> tuple[Sketch, list[Span]]:
     """Keep the first of the times of day that "or" joins in a repetition; give where those left out stand.
 
     A repetition has one time a turn, and no second that may be kept instead of it.
     """
     phrases = list(sketch.phrases)
     left: list[Phrase] = []
-    for group in _groups(sketch.phrases, words, lexicon):
+    for group in _groups(sketch.phrases, words, sketch.lexicon):
         daily = [phrase for phrase in group if _is_timed(phrase)]
         framed = any(_is_days(phrase) for phrase in sketch.phrases)
         if len(daily) == 1 or (framed and not daily):

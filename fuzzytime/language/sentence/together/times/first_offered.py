@@ -79,7 +79,7 @@ def _with_condition(sketch: Sketch, left: Collection[Span], text: str) -> dict[S
 def _is_or(sketch: Sketch, first: Span, second: Span, text: str) -> bool:
     """Whether "or" alone stands between two times."""
     between = text[first[1] : second[0]].strip(" ,").lower()
-    return between in sketch.part.tree.lexicon.closed.alternatives
+    return between in sketch.lexicon.closed.alternatives
 
 
 def _until_the_latest(

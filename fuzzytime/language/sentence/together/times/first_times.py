@@ -37,7 +37,7 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     if within is not None:
         return within
     counted = repeat.times is not None
-    lexicon = sketch.part.tree.lexicon
+    lexicon = sketch.lexicon
     joints = lexicon.closed.alternatives if counted else lexicon.closed.coordinators
     clocks = [p for p in phrases if p.said.constraint in MOMENTS and p.said.wall.clock is not None]
     said = [

@@ -10,7 +10,6 @@ import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Offset,
@@ -43,12 +42,12 @@ FOR_ALL = re.compile(r",\s*(\w+)(?: of (?:them|these|those))?\s*$")
 BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
 
 
-def said_for_all(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def said_for_all(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Give each instruction what is said once for several; what asks for nothing has no operation by now."""
-    return _held_behind(_held_in_front(sketches, text, lexicon), text, lexicon)
+    return _held_behind(_held_in_front(sketches, text), text)
 
 
-def _held_in_front(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Give the times and clauses in front of an order to what the same sentence joins to it."""
     found: list[Sketch] = []
     phrases: tuple[Phrase, ...] = ()
@@ -57,7 +56,7 @@ def _held_in_front(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> l
     for sketch in sketches:
         if not found or _is_ended(found[-1], sketch, text):
             phrases, clauses = (), ()
-        if found and sketch.operation is not None and _is_otherwise(found[-1], sketch, text, lexicon):
+        if found and sketch.operation is not None and _is_otherwise(found[-1], sketch, text):
             found.append(sketch.under((), _denied(found[-1].clauses)))
             continue
         if (phrases or clauses) and _is_bare(sketch, JOINED):
@@ -84,11 +83,11 @@ def _held_in_front(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> l
     return found
 
 
-def _is_otherwise(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+def _is_otherwise(before: Sketch, sketch: Sketch, text: str) -> bool:
     """Whether it is what is done where the condition of the one before is not so: "…, otherwise go on"."""
     first, end = sketch.part.segment.span
     said = f"{text_between(before, sketch, text)} {text[first:end]}".lower().split()
-    contrary = not lexicon.beside.contrary.isdisjoint(said[:3])
+    contrary = not before.lexicon.beside.contrary.isdisjoint(said[:3])
     return contrary and any(clause.condition is not None for clause in before.clauses)
 
 
@@ -101,11 +100,11 @@ def _denied(clauses: Sequence[Clause]) -> tuple[Clause, ...]:
     )
 
 
-def _held_behind(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def _held_behind(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Give orders what is said behind the last of them: a deadline, or a time that is said to be for all."""
-    found = [_without_all(sketch, lexicon) for sketch in sketches]
+    found = [_without_all(sketch) for sketch in sketches]
     for place, sketch in enumerate(sketches):
-        shared = [p for p in sketch.phrases if _is_shared(p, sketch, text, lexicon)]
+        shared = [p for p in sketch.phrases if _is_shared(p, sketch, text)]
         last = place + 1 == len(sketches) or _is_ended(sketch, sketches[place + 1], text)
         for other in range(place - 1, -1, -1):
             if not shared or not last or _is_ended(found[other], found[other + 1], text):
@@ -124,8 +123,8 @@ def _held_behind(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> lis
             ]
             joint = text_between(found[place - 1], sketch, text).strip().lower()
             if (
-                joint in lexicon.closed.additions
-                or sketch.part.segment.connective in lexicon.closed.additions
+                joint in sketch.lexicon.closed.additions
+                or sketch.part.segment.connective in sketch.lexicon.closed.additions
             ):
                 found[place - 1] = found[place - 1].under(phrases, clauses)
     return found
@@ -142,22 +141,22 @@ def _follows(clause: Clause, sketch: Sketch) -> bool:
     return sketch.operation is not None and clause.span[0] > sketch.operation.span[0]
 
 
-def _without_all(sketch: Sketch, lexicon: Lexicon) -> Sketch:
+def _without_all(sketch: Sketch) -> Sketch:
     """Leave the word for all out of what the last order is about: "call Ann, then Bob, both before noon"."""
     operation = sketch.operation
     thing, _, word = (operation.object or "").rpartition(", ") if operation is not None else ("", "", "")
-    if operation is None or not thing or word.lower() not in lexicon.closed.universal_pronouns:
+    if operation is None or not thing or word.lower() not in sketch.lexicon.closed.universal_pronouns:
         return sketch
     return replace(sketch, operation=replace(operation, object=thing))
 
 
-def _is_shared(phrase: Phrase, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+def _is_shared(phrase: Phrase, sketch: Sketch, text: str) -> bool:
     """Whether a time behind an order is a deadline, or led by a word for all: ", both at noon"."""
     operation = sketch.operation
     if operation is None or not sketch.asks or phrase.span[0] < operation.span[1]:
         return False
     led = FOR_ALL.search(text[: phrase.span[0]])
-    if led is not None and led[1].lower() in lexicon.closed.universal_pronouns:
+    if led is not None and led[1].lower() in sketch.lexicon.closed.universal_pronouns:
         return True
     said = phrase.said
     due = said.constraint is Constraint.BEFORE and said.preposition not in LASTING

@@ -29,7 +29,7 @@ OF_THEM = re.compile(r"\b(\w+) of (?:them|these|those)\b")
 """How many of a kind there are: "a batch of 12", "hooks, ten of them"."""
 
 
-def one_by_one(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketch:
+def one_by_one(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     """Let what is done with each of several last for all of them, and say so."""
     operation = sketch.operation
     if operation is None or operation.negated:
@@ -44,7 +44,7 @@ def one_by_one(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketc
         first, end = sketch.part.segment.span
         said = " ".join(word.text for word in words if first <= word.start < end)
         named = f"{operation.object or ''} , {operation.place or ''}"
-        times = next(_counts(named, said, lexicon), None)
+        times = next(_counts(named, said, sketch.lexicon), None)
         if not isinstance(length, Duration) or not bare or not _is_each(phrase, words):
             continue
         if any(is_window(other) for other in sketch.phrases):

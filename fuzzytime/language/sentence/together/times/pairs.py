@@ -58,7 +58,7 @@ def _spans_night(first: Sketch, second: Sketch) -> bool:
     beginning, ending = first.operation, second.operation
     if begins is None or ends is None or beginning is None or ending is None:
         return False
-    lexicon = first.part.tree.lexicon
+    lexicon = first.lexicon
     if not begins.is_open or not ends.is_open or not undoes(ending, beginning, lexicon):
         return False
     noun = (beginning.object or "").lower().rpartition(" ")[2]
@@ -77,7 +77,7 @@ def _undone_at(sketches: Sequence[Sketch], place: int, text: str) -> int | None:
             break
         if opening is None or closing is None or closing.object != opening.object:
             continue
-        if undoes(closing, opening, sketches[place].part.tree.lexicon):
+        if undoes(closing, opening, sketches[place].lexicon):
             return later
     return None
 
@@ -91,7 +91,7 @@ def follows_on(sketches: Sequence[Sketch], place: int, text: str) -> bool:
     joined = first.part is not second.part and not ENDS & set(between)
     if not joined or first.operation is None or second.operation is None:
         return False
-    return _goes_on(first.operation, second.operation, first.part.tree.lexicon)
+    return _goes_on(first.operation, second.operation, first.lexicon)
 
 
 def _goes_on(first: Operation, second: Operation, lexicon: Lexicon) -> bool:

@@ -64,7 +64,7 @@ def _of_stretch(sketch: Sketch, stretch: range, shared: Container[int]) -> Sketc
 
 def _cuts(sketch: Sketch, words: Sequence[Word]) -> Iterator[Span]:
     """Give the stretches between two times that say that something is done again."""
-    beside = sketch.part.tree.lexicon.beside
+    beside = sketch.lexicon.beside
     for (_, end), (start, _) in pairwise(sorted(sketch.heard)):
         between = {word.text for word in words if end <= word.start < start}
         again = between & beside.twice and between <= beside.beside_twice

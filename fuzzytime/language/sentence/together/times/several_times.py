@@ -9,12 +9,9 @@ from fuzzytime.language.meaning.calendar import Fields, is_day_of_month, is_week
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord
 from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
+from fuzzytime.language.sentence.sketches.around_events.at_events import events_in
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.times.said_again import (
-    apart,
-    with_shared_clock,
-    with_shared_part,
-)
+from fuzzytime.language.sentence.together.times.said_again import apart, with_shared_clock, with_shared_part
 from fuzzytime.requirement import BOUNDS, Constraint
 
 ON_CONDITION = "if_it_is.at_on_condition"
@@ -32,15 +29,15 @@ MERIDIEMS = frozenset({"am", "pm", "noon", "midnight"})
 """Words that end a clock time, and are no day."""
 
 
-def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> list[Sketch]:
+def of_several_times(sketch: Sketch, words: Sequence[Word]) -> list[Sketch]:
     """Give one sketch for each time that is meant, or one of which each time is an alternative.
 
     "At seven and at six" asks for two, "at seven or at eight" for one; "tomorrow, by noon" is one time.
     """
-    closed = lexicon.closed
+    closed = sketch.lexicon.closed
     joining = closed.additions | closed.alternatives
     for place in range(len(sketch.phrases) - 1):
-        group, joints = _joined(sketch.phrases[place:], words, lexicon)
+        group, joints = _joined(sketch.phrases[place:], words, sketch.lexicon)
         several = len(group) > LIST and (all(map(_is_weekday, group)) or all(map(_is_clock, group)))
         # "Friday at nine, saturday at ten"
         several = several or all(map(_is_whole, group))
@@ -211,3 +208,17 @@ def _is_when(phrase: Phrase) -> bool:
     if isinstance(said.time, Duration):
         return said.constraint is Constraint.AT
     return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(said.time, Repeat)
+
+
+def also_at_events(sketch: Sketch, words: Sequence[Word]) -> list[Sketch]:
+    """Give one sketch for the time, and one for what hardly is a place and is joined to that by "and"."""
+    if not sketch.asks or not sketch.phrases:
+        return [sketch]
+    ends = {phrase.end for phrase in sketch.phrases}
+    for span, is_moment in events_in(sketch, words):
+        at = next(place for place, word in enumerate(words) if word.start == span[0])
+        joint = at - 1
+        if is_moment and joint in ends and words[joint].text in sketch.lexicon.closed.additions:
+            heard = (*sketch.joints, (words[joint].start, span[1]))
+            return [replace(sketch, joints=heard), replace(sketch, phrases=(), references=(), joints=heard)]
+    return [sketch]

@@ -18,7 +18,7 @@ MOST = 100
 EACH = "each"
 
 
-def counted_apart(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketch:
+def counted_apart(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     """Do what is counted one by one, where it is said to be so long apart, or that each turn is so long."""
     phrases = list(sketch.phrases)
     each = next((p for p in phrases if _is_each(p, words)), None)
@@ -26,7 +26,7 @@ def counted_apart(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sk
     for at, phrase in enumerate(phrases):
         time = phrase.said.time
         if isinstance(time, Repeat) and time.apart:
-            counted = _counted(sketch, lexicon)
+            counted = _counted(sketch)
             if counted is not None:
                 sketch, times = counted
                 again = replace(time, times=times, apart=False)
@@ -34,7 +34,7 @@ def counted_apart(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sk
                     again = ending_with(again, again.until)
                 phrases[at] = phrase.at(again)
             return replace(sketch, phrases=tuple(phrases))
-    counted = _counted(sketch, lexicon, turns=True) if isinstance(length, Duration) else None
+    counted = _counted(sketch, turns=True) if isinstance(length, Duration) else None
     if counted is None or each is None or not isinstance(length, Duration):
         return sketch
     sketch, times = counted
@@ -58,18 +58,18 @@ def _is_each(phrase: Phrase, words: Sequence[Word]) -> bool:
     return lasts and any(word.text == EACH for word in words[phrase.first : phrase.end])
 
 
-def _counted(sketch: Sketch, lexicon: Lexicon, *, turns: bool = False) -> tuple[Sketch, int] | None:
+def _counted(sketch: Sketch, *, turns: bool = False) -> tuple[Sketch, int] | None:
     """Give a sketch of one of several, and how many they are; where only ``turns`` count, of those."""
     operation = sketch.operation
     if operation is None or operation.object is None or operation.stated:
         return None
     named = operation.object.split()
-    numbers = [_number(word, lexicon) for word in named]
+    numbers = [_number(word, sketch.lexicon) for word in named]
     place = next((place for place, number in enumerate(numbers[:-1]) if number), None)
     times = None if place is None else numbers[place]
     if place is None or times is None:
         return None
-    if turns and singular(named[place + 1].lower()) not in lexicon.spacing["turns"]:
+    if turns and singular(named[place + 1].lower()) not in sketch.lexicon.spacing["turns"]:
         # "Grill two steaks for three minutes each": both at once.
         return None
     one = " ".join((*named[:place], ONE_OF.strip(), *named[place:]))

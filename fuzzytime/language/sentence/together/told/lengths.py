@@ -8,14 +8,18 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Instruction, Operation, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.grounded.moment import Moment
+from fuzzytime.language.meaning.joined.distances import later_by
 from fuzzytime.language.meaning.required.requirements import Grounded
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.segments.told.asides import Aside
+from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
 
 DONE = frozenset({Constraint.AT, Constraint.BEFORE, Constraint.BETWEEN})
 """How a time binds when something must be done."""
+
+THEN = "then"
 
 
 def length_of(
@@ -120,11 +124,7 @@ def due_when_needed(
     at = {Constraint.AT, Constraint.BEFORE}
     return [
         replace(
-            part,
-            constraint=Constraint.BEFORE,
-            earliest=None,
-            reference=Reference.FINISH,
-            reference_said=True,
+            part, constraint=Constraint.BEFORE, earliest=None, reference=Reference.FINISH, reference_said=True
         )
         if part.constraint in at
         else part
@@ -175,3 +175,24 @@ def told_alone(aside: Aside, text: str, given: int, moment: Moment) -> Instructi
         way=seconds if aside.way else None,
         alone=aside.left,
     )
+
+
+def waited(
+    sketches: list[Sketch], asides: Sequence[Aside], given: Sequence[Operation | None]
+) -> list[Sketch]:
+    """Let the first instruction come as long after the last one ``given`` as its aside in front says.
+
+    Where that one is done for so many minutes ("bake the bread"), the length may be its own: it is left.
+    """
+    if not sketches or not asides:
+        return sketches
+    (aside, *_), first = asides, sketches[0]
+    segment, length = first.part.segment, aside.length.said.time
+    leads = aside.span[1] <= segment.span[0] and segment.connective == THEN and not aside.way
+    before = given[-1] if given else None
+    cooked = before is not None and before.lemma in first.lexicon.timing | first.lexicon.timing_alone
+    if not leads or cooked or not isinstance(length, Duration):
+        return sketches
+    waits = replace(aside.length, said=later_by(length), span=aside.span)
+    segment = replace(segment, span=(aside.span[0], segment.span[1]), connective="")
+    return [replace(first.under([waits]), part=replace(first.part, segment=segment)), *sketches[1:]]

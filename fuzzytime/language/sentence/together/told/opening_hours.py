@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
 from fuzzytime.language.sentence.segments.told.asides_of_hours import HOURS, bounding
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
@@ -19,7 +18,7 @@ PRONOUNS = frozenset({None, "it", "they"})
 STRETCHES = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
 
 
-def within_opening_hours(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def within_opening_hours(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Bound orders without a time by when it is told beside them that somewhere opens or closes.
 
     What is asked for behind that is an errand: "the office closes at five, lock up" is done later. So is
@@ -27,29 +26,29 @@ def within_opening_hours(sketches: Sequence[Sketch], text: str, lexicon: Lexicon
     """
     found = list(sketches)
     for place, sketch in enumerate(found):
-        bound = _bound_of(sketch, lexicon)
+        bound = _bound_of(sketch)
         if bound is None:
             continue
         closing = bound.said.constraint is not Constraint.AFTER
         before = place - 1
         if before >= 0 and _is_unbound(found[before]) and _is_beside(found[before], sketch, text):
-            if closing or is_errand(found[before], lexicon) or _is_of_that(sketch):
+            if closing or is_errand(found[before]) or _is_of_that(sketch):
                 found[before] = found[before].under([bound])
             continue
         behind = place + 1
         # "The shop opens at nine and closes at five, buy milk"
-        while behind < len(found) and _bound_of(found[behind], lexicon) is not None:
+        while behind < len(found) and _bound_of(found[behind]) is not None:
             behind += 1
         if behind == len(found) or not _is_unbound(found[behind], opened=True):
             continue
-        if _is_beside(found[behind - 1], found[behind], text) and is_errand(found[behind], lexicon):
+        if _is_beside(found[behind - 1], found[behind], text) and is_errand(found[behind]):
             found[behind] = found[behind].under([bound])
     return found
 
 
-def _bound_of(sketch: Sketch, lexicon: Lexicon) -> Phrase | None:
+def _bound_of(sketch: Sketch) -> Phrase | None:
     """Give when somewhere is told to open or close as a bound of what is done there."""
-    operation, doing = sketch.operation, lexicon.doing
+    operation, doing = sketch.operation, sketch.lexicon.doing
     if operation is None or not operation.stated or len(sketch.phrases) != 1 or sketch.clauses:
         return None
     phrase = replace(sketch.phrases[0], rule=HOURS)
@@ -76,9 +75,9 @@ def _is_of_that(sketch: Sketch) -> bool:
     return sketch.operation is not None and sketch.operation.object in PRONOUNS
 
 
-def is_errand(sketch: Sketch, lexicon: Lexicon) -> bool:
+def is_errand(sketch: Sketch) -> bool:
     """Whether it is done at a place while that is open."""
-    return sketch.operation is not None and sketch.operation.lemma in lexicon.doing.errands
+    return sketch.operation is not None and sketch.operation.lemma in sketch.lexicon.doing.errands
 
 
 def _is_beside(before: Sketch, sketch: Sketch, text: str) -> bool:

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.sentence.references.mentions import BE, comes
 from fuzzytime.language.sentence.segments.told.asides_of_hours import bounding
@@ -16,7 +15,7 @@ LEADING = frozenset({"so", ", so", "; so", ", and so", "- so", "– so", ":", "-
 """What stands between what is told and what is done because of it."""
 
 
-def due_before_told(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def due_before_told(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Bound orders without a time by when it is told right before them that something begins, comes or goes.
 
     What comes is waited for by what is done with it: "the truck arrives at ten, so unload it". Behind what
@@ -29,11 +28,9 @@ def due_before_told(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> 
         if between not in LEADING or order.part.segment.connective or not order.is_open:
             continue
         said = _said_when(told)
-        ends = _ends(told, lexicon)
-        if said is not None and (
-            ends or (_begins(told, lexicon) and not _is_done_with(order, told, lexicon))
-        ):
-            closing = not ends or is_errand(order, lexicon)
+        ends = _ends(told)
+        if said is not None and (ends or (_begins(told) and not _is_done_with(order, told))):
+            closing = not ends or is_errand(order)
             found[place] = order.under([bounding(said, closing=closing)])
     return found
 
@@ -48,14 +45,15 @@ def _said_when(sketch: Sketch) -> Phrase | None:
     return phrase if at else None
 
 
-def _ends(sketch: Sketch, lexicon: Lexicon) -> bool:
+def _ends(sketch: Sketch) -> bool:
     """Whether something is told to end, and does not close."""
     lemma = None if sketch.operation is None else sketch.operation.lemma
-    return lemma in lexicon.doing.ending - lexicon.doing.closing_up
+    return lemma in sketch.lexicon.doing.ending - sketch.lexicon.doing.closing_up
 
 
-def _begins(sketch: Sketch, lexicon: Lexicon) -> bool:
+def _begins(sketch: Sketch) -> bool:
     """Whether something is told to begin, to come or to go, or what who speaks does then."""
+    lexicon = sketch.lexicon
     operation, doing = sketch.operation, lexicon.doing
     if operation is None:
         return False
@@ -70,11 +68,11 @@ def _begins(sketch: Sketch, lexicon: Lexicon) -> bool:
     return operation.lemma in begins or becomes or ours or (operation.lemma == BE and happens)
 
 
-def _is_done_with(order: Sketch, told: Sketch, lexicon: Lexicon) -> bool:
+def _is_done_with(order: Sketch, told: Sketch) -> bool:
     """Whether it is done with what comes, which has to be there."""
     asked, happening = order.operation, told.operation
-    if asked is None or happening is None or not comes(happening, lexicon):
+    if asked is None or happening is None or not comes(happening, order.lexicon):
         return False
     known = content_words(asked.object) | content_words(asked.place)
-    again = (asked.object or "").lower() in lexicon.closed.all_anaphors
+    again = (asked.object or "").lower() in order.lexicon.closed.all_anaphors
     return again or not known.isdisjoint(content_words(happening.object))

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.references.mentions import BE, Mentions
 from fuzzytime.language.sentence.segments.further.same_doers import tells_more
@@ -18,7 +17,7 @@ BREAKS = frozenset({",", "-", "–", ";"})
 """Marks between an order and what is told of it."""
 
 
-def told_beside(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+def told_beside(sketches: list[Sketch], text: str) -> list[Sketch]:
     """Give what is told without a time that of what is told before it in its sentence.
 
     What the same one does comes next ("Kestrel takes off at nine, surveys the field"); what others do is then
@@ -28,13 +27,13 @@ def told_beside(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Ske
     for sketch in sketches:
         told = sketch
         if tells_more(sketch.part) and sketch.operation is not None:
-            goes_on = bool(found) and _is_on(found[-1], sketch, lexicon)
-            told = sketch if goes_on else _done_next(sketch, sketch.operation, text, lexicon)
-        elif found and _is_then(found[-1], sketch, text, lexicon) and sketch.operation is not None:
+            goes_on = bool(found) and _is_on(found[-1], sketch)
+            told = sketch if goes_on else _done_next(sketch, sketch.operation, text)
+        elif found and _is_then(found[-1], sketch, text) and sketch.operation is not None:
             before = found[-1]
             told = replace(sketch, operation=replace(sketch.operation, due=None, stated=True))
             told = told.under(before.times, before.clauses)
-        elif found and _may_only(found[-1], sketch, text, lexicon):
+        elif found and _may_only(found[-1], sketch, text):
             found[-1] = _at_the_only(found[-1], sketch)
             continue
         found.append(told)
@@ -46,15 +45,15 @@ def _is_beside(before: Sketch, sketch: Sketch, text: str) -> bool:
     return text_between(before, sketch, text).strip() in BREAKS and not sketch.part.segment.connective
 
 
-def _may_only(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+def _may_only(before: Sketch, sketch: Sketch, text: str) -> bool:
     """Whether it is said when alone an order can be done: "ring her, she's only free between 11 and 12"."""
     tree, root = sketch.part.tree, sketch.part.tree.root
     if not tree.nodes or not before.is_open or not _is_beside(before, sketch, text):
         return False
     subjects = tree.said(tree.children(root, *SUBJECTS))
     only = any(node.lower == ONLY for node in tree.nodes)
-    is_so = tree.nodes[root].lemma in lexicon.closed.lemmas_of_be and bool(
-        subjects & lexicon.closed.third_person
+    is_so = tree.nodes[root].lemma in before.lexicon.closed.lemmas_of_be and bool(
+        subjects & before.lexicon.closed.third_person
     )
     return only and is_so and bool(sketch.times)
 
@@ -64,11 +63,11 @@ def _at_the_only(before: Sketch, sketch: Sketch) -> Sketch:
     return before.under(sketch.times).reaching(sketch)
 
 
-def _done_next(sketch: Sketch, operation: Operation, text: str, lexicon: Lexicon) -> Sketch:
+def _done_next(sketch: Sketch, operation: Operation, text: str) -> Sketch:
     """Give what one does who was named before, behind what that one did before it."""
     segment = sketch.part.segment
     told = _done_by(operation, segment.doer or "", asked=segment.doer == segment.addressee)
-    if segment.connective or sketch.clauses or bool(sketch.times) or _lasts(sketch, lexicon):
+    if segment.connective or sketch.clauses or bool(sketch.times) or _lasts(sketch):
         return replace(sketch, operation=told)
     return _behind(replace(sketch, operation=told), text)
 
@@ -82,10 +81,10 @@ def _behind(sketch: Sketch, text: str) -> Sketch:
     return replace(sketch, part=replace(sketch.part, segment=joined))
 
 
-def _is_on(before: Sketch, sketch: Sketch, lexicon: Lexicon) -> bool:
+def _is_on(before: Sketch, sketch: Sketch) -> bool:
     """Whether what one does is what goes on then: "we're on at nine and play for an hour"."""
     first, second = before.operation, sketch.operation
-    begins = first is not None and first.lemma in lexicon.doing.beginning | {BE}
+    begins = first is not None and first.lemma in before.lexicon.doing.beginning | {BE}
     lasts = bool(sketch.phrases) and not sketch.times
     return begins and lasts and second is not None and second.object is None
 
@@ -99,19 +98,19 @@ def _done_by(operation: Operation, doer: str, *, asked: bool) -> Operation:
     return replace(operation, object=doer, complement=said or None, stated=True)
 
 
-def _is_then(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+def _is_then(before: Sketch, sketch: Sketch, text: str) -> bool:
     """Whether what is told has no time, and stands beside what has one in the same sentence."""
     first, second = before.operation, sketch.operation
     if first is None or second is None or not (second.stated or (first.stated and _do_so(sketch, second))):
         return False
-    if (second.complement or "").lower() in lexicon.closed.anaphors:
+    if (second.complement or "").lower() in before.lexicon.closed.anaphors:
         # "Wash the car at ten, Tom dries it"
         return False
     if first.is_asked and second.attended:
         # "Set an alarm for six I have a flight" tells why.
         return False
     between = text_between(before, sketch, text)
-    alone = not sketch.clauses and not sketch.times and not _lasts(sketch, lexicon)
+    alone = not sketch.clauses and not sketch.times and not _lasts(sketch)
     return (
         alone
         and not ENDS & set(between)
@@ -129,10 +128,13 @@ def _do_so(sketch: Sketch, operation: Operation) -> bool:
     return bool(named) and tree.nodes[named[0]].tag == "NNP" and bool(tree.children(named[0], "conj"))
 
 
-def _lasts(sketch: Sketch, lexicon: Lexicon) -> bool:
+def _lasts(sketch: Sketch) -> bool:
     """Whether it is said how long something takes: "the show starts at eight and lasts two hours"."""
     operation = sketch.operation
-    lasting = operation is not None and operation.lemma in lexicon.doing.taking | lexicon.doing.running
+    lasting = (
+        operation is not None
+        and operation.lemma in sketch.lexicon.doing.taking | sketch.lexicon.doing.running
+    )
     return lasting and bool(sketch.phrases)
 
 
@@ -145,28 +147,28 @@ def due_before(sketches: Sequence[Sketch], text: str, mentions: Mentions, first:
     for place in range(len(found) - 1):
         why, due = found[place : place + 2]
         operation = why.operation
-        if operation is None or operation.object is None or not _tells_length(why, mentions.lexicon):
+        if operation is None or operation.object is None or not _tells_length(why):
             continue
         bounds = any(phrase.said.constraint is Constraint.BEFORE for phrase in due.phrases)
         known = mentions.about(content_words(operation.object), first) is not None
-        if known or not bounds or not _has_to_be_so(due, mentions.lexicon) or not _is_beside(why, due, text):
+        if known or not bounds or not _has_to_be_so(due) or not _is_beside(why, due, text):
             continue
         found[place] = replace(why, operation=replace(operation, lemma=BE, complement=None))
         found[place + 1] = _behind(due, text)
     return found
 
 
-def _tells_length(sketch: Sketch, lexicon: Lexicon) -> bool:
+def _tells_length(sketch: Sketch) -> bool:
     """Whether it is only told how long something takes."""
     operation = sketch.operation
-    taking = operation is not None and operation.stated and operation.lemma in lexicon.doing.taking
+    taking = operation is not None and operation.stated and operation.lemma in sketch.lexicon.doing.taking
     return taking and not sketch.clauses and bool(sketch.phrases) and not sketch.times
 
 
-def _has_to_be_so(sketch: Sketch, lexicon: Lexicon) -> bool:
+def _has_to_be_so(sketch: Sketch) -> bool:
     """Whether somebody or something has to be somewhere, or to be so: "she has to be on set by eight"."""
     tree, root = sketch.part.tree, sketch.part.tree.root
     if sketch.operation is None or sketch.operation.lemma not in {BE, "get"}:
         return False
     helping = tree.said((root, *tree.children(root, "aux")))
-    return bool(helping & lexicon.closed.verbs_of_obligation) and bool(tree.children(root, *SUBJECTS))
+    return bool(helping & sketch.lexicon.closed.verbs_of_obligation) and bool(tree.children(root, *SUBJECTS))

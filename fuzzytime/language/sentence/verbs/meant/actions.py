@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.moments import reference_of
@@ -48,7 +47,7 @@ def _is_title(tree: Tree, root: int) -> bool:
     return alone and (node.tag == "VBZ" or not node.may_act)
 
 
-def action_of(tree: Tree, lexicon: Lexicon, *, told: bool = False) -> Action | None:
+def action_of(tree: Tree, *, told: bool = False) -> Action | None:
     """Find the verb that is meant: below "I want to", "can you", "don't forget to", "start".
 
     One word alone is no order, but may be what is ``told``: "the drone takes off, then lands".
@@ -61,34 +60,35 @@ def action_of(tree: Tree, lexicon: Lexicon, *, told: bool = False) -> Action | N
     needless = _needless(tree, root)
     negated = needless is not None or _is_negated(tree, root)
     root = root if needless is None else needless
-    root = gone_to_do(tree, root, lexicon) or root
+    root = gone_to_do(tree, root) or root
     reference: Reference | None = None
     for _ in range(DEEPEST):
-        assured = _assured(tree, root, lexicon)
-        below = _meant_below(tree, root, lexicon) if assured is None else assured
+        assured = _assured(tree, root)
+        below = _meant_below(tree, root) if assured is None else assured
         if below is None:
             break
         if assured is None:
-            reference = _reference_of_verb(tree, root, below, lexicon) or reference
+            reference = _reference_of_verb(tree, root, below) or reference
             negated = _is_negated(tree, below) or (
-                negated and tree.nodes[root].lemma not in lexicon.forgetting
+                negated and tree.nodes[root].lemma not in tree.lexicon.forgetting
             )
-        root = gone_to_do(tree, below, lexicon) or below
+        root = gone_to_do(tree, below) or below
     if reference is None:
-        reference = reference_of(tree, root, lexicon)
+        reference = reference_of(tree, root)
     return Action(root, reference, negated)
 
 
-def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
+def _meant_below(tree: Tree, root: int) -> int | None:
     """Give the verb that is meant below another, which says that it is wanted or begun; None for none."""
+    lexicon = tree.lexicon
     lemma = tree.nodes[root].lemma
     below = _complement(tree, root, lemma)
-    if below is None or is_numbered_place(tree, below, lexicon) or _names_kind(tree, root, below):
+    if below is None or is_numbered_place(tree, below) or _names_kind(tree, root, below):
         # "Get to gate 22", "get wrapping paper"
         return None
     if gets_to_do(tree, root, below):
         return None
-    if lemma not in lexicon.wanting and _brings_about(tree, root, lexicon):
+    if lemma not in lexicon.wanting and _brings_about(tree, root):
         return None
     if lemma in lexicon.doing.watching and below - _has_to(tree, below) > root + 1:
         # "Help gran wash, dress her"
@@ -97,9 +97,9 @@ def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
         lemma in lexicon.forgetting
         or lemma in lexicon.wanting
         or (lemma in lexicon.doing.remembering and _has_to(tree, below) and _is_said_of(tree, root))
-        or (lemma in lexicon.indicators and not _is_left(tree, root, below, lexicon))
+        or (lemma in lexicon.indicators and not _is_left(tree, root, below))
         or _is_going_to(tree, root)
-        or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root, lexicon)))
+        or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root)))
         or (lemma == "have" and _has_to(tree, below))
     )
     return below if leads else None
@@ -127,22 +127,24 @@ def _names_kind(tree: Tree, root: int, below: int) -> bool:
     return any(tree.reach(p)[0] == thing for p in bare)
 
 
-def _is_left(tree: Tree, root: int, below: int, lexicon: Lexicon) -> bool:
+def _is_left(tree: Tree, root: int, below: int) -> bool:
     """Whether a verb has an aim: "leave at eight to be there for nine"; but "continue to stir"."""
     lemma = tree.nodes[root].lemma
-    goes_on = Reference(lexicon.indicators[lemma]) is Reference.START or lemma in lexicon.doing.continuing
+    goes_on = (
+        Reference(tree.lexicon.indicators[lemma]) is Reference.START or lemma in tree.lexicon.doing.continuing
+    )
     return _has_to(tree, below) and not goes_on
 
 
-def _reference_of_verb(tree: Tree, root: int, below: int, lexicon: Lexicon) -> Reference | None:
+def _reference_of_verb(tree: Tree, root: int, below: int) -> Reference | None:
     """Give which moment of what is below a verb is meant, where that verb says it."""
     lemma = tree.nodes[root].lemma
-    if lemma in lexicon.forgetting:
+    if lemma in tree.lexicon.forgetting:
         return None
-    if lemma in lexicon.wanting:
+    if lemma in tree.lexicon.wanting:
         # "I want the floor cleaned by noon": the result is what is wanted then.
         return Reference.FINISH if tree.nodes[below].tag == "VBN" else None
-    named = lexicon.indicators.get(lemma)
+    named = tree.lexicon.indicators.get(lemma)
     return None if named is None else Reference(named)
 
 
@@ -156,10 +158,10 @@ def _needless(tree: Tree, root: int) -> int | None:
     return None
 
 
-def gone_to_do(tree: Tree, place: int, lexicon: Lexicon) -> int | None:
+def gone_to_do(tree: Tree, place: int) -> int | None:
     """Give the verb behind "go and", "come and", "try and", which say nothing more: "go and check it"."""
     verb = place + 2
-    if tree.nodes[place].lemma not in lexicon.doing.trying or verb >= len(tree.nodes):
+    if tree.nodes[place].lemma not in tree.lexicon.doing.trying or verb >= len(tree.nodes):
         return None
     joined = tree.nodes[place + 1].lower == "and" and tree.nodes[verb].head == place
     return verb if joined and tree.nodes[verb].tag == "VB" else None
@@ -219,10 +221,10 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
     return is_so or became or (goes_on and _complement(tree, verb, node.lemma) is None)
 
 
-def _assured(tree: Tree, place: int, lexicon: Lexicon) -> int | None:
+def _assured(tree: Tree, place: int) -> int | None:
     """Give the verb below what it is time for, or to be sure of: "be careful to close it"."""
     for below in tree.children(place, "acomp", "ccomp", "oprd", "attr"):
-        if tree.nodes[below].lower in lexicon.doing.sure:
+        if tree.nodes[below].lower in tree.lexicon.doing.sure:
             verbs = tree.children(below, "xcomp", "relcl", "acl")
             return next((p for p in verbs if tree.nodes[p].tag == "VB"), None)
     return None
@@ -245,18 +247,18 @@ def _complement(tree: Tree, place: int, lemma: str) -> int | None:
     return None
 
 
-def is_numbered_place(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def is_numbered_place(tree: Tree, place: int) -> bool:
     """Whether what a tree takes for a verb is called by the number behind it: "take it to station 4"."""
     counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
-    known = lexicon.machines | lexicon.measure_nouns
+    known = tree.lexicon.machines | tree.lexicon.measure_nouns
     led = "to" in tree.said(tree.children(place, "aux"))
     return counted and led and tree.nodes[place].lower in known
 
 
-def _brings_about(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _brings_about(tree: Tree, place: int) -> bool:
     """Whether a verb is what is to be done: "leave the cake to cool", not "let us go"."""
-    lets = tree.nodes[place].lemma == "let" and (_lets(tree, place) or _lets_forget(tree, place, lexicon))
-    return not lets and small_clause(tree, place, lexicon) is not None
+    lets = tree.nodes[place].lemma == "let" and (_lets(tree, place) or _lets_forget(tree, place))
+    return not lets and small_clause(tree, place) is not None
 
 
 def _lets(tree: Tree, place: int) -> bool:
@@ -265,10 +267,10 @@ def _lets(tree: Tree, place: int) -> bool:
     return tree.nodes[place].lower == "lets" or following in {"us", "'s", "’s"}
 
 
-def _lets_forget(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _lets_forget(tree: Tree, place: int) -> bool:
     """Whether it is "don't let me forget to post it", "don't let me forget the bins"."""
     below = _complement(tree, place, "let")
-    forgets = below is not None and tree.nodes[below].lemma in lexicon.forgetting
+    forgets = below is not None and tree.nodes[below].lemma in tree.lexicon.forgetting
     return forgets and below is not None and bool(tree.children(below, "xcomp", "dobj"))
 
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.small_clauses import small_clause
 from fuzzytime.requirement import Reference
@@ -11,8 +10,9 @@ RESULTS = frozenset({"JJ", "VBN"})
 """Tags of what something is in the end."""
 
 
-def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
+def reference_of(tree: Tree, place: int) -> Reference | None:
     """Give which moment of an operation its verb, or what it results in, says that its times are about."""
+    lexicon = tree.lexicon
     lemma = tree.nodes[place].lemma
     named = lexicon.indicators.get(lemma) or lexicon.indicators.get(tree.nodes[place].lower)
     if named is not None:
@@ -27,7 +27,7 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
         tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
     ):
         return Reference.FINISH
-    brought = small_clause(tree, place, lexicon) if lemma in lexicon.causing else None
+    brought = small_clause(tree, place) if lemma in lexicon.causing else None
     # "Make the soup hot by six"; but "have the robot mop the floor" is what it does.
     return Reference.FINISH if brought and tree.nodes[brought.predicate].tag in RESULTS else None
 

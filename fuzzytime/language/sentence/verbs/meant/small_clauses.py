@@ -7,7 +7,6 @@ many ways.
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -37,19 +36,19 @@ class SmallClause:
         return sorted(place for place in said if place > self.noun)
 
 
-def small_clause(tree: Tree, verb: int, lexicon: Lexicon) -> SmallClause | None:
+def small_clause(tree: Tree, verb: int) -> SmallClause | None:
     """Give the clause that a verb brings about, None where it has none."""
-    if tree.nodes[verb].lemma in lexicon.doing.setting:
-        return _set_going(tree, verb, lexicon)
-    if tree.nodes[verb].lemma in lexicon.causing | lexicon.letting:
+    if tree.nodes[verb].lemma in tree.lexicon.doing.setting:
+        return _set_going(tree, verb)
+    if tree.nodes[verb].lemma in tree.lexicon.causing | tree.lexicon.letting:
         return next(_clauses(tree, verb), None)
     return None
 
 
-def _set_going(tree: Tree, verb: int, lexicon: Lexicon) -> SmallClause | None:
+def _set_going(tree: Tree, verb: int) -> SmallClause | None:
     """Give what is set going: "set the centrifuge going"."""
     objects = [place for place in tree.children(verb, "dobj") if place > verb]
-    verbs = lexicon.doing.set_going
+    verbs = tree.lexicon.doing.set_going
     going = (p for p in tree.children(verb, "advcl", "xcomp", "ccomp") if tree.nodes[p].lemma in verbs)
     found = next((p for p in going if tree.nodes[p].tag == "VBG" and p - 1 in objects), None)
     return None if found is None else SmallClause(objects[0], found)

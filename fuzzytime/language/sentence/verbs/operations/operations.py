@@ -28,7 +28,7 @@ class Reader(Particles):
         """Give the operation of an action."""
         verb = action.place
         node = self.tree.nodes[verb]
-        clause = small_clause(self.tree, verb, self.lexicon)
+        clause = small_clause(self.tree, verb)
         result = self._participle(verb) if clause is None else self._result(clause)
         result = result or self._joined_result(verb) or self._let(verb)
         particle = self._particle(verb, result)
@@ -36,7 +36,7 @@ class Reader(Particles):
         whole = moved or self._object(verb, particle, clause)
         split = self.place_within(whole)
         places = [*result, *moved, *([] if particle is None else [particle])]
-        doer = worker_doing(self.tree, verb, self.lexicon) or person_due(self.tree, verb, self.lexicon)
+        doer = worker_doing(self.tree, verb) or person_due(self.tree, verb)
         stated = doer is None and self._is_stated(verb)
         subject = self._subject(verb) if doer is None else None
         direct, complement = self._named(verb, subject, whole[:split], result, stated=stated)
@@ -79,7 +79,7 @@ class Reader(Particles):
             # "It needs an hour in the oven"
             direct = None
         if subject is not None and (stated or direct is None or self._is_needed_by(verb)):
-            acted = self._is_needed_by(verb) or others_do(self.tree, verb, self._helping(verb), self.lexicon)
+            acted = self._is_needed_by(verb) or others_do(self.tree, verb, self._helping(verb))
             return subject, complement or (direct if acted else None)
         if subject is not None and self.tree.nodes[verb].lemma == "be":
             # "The coffee should be ready by then"

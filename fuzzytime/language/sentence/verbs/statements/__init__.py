@@ -1,4 +1,4 @@
-"""What is only told: ``statements``, with their ``statement_trees`` and ``plural_statements``.
+"""What is only told: ``statements``, with their ``statement_trees``.
 
 Who is ``called`` and acts, and who is ``stated`` to do it.
 """

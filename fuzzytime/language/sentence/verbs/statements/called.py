@@ -11,7 +11,7 @@ ACTED = frozenset({"while", "when", "if"})
 """Kinds of clauses that name no event: somebody does something in them."""
 
 
-def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
+def with_called(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give the tree of "room 12 checks out at ten" its verb, which was taken for a plural.
 
     ``timed`` are the words about time: one stands right behind the verb, or behind its particle.
@@ -21,9 +21,9 @@ def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
     if verb + 1 >= len(tree.nodes):
         return tree
     name, called, acting = tree.nodes[first : verb + 1]
-    if not _acts(name, called, acting, lexicon):
+    if not _acts(name, called, acting, tree.lexicon):
         return tree
-    particle = verb + 1 if tree.nodes[verb + 1].lower in lexicon.particles else None
+    particle = verb + 1 if tree.nodes[verb + 1].lower in tree.lexicon.particles else None
     behind = verb + 1 if particle is None or verb + 1 in timed else verb + 2
     if behind not in timed:
         return tree
@@ -43,15 +43,15 @@ def _acts(name: Node, called: Node, word: Node, lexicon: Lexicon) -> bool:
     return finite and sure
 
 
-def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
+def worker_doing(tree: Tree, verb: int) -> str | None:
     """Give who does it, called by a number: "robot 2 cleans the tank"; None where nobody is.
 
     "Machine 3 starts at nine" asks for nothing.
     """
-    closed = lexicon.closed
+    closed = tree.lexicon.closed
     node = tree.nodes[verb]
     helping = tree.said(tree.children(verb, "aux"))
-    if node.lower in lexicon.doing.timed and not tree.children(verb, "dobj"):
+    if node.lower in tree.lexicon.doing.timed and not tree.children(verb, "dobj"):
         return None
     if not helping <= closed.future | closed.obligation | {"to", "can"} or tree.children(verb, "auxpass"):
         return None
@@ -59,17 +59,18 @@ def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
         for first in (place - 1, place):
             name = tree.nodes[max(first, 0) : first + 2]
             numbered = len(name) == 2 and name[1].tag == "CD" and name[1].text.isdigit()
-            if first >= 0 and numbered and name[0].lower in lexicon.workers and first + 1 < verb:
+            if first >= 0 and numbered and name[0].lower in tree.lexicon.workers and first + 1 < verb:
                 acts = node.tag in {"VBZ", "VBP"} or helping
                 return " ".join(part.text for part in name) if acts else None
     return None
 
 
-def person_due(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
+def person_due(tree: Tree, verb: int) -> str | None:
     """Give who must do something with a thing: "Tim must hand in his homework"; None for nobody.
 
     So it is who is asked for: "can Tim wash the car".
     """
+    lexicon = tree.lexicon
     over = tree.nodes[verb].head if tree.nodes[verb].relation == "xcomp" else verb
     helping = tree.said(tree.children(verb, "aux")) - {"to"}
     helping |= set() if over == verb else {tree.nodes[over].lower}
@@ -86,23 +87,23 @@ def person_due(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
     return tree.text[tree.nodes[tree.reach(subjects[0])[0]].start : name.end] if named and led else None
 
 
-def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
+def with_worker(tree: Tree) -> Tree:
     """Give the tree of "robot 3 docks at noon" its verb, which was taken for a plural."""
     root = tree.root
-    verb = next((p for p in (root, root + 2) if _is_numbered(tree, p, lexicon)), None)
+    verb = next((p for p in (root, root + 2) if _is_numbered(tree, p)), None)
     if verb is None:
         return tree
     return _acting(tree, verb, {root})
 
 
-def with_event(tree: Tree, lexicon: Lexicon) -> Tree:
+def with_event(tree: Tree) -> Tree:
     """Give the tree of "charge drone 2 when drone 1 lands" the verb of its clause, taken for a plural."""
     for verb in range(3, len(tree.nodes)):
         marker, name, called, word = tree.nodes[verb - 3 : verb + 1]
         own = {verb - 2, verb - 1, verb}
         outside = [node.head for node in (name, called, word) if node.head not in own]
-        begins = (marker.lower,) in lexicon.clauses and word.tag == "NNS"
-        if begins and outside and tree.root not in own and _acts(name, called, word, lexicon):
+        begins = (marker.lower,) in tree.lexicon.clauses and word.tag == "NNS"
+        if begins and outside and tree.root not in own and _acts(name, called, word, tree.lexicon):
             told = _acting(tree, verb, {verb - 2}).changed(verb, head=outside[0], relation="advcl")
             return told.changed(verb - 3, head=verb, relation="advmod")
     return tree
@@ -119,24 +120,24 @@ def _acting(tree: Tree, verb: int, heads: AbstractSet[int | None]) -> Tree:
     return tree.changed(verb - 1, head=verb - 2, relation="nummod")
 
 
-def _is_numbered(tree: Tree, place: int | None, lexicon: Lexicon) -> bool:
+def _is_numbered(tree: Tree, place: int | None) -> bool:
     """Whether a plural that may be a verb stands right behind a worker's number."""
     if place is None or not 2 <= place < len(tree.nodes):
         return False
     name, number, word = tree.nodes[place - 2 : place + 1]
-    return word.tag == "NNS" and word.may_act and name.lower in lexicon.workers and number.text.isdigit()
+    return word.tag == "NNS" and word.may_act and name.lower in tree.lexicon.workers and number.text.isdigit()
 
 
-def with_clause(tree: Tree, lexicon: Lexicon) -> Tree:
+def with_clause(tree: Tree) -> Tree:
     """Give the tree of "while Dad milks" its verb, taken for a plural, which hardly stands behind "while"."""
     for verb in range(2, len(tree.nodes)):
         word, name = tree.nodes[verb], tree.nodes[verb - 1]
         first = verb - 1
         while first > 0 and tree.nodes[first - 1].tag in {"DT", "PRP$"}:
             first -= 1
-        kind = lexicon.clauses.get((tree.nodes[first - 1].lower,)) if first else None
+        kind = tree.lexicon.clauses.get((tree.nodes[first - 1].lower,)) if first else None
         ends = verb + 1 == len(tree.nodes) or not tree.nodes[verb + 1].text[0].isalnum()
-        named = name.tag == "NNP" or name.lower in lexicon.persons
+        named = name.tag == "NNP" or name.lower in tree.lexicon.persons
         plural = (
             word.tag in {"NNS", "NNPS"} and word.may_act and word.lower.endswith("s") and name.head == verb
         )

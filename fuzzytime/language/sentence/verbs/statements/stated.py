@@ -39,7 +39,7 @@ class Stated(Places):
             helping = self.tree.said(self.tree.children(verb, "aux"))
             return (
                 alone
-                if alone in closed.third_person_singular and others_do(self.tree, verb, helping, self.lexicon)
+                if alone in closed.third_person_singular and others_do(self.tree, verb, helping)
                 else None
             )
         return self.said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
@@ -189,7 +189,7 @@ class Stated(Places):
             # "It gets cold after nine"
             return True
         helping = self._helping(verb)
-        if others_do(self.tree, verb, helping, self.lexicon) or self._exists(verb, helping):
+        if others_do(self.tree, verb, helping) or self._exists(verb, helping):
             return True
         if self._is_foretold(verb, helping):
             return True

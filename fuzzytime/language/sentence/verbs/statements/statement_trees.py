@@ -4,8 +4,10 @@ from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
-from fuzzytime.language.sentence.verbs.statements.plural_statements import is_led_by_plural, with_plural
 from fuzzytime.language.sentence.verbs.statements.statements import behind_particles, plural_subject
+
+BESIDE_NAMES = frozenset({"IN", "DT", "PRP$", "JJ", "NN", "NNP", "CD"})
+"""Tags of words that say where those are who do something: "the guests in room 12"."""
 
 
 def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str]) -> Tree:
@@ -217,3 +219,26 @@ def _with_one_doing(tree: Tree) -> Tree | None:
 def singular_verb(verb: str) -> str:
     """Give the bare form of a verb in -s."""
     return verb[:-2] if verb.endswith(("sses", "shes", "ches", "xes")) else verb[:-1]
+
+
+def with_plural(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give the tree of "the shops open at nine" its verb, which was taken for how they are."""
+    root = tree.root
+    if tree.nodes[root].tag != "NNS" or not tree.children(root, "det", "poss"):
+        return tree
+    verb = root + 1
+    if (
+        verb + 1 not in timed
+        or tree.nodes[verb].lower not in tree.lexicon.doing.several_timed
+        or tree.nodes[verb].head != root
+    ):
+        return tree
+    told = tree.hung((p for p in tree.children(root) if p > verb), verb)
+    told = told.changed(verb, tag="VBP", lemma=tree.nodes[verb].lower, head=verb, relation="ROOT")
+    return told.changed(root, head=verb, relation="nsubj")
+
+
+def is_led_by_plural(tree: Tree, verb: int) -> bool:
+    """Whether several who do something stand before a word that may be a verb, with where they are."""
+    led = (p for p in tree.children(verb, "nsubj") if tree.nodes[p].tag == "NNS" and p < verb)
+    return any(all(node.tag in BESIDE_NAMES for node in tree.nodes[p + 1 : verb]) for p in led)

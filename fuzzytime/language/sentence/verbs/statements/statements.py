@@ -2,7 +2,6 @@
 
 from collections.abc import Set as AbstractSet
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -82,12 +81,7 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     joint = start - 1
     if joint > 0 and tree.nodes[joint].lower == "and" and tree.nodes[joint - 1].text == ",":
         joint -= 1
-    joined = joint > 0 and tree.nodes[start - 1].lower in {
-        *closed.joints_of_consequence,
-        "and",
-        "&",
-        "but",
-    }
+    joined = joint > 0 and tree.nodes[start - 1].lower in {*closed.joints_of_consequence, "and", "&", "but"}
     # "Light the fire before we get back, we'll be home by six"
     speaks = (
         tree.nodes[start].lower in closed.plural_agreement
@@ -245,11 +239,12 @@ def _has_thing(tree: Tree, verb: int) -> bool:
     return bool(tree.children(verb, "dobj")) and not tree.children(verb, "xcomp", "ccomp")
 
 
-def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon) -> bool:
+def others_do(tree: Tree, verb: int, helping: AbstractSet[str]) -> bool:
     """Whether somebody who is named does it, and is not asked to: "the kids finish school at three".
 
     ``helping`` are the verbs that help it.
     """
+    lexicon = tree.lexicon
     closed, beside = lexicon.closed, lexicon.beside
     node = tree.nodes[verb]
     subjects = [tree.nodes[p] for p in tree.children(verb, "nsubj") if p < verb]

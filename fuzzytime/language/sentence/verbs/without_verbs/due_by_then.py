@@ -22,13 +22,7 @@ PLURALS = frozenset({"NNS", "VBZ"})
 
 
 def due_by_then(
-    tree: Tree,
-    due: Collection[int],
-    moments: Collection[int],
-    timed: Collection[int],
-    lexicon: Lexicon,
-    *,
-    listed: bool = False,
+    tree: Tree, due: Collection[int], moments: Collection[int], timed: Collection[int], *, listed: bool
 ) -> Operation | None:
     """Give what a thing must have become, or where it must be, by the deadline right behind that.
 
@@ -37,7 +31,7 @@ def due_by_then(
     something must be done with things that have no article: "actors called for 14:00"; and at a moment where
     it is ``listed`` among what is to come: "fish delivered 9.30", "Ella dropped off 8.15".
     """
-    nodes = tree.nodes
+    lexicon, nodes = tree.lexicon, tree.nodes
     whole = bool(nodes) and nodes[0].lower in lexicon.closed.universal_determiners and len(nodes) > 1
     first = 1 if nodes and (nodes[0].tag in DETERMINERS or (whole and nodes[1].tag in NOUNS | PLURALS)) else 0
     end = next((place for place in range(first, len(nodes)) if place in timed), len(nodes))

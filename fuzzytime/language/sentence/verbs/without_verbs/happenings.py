@@ -19,18 +19,19 @@ NAMES = ("NN", "VBG", "CD")
 NOUN_TAGS = frozenset({"NN", "NNS"})
 
 
-def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
+def happens(tree: Tree, phrases: Sequence[Phrase]) -> bool:
     """Whether a tree names what has a time, and nobody does anything.
 
     Its root is a noun for that; or any noun for one thing beside two clock times ("physio from two to
     three"), or one that is no verb beside a clock time in a list.
     """
+    lexicon = tree.lexicon
     root = tree.root
-    if _is_frame(tree, phrases, lexicon):
+    if _is_frame(tree, phrases):
         return True
     if not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
         return False
-    if _opens_order(tree, lexicon):
+    if _opens_order(tree):
         return False
     if tree.nodes[root].lower in lexicon.happening | lexicon.taken:
         return True
@@ -48,35 +49,35 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
     listed = listed or (_is_several(tree, root) and any(map(_is_typed, phrases)))
     # "Incision at eight"
-    named = _is_noun(tree, root) or _is_counted(tree, root, lexicon) or _is_of_nouns(tree, root, lexicon)
+    named = _is_noun(tree, root) or _is_counted(tree, root) or _is_of_nouns(tree, root)
     listed = listed or (named and any(is_at_clock(one) or _is_at_part(one) for one in phrases))
     # "Status page update every 30 minutes", "backups every night"
     behind = {node.lower for node in tree.nodes[root + 1 : root + 2]} & lexicon.closed.universal_determiners
     repeated = bool(behind) and any(isinstance(phrase.said.time, Repeat) for phrase in phrases)
     single = tree.nodes[root].tag in NOUN_TAGS and _is_noun(tree, root)
-    listed = listed or (repeated and (single or _is_of_nouns(tree, root, lexicon)))
+    listed = listed or (repeated and (single or _is_of_nouns(tree, root)))
     return listed or (tree.nodes[root].tag in SINGULAR and any(map(is_window, phrases)))
 
 
-def _opens_order(tree: Tree, lexicon: Lexicon) -> bool:
+def _opens_order(tree: Tree) -> bool:
     """Whether the first word is what somebody is to do, whatever noun a tree takes it for."""
     first, behind = tree.nodes[0], tree.nodes[1:2]
-    if behind and _leads_particle(tree, lexicon):
+    if behind and _leads_particle(tree):
         # "Sign in the visitors between nine and ten"
         return True
-    if tree.root and first.lower in lexicon.appointing:
+    if tree.root and first.lower in tree.lexicon.appointing:
         # "Schedule lunch at noon" asks for it.
         return True
     if tree.root == 0 and any(node.tag in {"DT", "PRP$"} for node in behind):
         # "Book the meeting room from three to four": no noun stands right before an article.
         return True
     # "Text Jo Smith at five"
-    return first.lower in lexicon.addressing and any(_is_person(node, lexicon) for node in behind)
+    return first.lower in tree.lexicon.addressing and any(_is_person(node, tree.lexicon) for node in behind)
 
 
-def _is_frame(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
+def _is_frame(tree: Tree, phrases: Sequence[Phrase]) -> bool:
     """Whether one word alone names what goes on from when to when: "shift 14-22"; but "harvest 9-12"."""
-    names = lexicon.frames - lexicon.chores - lexicon.alone
+    names = tree.lexicon.frames - tree.lexicon.chores - tree.lexicon.alone
     alone = tree.root == 0 and not tree.children(0, *DOING, "prep", "det")
     return alone and tree.nodes[0].lower in names and len(phrases) == 1 and is_window(phrases[0])
 
@@ -92,11 +93,13 @@ def _is_person(node: Node, lexicon: Lexicon) -> bool:
     return node.tag == "NNP" or node.lower in lexicon.persons | lexicon.names_like_words
 
 
-def _leads_particle(tree: Tree, lexicon: Lexicon) -> bool:
+def _leads_particle(tree: Tree) -> bool:
     """Whether the first word is a verb by the word behind it, as is one that is no noun with a thing."""
     if tree.root and (len(tree.nodes) < 3 or tree.nodes[2].tag not in DETERMINERS):
         return False
-    return tree.nodes[0].may_act and tree.nodes[0].lower in lexicon.particles.get(tree.nodes[1].lower, ())
+    return tree.nodes[0].may_act and tree.nodes[0].lower in tree.lexicon.particles.get(
+        tree.nodes[1].lower, ()
+    )
 
 
 def _is_noun(tree: Tree, root: int) -> bool:
@@ -113,14 +116,15 @@ def _is_several(tree: Tree, root: int) -> bool:
     return node.tag == "NNS" and node.text.isalpha() and node.lower != node.lemma and nouns
 
 
-def _is_counted(tree: Tree, root: int, lexicon: Lexicon) -> bool:
+def _is_counted(tree: Tree, root: int) -> bool:
     """Whether words name one of several, which no order is: "last orders at 9:45", "second coffee"."""
-    led = tree.nodes[0].lower in lexicon.ordinals.keys() | lexicon.closed.ends_of_rows
+    led = tree.nodes[0].lower in tree.lexicon.ordinals.keys() | tree.lexicon.closed.ends_of_rows
     return led and root > 0 and all(node.tag in NOUN_TAGS for node in tree.nodes[1 : root + 1])
 
 
-def _is_of_nouns(tree: Tree, root: int, lexicon: Lexicon) -> bool:
+def _is_of_nouns(tree: Tree, root: int) -> bool:
     """Whether words are nouns of which the first cannot be ordered, nor do it: "status page update"."""
+    lexicon = tree.lexicon
     first = tree.nodes[0]
     others = lexicon.machines | lexicon.persons | lexicon.workers | lexicon.entries.keys()
     named = first.tag in {"NN", "NNS"} and not first.may_act and first.lower not in others
@@ -134,14 +138,13 @@ def may_be_ordered(tree: Tree) -> bool:
     return tree.root != 0 and bare and first.tag in {"JJ", "NNP", "VB", "VBP"}
 
 
-def happening_at(
-    root: int, tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: Lexicon
-) -> Operation:
+def happening_at(root: int, tree: Tree, phrases: Sequence[Phrase], names: Places) -> Operation:
     """Give what happens, which a tree's root names beside its time.
 
     Who speaks takes part in what keeps people from all else, and in what is said from when to when, unless
     that goes on around other work, or is awaited.
     """
+    lexicon = tree.lexicon
     node = tree.nodes[root]
     spans = any(phrase.said.constraint is Constraint.BETWEEN or is_window(phrase) for phrase in phrases)
     words = [place for place in sorted(tree.below(root)) if not names.timed(place)]
@@ -161,15 +164,13 @@ def happening_at(
     )
 
 
-def given_new_time(
-    tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: Lexicon
-) -> Operation | None:
+def given_new_time(tree: Tree, phrases: Sequence[Phrase], names: Places) -> Operation | None:
     """Give what happens at the time that it was moved to: "the dentist has been moved to four"."""
-    moved = (tree.nodes[tree.root].lower,) in lexicon.conversation["rescheduled"]
+    moved = (tree.nodes[tree.root].lower,) in tree.lexicon.conversation["rescheduled"]
     if not moved or not any(phrase.said.preposition == "to" for phrase in phrases):
         return None
     subjects = [p for p in tree.children(tree.root, *SUBJECTS) if tree.nodes[p].tag.startswith("NN")]
-    return happening_at(subjects[0], tree, phrases, names, lexicon) if subjects else None
+    return happening_at(subjects[0], tree, phrases, names) if subjects else None
 
 
 def _is_clock_alone(phrase: Phrase) -> bool:

@@ -6,7 +6,6 @@ behind such a name stands its time alone.
 
 from collections.abc import Collection, Sequence
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Wall
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
@@ -24,11 +23,11 @@ COMPOUND = "compound"
 PLURAL = "NNS"
 
 
-def with_named_deed(tree: Tree, timed: Collection[int], lexicon: Lexicon) -> Tree:
+def with_named_deed(tree: Tree, timed: Collection[int]) -> Tree:
     """Give the tree of such a name a noun for its root."""
     root = tree.root
     first = _first_word(tree, timed)
-    if tree.nodes[root].tag == "NN" or not names_deed(tree, first, root, lexicon):
+    if tree.nodes[root].tag == "NN" or not names_deed(tree, first, root):
         return tree
     apart = [place for place in range(len(tree.nodes)) if not first <= place <= root]
     alone = all(place in timed or not tree.nodes[place].text[0].isalnum() for place in apart)
@@ -44,12 +43,10 @@ def _first_word(tree: Tree, timed: Collection[int]) -> int:
     return next((place for place in range(len(tree.nodes)) if place not in timed), 0)
 
 
-def deed_at(
-    tree: Tree, timed: Collection[int], phrases: Sequence[Phrase], lexicon: Lexicon
-) -> Operation | None:
+def deed_at(tree: Tree, timed: Collection[int], phrases: Sequence[Phrase]) -> Operation | None:
     """Give a deed that is named beside its clock time: it takes as long as what its last word asks for."""
     root, start = tree.root, _first_word(tree, timed)
-    if tree.nodes[root].tag != "NN" or not names_deed(tree, start, root, lexicon):
+    if tree.nodes[root].tag != "NN" or not names_deed(tree, start, root):
         return None
     if any(not _is_of_name(node) for node in tree.nodes[start:root]) or not any(map(_is_clocked, phrases)):
         return None
@@ -65,7 +62,7 @@ def _is_of_name(node: Node) -> bool:
 
 
 def chores_at(
-    tree: Tree, timed: Collection[int], phrases: Sequence[Phrase], lexicon: Lexicon, *, led: bool
+    tree: Tree, timed: Collection[int], phrases: Sequence[Phrase], *, led: bool
 ) -> Operation | None:
     """Give what is done with things that alone are named beside when: "the dishes after dinner".
 
@@ -76,8 +73,8 @@ def chores_at(
     if not named or not (led or any(map(_tells_when, phrases))):
         return None
     root = tree.nodes[tree.root]
-    several = root.tag == PLURAL and lexicon.persons.isdisjoint((root.lower, root.lemma))
-    done = several or (root.lower,) in lexicon.conversation["by itself"]
+    several = root.tag == PLURAL and tree.lexicon.persons.isdisjoint((root.lower, root.lemma))
+    done = several or (root.lower,) in tree.lexicon.conversation["by itself"]
     if named[-1] != tree.root or not done:
         return None
     if any(not _describes(tree.nodes[place], first=place == named[0]) for place in named[:-1]):
@@ -106,8 +103,9 @@ def _is_clocked(phrase: Phrase) -> bool:
     return isinstance(time, Range) or phrase.said.wall.clock is not None
 
 
-def names_deed(tree: Tree, start: int, root: int, lexicon: Lexicon) -> bool:
+def names_deed(tree: Tree, start: int, root: int) -> bool:
     """Whether words name one deed, up to the last, which may be a verb: "first shot", but no "paint shed"."""
+    lexicon = tree.lexicon
     node, first = tree.nodes[root], tree.nodes[start].lower
     if not 0 < root - start <= LONGEST or node.tag not in BARE or not node.may_act:
         return False
@@ -127,14 +125,15 @@ def names_deed(tree: Tree, start: int, root: int, lexicon: Lexicon) -> bool:
         and node.lower not in moves - deeds
         and all(
             # Whom one asks, one asks to shoot.
-            _names(tree, place, start, lexicon) or (past and tree.nodes[place].lower in lexicon.machines)
+            _names(tree, place, start) or (past and tree.nodes[place].lower in lexicon.machines)
             for place in range(start, root)
         )
     )
 
 
-def _names(tree: Tree, place: int, start: int, lexicon: Lexicon) -> bool:
+def _names(tree: Tree, place: int, start: int) -> bool:
     """Whether a word before it names one thing, and nobody who would do it."""
+    lexicon = tree.lexicon
     node = tree.nodes[place]
     if node.relation == COMPOUND and node.lower in lexicon.taken:
         # "Vet visit 10am"

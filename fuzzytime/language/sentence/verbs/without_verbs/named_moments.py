@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.phrases import is_at_clock
@@ -12,12 +11,13 @@ LONGEST = 4
 """Words in front of what ends such a name, fewer than that."""
 
 
-def named_moment(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon, offset: int) -> Operation | None:
+def named_moment(tree: Tree, phrases: Sequence[Phrase], offset: int) -> Operation | None:
     """Give what happens at the one clock time of a line, which names nothing else than that moment.
 
     ``offset`` is where the tree begins in the text. No order has a bare "time" beside a clock time without a
     preposition; "make time at six" is one.
     """
+    lexicon = tree.lexicon
     if len(phrases) != 1 or not is_at_clock(phrases[0]):
         return None
     timed = set(tree.at(phrases[0].span[0] - offset, phrases[0].span[1] - offset))

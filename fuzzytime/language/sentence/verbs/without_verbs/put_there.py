@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree
@@ -15,11 +14,12 @@ THINGS = frozenset({"NN", "NNS", "VBZ"})
 """Tags of things: a plural in front is often taken for what one does."""
 
 
-def put_there(tree: Tree, timed: Sequence[int], lexicon: Lexicon) -> Operation | None:
+def put_there(tree: Tree, timed: Sequence[int]) -> Operation | None:
     """Give what is named with "in" or "on" and a time behind it as to be put there; None for all else.
 
     Who comes in does so alone ("mum in at six"), and what happens is on ("dinner on at six").
     """
+    lexicon = tree.lexicon
     nodes = tree.nodes
     first = 1 if nodes and nodes[0].tag in DETERMINERS else 0
     place = next((p for p in range(first + 1, len(nodes)) if nodes[p].lower in PLACES), 0)
