@@ -72,6 +72,8 @@ class Lexicon:
         out or doubled: that is pointed at.
     orders
         Verbs of what is done at home, which trees may have for nouns: "order pizza", "bath ella".
+    people
+        Words that somebody is called by, also those that are other words as well: "will", "rose".
     needing_nothing
         Verbs that need no object: those that take none, and those of what is done and names no thing.
     called_by_number
@@ -168,6 +170,7 @@ class Lexicon:
     usual_hours: Forms[Hours]
     policy: Policy = field(default_factory=Policy)
     orders: frozenset[str] = field(init=False)
+    people: frozenset[str] = field(init=False)
     needing_nothing: frozenset[str] = field(init=False)
     called_by_number: frozenset[str] = field(init=False)
 
@@ -175,6 +178,7 @@ class Lexicon:
         alone = self.chores | self.ordering | self.alone | self.causing - self.wanting
         orders = alone.union(self.doing.by_the_day, self.doing.by_then, self.doing.of_events)
         object.__setattr__(self, "orders", orders)
+        object.__setattr__(self, "people", self.persons | self.names_like_words)
         object.__setattr__(self, "needing_nothing", self.intransitive | self.doing.naming_nothing)
         numbered = self.measure_nouns | self.machines | self.no_times.numbered
         object.__setattr__(self, "called_by_number", numbered)

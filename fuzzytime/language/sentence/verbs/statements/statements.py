@@ -146,7 +146,7 @@ def _start_of_statement(tree: Tree, place: int) -> int | None:
     coming = node.tag == "VB" and bool(helping) and helping <= closed.future
     if (node.tag in FINITE - {"VBG"} or coming) and subjects:
         return min(tree.below(subjects[-1]))
-    if node.lower in doing.timed | {phase[:-1] for phase in doing.timed} and place > 0:
+    if place > 0 and (node.lower in doing.timed or f"{node.lower}s" in doing.timed):
         # "The last bus leaves", "doors open"
         # "The next leaves at eleven"
         known = (
