@@ -118,8 +118,8 @@ def is_whom(place: int, around: Surroundings) -> bool:
         or (joint in {"after", "for"} and before in kinds.looking)
     ):
         return True
-    moved = around.lexicon.moving | around.lexicon.rescheduling
-    given = not kinds.handing.isdisjoint(texts[:place]) and moved.isdisjoint(texts[:place])
+    moved = not around.lexicon.rescheduling.isdisjoint(texts[:place])
+    given = not kinds.handing.isdisjoint(texts[:place]) and not moved
     given = given and before not in around.beside.put_off and not around.is_day(place - 1)
     return joint == "to" and given
 

@@ -208,7 +208,7 @@ def _said_before(pronoun: str | None, anchors: Anchors, sketch: Sketch) -> str |
 def _are_others(clause: Clause, thing: str | None, lexicon: Lexicon) -> bool:
     """Whether "they" in a clause are not what is done something with, which is one thing."""
     subject = None if clause.condition is None else clause.condition.subject
-    several = subject in lexicon.closed.plural_anaphors | lexicon.closed.plural_person
+    several = subject in lexicon.closed.plural_anaphors
     return several and thing is not None and not is_several(thing, lexicon)
 
 
