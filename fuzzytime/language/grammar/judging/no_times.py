@@ -54,7 +54,7 @@ class NoTime(Standing):
             or self._is_reckoned(piece)
             or self._is_of_period(piece)
             or self._is_adjective(piece)
-            or self._is_name_of_person(piece)
+            or self.around.names_person(piece.start)
             or self._is_person(piece)
             or self._is_of_played(piece)
             or self._ends_name(piece)
@@ -174,10 +174,6 @@ class NoTime(Standing):
         if isinstance(piece.value.time, Repeat):
             return last == "minute" and follower in self.lexicon.no_times.tiny
         return self.is_ambiguous(piece.end - 1) and follower in self.lexicon.no_times.adjectives
-
-    def _is_name_of_person(self, piece: Piece) -> bool:
-        """Whether it begins with who is called: "ring aunt may on sunday"; but "call me may 5"."""
-        return self.around.names_person(piece.start)
 
     def _is_person(self, piece: Piece) -> bool:
         """Whether what is short for an edge is a person without capitals: "feed the boy"; but "by BOY"."""
