@@ -8,12 +8,12 @@ from fuzzytime.language.grammar.judging.look_alikes.proper_names import (
     has_surname,
     is_called_like_day,
     is_event_of_weekday,
+    is_typed_name,
     is_whom,
     names_in,
 )
 from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_spoken_of
 from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_of_street
-from fuzzytime.language.grammar.judging.look_alikes.typed_names import is_typed_name
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall, wall_of
 from fuzzytime.requirement import Unit

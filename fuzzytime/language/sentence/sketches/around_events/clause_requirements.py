@@ -8,9 +8,9 @@ from fuzzytime.language.instruction import Operation, Remark, RemarkKind
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.comparisons import comparisons_in
 from fuzzytime.language.sentence.references.anchors import Anchors
-from fuzzytime.language.sentence.references.every_one import every_one, names_each
 from fuzzytime.language.sentence.references.left_inside import edge_inside, left_inside
 from fuzzytime.language.sentence.references.meals import meal_of
+from fuzzytime.language.sentence.references.several import every_one, names_each
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.around_events.at_events import untold
 from fuzzytime.language.sentence.sketches.meaning.pronouns import resolved_object
