@@ -37,6 +37,9 @@ BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 MOMENTS = frozenset({None, Constraint.AT})
 """How times bind that say when, with a preposition or without."""
 
+BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
+"""How times bind that bound when something is done, from one side or from both."""
+
 
 class Unit(StrEnum):
     """Units of time in speech; as a grain, the finest one that a wall-clock expression names."""

@@ -145,7 +145,7 @@ def find_times(
     phrases = tuple(denied(scanned.words, phrases_of(scanned), words))
     times = ground_all(phrases, text, moment)
     left = leftovers(scanned, [phrase.span for phrase in phrases])
-    return replace(times, remarks=(*times.remarks, *left))
+    return replace(times, remarks=(*times.remarks, *left)) if left else times
 
 
 def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:

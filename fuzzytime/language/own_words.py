@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Entry, Preposition, form_of
+from fuzzytime.language.grammar.lexicon import Entry, Forms, Preposition, form_of
 from fuzzytime.language.meaning.expressions import Edge, Said, TimeWord
 from fuzzytime.language.reader import Language
 from fuzzytime.requirement import Constraint
@@ -59,7 +59,7 @@ def with_words(
     markers = {form_of(name): kind for name, kind in (clauses or {}).items()}
     if not new and markers.keys() <= language.lexicon.clauses.keys():
         return language
-    lexicon = replace(language.lexicon, entries=more, clauses={**markers, **language.lexicon.clauses})
+    lexicon = replace(language.lexicon, entries=more, clauses=Forms({**markers, **language.lexicon.clauses}))
     return replace(language, lexicon=lexicon)
 
 

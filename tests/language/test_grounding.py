@@ -165,6 +165,7 @@ def test_questions_are_asked_unless_the_policy_forbids() -> None:
     assert find_times("at six", WEDNESDAY, lexicon).questions == ()
     assert find_times("at six", WEDNESDAY).questions != ()
     assert find_times("at six pm", WEDNESDAY).questions == ()
+    assert find_times("no later than eleven hundred hours", WEDNESDAY).questions == ()
 
 
 @pytest.mark.parametrize(

@@ -227,3 +227,34 @@ def test_a_number_that_may_be_the_hour_is_said_to_count(text: str, said: list[st
 def test_an_hour_behind_a_thing_is_said_to_be_none(text: str, said: list[str]) -> None:
     remarks = language().read(text, now=NOW).remarks
     assert [text[slice(*r.span)] for r in remarks if "not taken as a time" in r.message] == said
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("don't ring before ten, she's sleeping", "she's sleeping"),
+        ("close the windows, it's raining", "it's raining"),
+        ("don't touch the pan, it's hot", "it's hot"),
+        ("wake me at four, I'm having a nap", "I'm having a nap"),
+        (
+            "start the dishwasher after ten tonight, electricity is cheaper then",
+            "electricity is cheaper then",
+        ),
+        ("call me after nine, I'm in a meeting until then", "I'm in a meeting until then"),
+        ("the kettle is boiling, make the tea", "the kettle is boiling"),
+    ],
+)
+def test_how_things_are_is_told_and_not_to_be_done(text: str, why: str) -> None:
+    reading = language().read(text, now=NOW)
+    asked, told = sorted(reading.instructions, key=lambda one: one.operation is None)
+    assert asked.operation is not None and not asked.operation.stated
+    assert told.operation is None
+    assert f"{why!r} tells how things are, and says nothing to do" in [r.message for r in reading.remarks]
+
+
+@pytest.mark.parametrize(
+    "text", ["ring at ten, she's leaving at eleven", "the guests are coming in an hour, light the fire"]
+)
+def test_what_is_so_at_its_own_time_happens_then(text: str) -> None:
+    instructions = language().read(text, now=NOW).instructions
+    assert sorted(one.operation is not None and one.operation.stated for one in instructions) == [False, True]

@@ -102,7 +102,7 @@ def behind_what_is_told(text: str, now: datetime, lexicon: Lexicon) -> tuple[str
 def _without_request(said: Said) -> Said:
     """Leave out what makes a question or a suggestion of an order: "could we", "let's"."""
     questions = said.lexicon.questions
-    opening = questions["requesting"] | questions["suggesting"] | said.table("letting")
+    opening = {*questions["requesting"], *questions["suggesting"], *said.table("letting")}
     form = longest_match(said.words, 0, opening)
     if form is not None and len(form) < len(said.words):
         return said.behind(len(form))
@@ -113,10 +113,8 @@ def _without_request(said: Said) -> Said:
 
 def _without_courtesies(said: Said) -> Said:
     """Leave out what opens a request, as it does a wish, and thanks: "could you please … thanks"."""
-    opening = {
-        *said.lexicon.courtesies,
-        *((word,) for word in said.lexicon.addresses),
-    } - said.lexicon.corrections
+    lexicon = said.lexicon
+    opening = {*lexicon.courtesies, *((word,) for word in lexicon.addresses)} - lexicon.corrections.keys()
     place = 0
     while form := longest_match(said.words, place, opening):
         if place + len(form) >= len(said.words):

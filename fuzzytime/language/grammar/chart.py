@@ -17,7 +17,7 @@ which bounds the work: no input makes it explode.
 
 import itertools
 import re
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple, TypeVar
 
@@ -46,8 +46,7 @@ class Rule(NamedTuple):
     weight: float
 
 
-@dataclass(frozen=True, slots=True)
-class Piece:
+class Piece(NamedTuple):
     """A stretch of words with a category and a meaning; ``start`` and ``end`` count words."""
 
     category: str
@@ -185,17 +184,18 @@ def _close(index: _Index, chart: "Chart", start: int, agenda: list[Piece]) -> No
         known[piece.end] = piece
         beginning = index.beginning(piece.category)
         for rule in beginning.single:
-            _make(rule, (piece,), cell, agenda)
-        if beginning.longer:
-            for second in chart.following(piece.end):
-                for symbol, choices in second.items():
-                    if symbol not in beginning.longer:
-                        continue
-                    behind = chart.behind(choices)
-                    for third, rule in beginning.longer[symbol]:
-                        # Most rules begin with what is there, and go on with what is not.
-                        if third is None or third in behind:
-                            _extend(chart, rule, (piece,), choices, agenda)
+            _make(rule, (piece,), piece.weight, cell, agenda)
+        if not beginning.longer:
+            continue
+        for place in chart.following(piece.end):
+            for symbol, choices in chart.cells[place].items():
+                if symbol not in beginning.longer:
+                    continue
+                behind = chart.behind(place, symbol)
+                for third, rule in beginning.longer[symbol]:
+                    # Most rules begin with what is there, and go on with what is not.
+                    if third is None or third in behind:
+                        _extend(chart, rule, (piece,), piece.weight, choices, agenda)
 
 
 class Chart:
@@ -203,44 +203,56 @@ class Chart:
 
     def __init__(self, words: Sequence[Word]) -> None:
         self.cells: list[Cell] = [{} for _ in range(len(words) + 1)]
-        self._jumps = [joins(words, place) for place in range(len(words))] + [False]
-        self._behind: dict[int, frozenset[str]] = {}
+        self._following = [
+            (place, place + 1) if joins(words, place) else (place,) for place in range(len(words))
+        ]
+        self._following.append((len(words),))
+        self._behind: dict[tuple[int, str], frozenset[str]] = {}
 
-    def following(self, end: int) -> tuple[Cell, ...]:
+    def following(self, end: int) -> tuple[int, ...]:
         """Give the cells at which the next piece may start; a hyphen that joins words may be passed over."""
-        if self._jumps[end]:
-            return self.cells[end], self.cells[end + 1]
-        return (self.cells[end],)
+        return self._following[end]
 
-    def behind(self, ends: Collection[int]) -> frozenset[str]:
-        """Give the categories of what may follow pieces that end at some words, whose cells are full."""
-        for end in ends:
-            if end not in self._behind:
-                self._behind[end] = frozenset().union(*self.following(end))
-        found = [self._behind[end] for end in ends]
-        return found[0] if len(found) == 1 else frozenset().union(*found)
+    def behind(self, place: int, category: str) -> frozenset[str]:
+        """Give the categories of what may follow the pieces of a category that start at a word.
+
+        The cells from that word on are full: it is asked about again and again.
+        """
+        key = place, category
+        if key not in self._behind:
+            cells = {cell for end in self.cells[place][category] for cell in self._following[end]}
+            self._behind[key] = frozenset().union(*(self.cells[cell] for cell in cells))
+        return self._behind[key]
 
 
 def _extend(
-    chart: Chart, rule: Rule, found: tuple[Piece, ...], choices: Mapping[int, Piece], agenda: list[Piece]
+    chart: Chart,
+    rule: Rule,
+    found: tuple[Piece, ...],
+    weight: float,
+    choices: Mapping[int, Piece],
+    agenda: list[Piece],
 ) -> None:
-    """Add each of some pieces to those found, and match the rest of a rule's symbols behind it."""
-    for piece in tuple(choices.values()):
-        if piece.end - found[0].start > LONGEST:
+    """Add each of some pieces to those found, and match the rest of a rule's symbols behind it.
+
+    ``weight`` is what the pieces found weigh together.
+    """
+    start, symbols, size = found[0].start, rule.symbols, len(found) + 1
+    for piece in choices.values():
+        if piece.end - start > LONGEST:
             continue
-        more = (*found, piece)
-        if len(more) == len(rule.symbols):
-            _make(rule, more, chart.cells[more[0].start], agenda)
+        more, heavier = (*found, piece), weight + piece.weight
+        if size == len(symbols):
+            _make(rule, more, heavier, chart.cells[start], agenda)
             continue
-        symbol = rule.symbols[len(more)]
-        for cell in chart.following(piece.end):
-            if symbol in cell:
-                _extend(chart, rule, more, cell[symbol], agenda)
+        for place in chart.following(piece.end):
+            if symbols[size] in chart.cells[place]:
+                _extend(chart, rule, more, heavier, chart.cells[place][symbols[size]], agenda)
 
 
-def _make(rule: Rule, found: tuple[Piece, ...], cell: Cell, agenda: list[Piece]) -> None:
+def _make(rule: Rule, found: tuple[Piece, ...], weight: float, cell: Cell, agenda: list[Piece]) -> None:
     """Make the piece of a rule whose symbols are all found, unless one is held that weighs as much."""
-    weight, end = rule.weight + sum([piece.weight for piece in found]), found[-1].end
+    weight, end = rule.weight + weight, found[-1].end
     held = cell[rule.category].get(end) if rule.category in cell else None
     if held is not None and held.weight >= weight:
         return

@@ -74,6 +74,9 @@ DATE_WORDS = 4
 OPENING = frozenset("([{@:;,<>=~")
 """Marks right behind which a typed date may begin: "(2026-03-28)", "due:2026-03-28"."""
 
+ONES = frozenset({"a", "one"})
+"""Words before a hundred or a thousand: one of it."""
+
 MARKS = frozenset({"-", "/", "."})
 DATES = frozenset({"n-n-n", "n/n", "n.n"})
 """Shapes whose first two numbers are month and day, in the order of the policy."""
@@ -188,6 +191,9 @@ def _typed_together(words: Sequence[Word], start: int) -> tuple[str, dict[int, i
 
 
 def _spoken(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piece]:
+    first = words[start].text
+    if not (first in lexicon.numbers or first in lexicon.ordinals or first in ONES):
+        return
     scan = _Scan(words, lexicon)
     for end, value in scan.cardinals(start):
         yield Piece("integer", start, end, Integer(value), 0.0, "number words")
@@ -229,7 +235,7 @@ class _Scan:
         """Give ends and values: "one hundred and thirty", "a hundred"."""
         heads = list(self.below_hundred(start))
         yield from heads
-        if self.text(start) in {"a", "one"}:
+        if self.text(start) in ONES:
             heads.append((start + 1, 1))
         for end, value in heads:
             place = self.after(end)

@@ -15,6 +15,7 @@ from fuzzytime.language.grammar.judging.walls.dated_entries import sure_in_front
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.quotes import quotes_in
+from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.timetables import holds_stretch
 from fuzzytime.language.grammar.typed_words import as_meant, with_marks
 from fuzzytime.language.grammar.understood.due import due_then
@@ -46,7 +47,7 @@ ROUNDS = 6
 
 @dataclass(frozen=True, slots=True)
 class Scanned:
-    """A text's words, everything the grammar finds in them, and the tables that it found it by.
+    """A text's words, everything the grammar finds in them, and what stands around each of them.
 
     At each of the places of ``hours`` stands a space or a point that is read as the mark of an hour.
     """
@@ -54,7 +55,7 @@ class Scanned:
     text: str
     words: tuple[Word, ...]
     cells: list[Cell]
-    lexicon: Lexicon = field(repr=False)
+    around: Surroundings = field(repr=False)
     hours: frozenset[int] = frozenset()
 
     @classmethod
@@ -64,16 +65,21 @@ class Scanned:
         """Apply a grammar to a text."""
         typed = typed_apart(with_marks(_with_quotes(text, grammar, lexicon), hours))
         words = as_meant(typed, lexicon)
-        lexical = {}
-        for start in range(len(words)):
-            found = [*numeral_pieces(words, start, lexicon), *lexicon.pieces(words, start)]
-            if found:
-                lexical[start] = found
-        return cls(text, words, grammar.parse(words, lexical), lexicon, hours)
+        around = Surroundings(words, lexicon)
+        lexical = {
+            start: [*numeral_pieces(words, start, lexicon), *around.pieces(start)]
+            for start in range(len(words))
+        }
+        return cls(text, words, grammar.parse(words, lexical), around, hours)
+
+    @property
+    def lexicon(self) -> Lexicon:
+        """The tables that its words were looked up in."""
+        return self.around.lexicon
 
     def pieces(self, category: str) -> list[Piece]:
         """Give all pieces of a category, by their start."""
-        return [piece for cell in self.cells for piece in cell.get(category, {}).values()]
+        return [piece for cell in self.cells if category in cell for piece in cell[category].values()]
 
 
 def _with_quotes(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Word]:
@@ -100,8 +106,7 @@ def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
 
 def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
     """Choose the times of a text."""
-    lexicon = scanned.lexicon
-    judge = Judge(scanned.words, lexicon)
+    lexicon, judge = scanned.lexicon, Judge(scanned.around)
     called = [
         piece
         for piece in scanned.pieces("called at")

@@ -189,9 +189,13 @@ class Midway:
 Time = Wall | Ending | Offset | Coming | Range | Midway | TimeWord | Rest | SameTime | HourMark
 
 
+NO_WALL = Wall()
+"""Nothing said by calendar and clock."""
+
+
 def wall_of(time: "Time | Duration | Repeat | None") -> Wall:
     """Give what of a time is said by calendar and clock: nothing, where it is of another kind."""
-    return time if isinstance(time, Wall) else Wall()
+    return time if isinstance(time, Wall) else NO_WALL
 
 
 @dataclass(frozen=True, slots=True)

@@ -40,6 +40,8 @@ def stacked_clock(first: Wall, second: Wall) -> Wall | None:
 
 def _behind_at(clock: Clock) -> Clock:
     """Give a clock time behind "at", whose number may be minutes: "the 19th at ten to six" is no range."""
+    if not (clock.bare or clock.minutes or clock.hours):
+        return clock
     return replace(clock, bare=False, minutes=clock.bare and clock.hour % ROUND == 0, hours=False)
 
 

@@ -53,11 +53,16 @@ def number(hour: Integer) -> Clock | None:
     "<integer> o'clock|oclock",
     "<integer> o ' clock",
     "<integer> o clock",
-    "<integer> hundred hours",
 )
 def oclock(hour: Integer) -> Clock | None:
-    """Six o'clock, fourteen hundred hours; (at) five hours."""
+    """Six o'clock; (at) five hours."""
     return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
+
+
+@grammar.rule("clock", "<integer> hundred hours|hrs")
+def hundreds(hour: Integer) -> Clock | None:
+    """Nine hundred hours, fourteen hundred hours: of the whole day."""
+    return Clock(hour.value % 24, full_day=True) if hour.value <= 24 else None
 
 
 @grammar.rule("unfinished", "<integer> o'clock|oclock", "<integer> <meridiem>")
@@ -126,10 +131,10 @@ def four_digits_with_hours(hour: Integer) -> Clock | None:
     return military(hour) if len(hour.digits) == FULL_DIGITS else None
 
 
-@grammar.rule("four digits with hours", "<integer> hundred hours")
+@grammar.rule("four digits with hours", "<integer> hundred hours|hrs")
 def hundreds_with_hours(hour: Integer) -> Clock | None:
     """(before) twenty hundred hours: "two thousand hours" is a length."""
-    return oclock(hour) if hour.value >= EARLIEST_HUNDREDS else None
+    return hundreds(hour) if hour.value >= EARLIEST_HUNDREDS else None
 
 
 # Behind "at", and only there, these are clock times.

@@ -1,7 +1,5 @@
 """What stands right before and behind a reading and makes it no time, whatever kind of time it would be."""
 
-from dataclasses import replace
-
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.beside.cuts import Cuts
 from fuzzytime.language.grammar.judging.beside.dining import Dining
@@ -107,7 +105,7 @@ class Borders(Around):
         # "Come in around one"
         near = bool(said.hedges) or said.preposition == "around"
         other = self.closed.first_person_objects | self.lexicon.particles.keys()
-        particle = self.texts[first - 1] not in other and self.particles.hold(replace(piece, start=first))
+        particle = self.texts[first - 1] not in other and self.particles.hold(piece._replace(start=first))
         return clock is not None and clock.hour == 1 and near and not particle
 
     def _says_how_much(self, piece: Piece) -> bool:

@@ -1,7 +1,6 @@
 """Times that go on with another and could not stand alone: "at seven and nine", "on the 1st and 15th"."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.judging.beside.cuts import Cuts
@@ -48,7 +47,7 @@ class Further(Standing):
         if self.measures.is_sure(place) and self.measures.is_sure(piece.end - 1):
             # "At 1400 and 2200": no year
             clocks = cells[place].get("clock", {}).values()
-            numbers = [replace(p, category="said", value=Said(Wall(clock=p.value))) for p in clocks]
+            numbers = [p._replace(category="said", value=Said(Wall(clock=p.value))) for p in clocks]
         found = [p for p in numbers if _is_open(p) and self.around.may_end(p) and not self.cuts.runs_on(p)][
             :1
         ]
@@ -66,7 +65,7 @@ class Further(Standing):
         if not joint or place >= len(self.words) or any(one.start == place for one in chosen):
             return []
         hours = cells[place].get("hours open", {}).values() if _has_hours(piece) else ()
-        found = [replace(p, category="said") for p in hours if _has_hours(p) and self.around.may_end(p)][:1]
+        found = [p._replace(category="said") for p in hours if _has_hours(p) and self.around.may_end(p)][:1]
         return found + [more for one in found for more in self._further_stretches(one, cells, chosen)]
 
     def _joined(self, place: int) -> tuple[str, int]:

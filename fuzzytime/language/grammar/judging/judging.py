@@ -1,7 +1,5 @@
 """Whether what stands around a reading makes it doubtful: numbers that count, words with another meaning."""
 
-from collections.abc import Sequence
-
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.borders import Borders
 from fuzzytime.language.grammar.judging.further import Further
@@ -10,12 +8,11 @@ from fuzzytime.language.grammar.judging.ranges import Ranges
 from fuzzytime.language.grammar.judging.repeats import Repeats
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS_ALONE, heads_list
 from fuzzytime.language.grammar.judging.walls.walls import Walls
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.surroundings.measuring import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import Around, Surroundings
 from fuzzytime.language.grammar.understood.due import is_due
 from fuzzytime.language.grammar.understood.lent import Lent, is_left_for, lacks_unit
-from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.days.relations import CountedDay
 from fuzzytime.language.meaning.expressions import (
@@ -46,8 +43,8 @@ ANOTHER = "elliptic.another_alone"
 class Judge(Around):
     """What stands around a reading, and whether it makes it doubtful."""
 
-    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
-        super().__init__(Surroundings(words, lexicon))
+    def __init__(self, around: Surroundings) -> None:
+        super().__init__(around)
         self.borders, self.walls, self.lent = Borders(self.around), Walls(self.around), Lent(self.around)
         self.ranges, self.lengths = Ranges(self.around), Lengths(self.around)
         self.repeats, self.further = Repeats(self.around), Further(self.around)

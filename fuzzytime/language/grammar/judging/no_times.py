@@ -10,7 +10,6 @@ from fuzzytime.language.grammar.judging.look_alikes.proper_names import (
     is_event_of_weekday,
     is_typed_name,
     is_whom,
-    names_in,
 )
 from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_spoken_of
 from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_of_street
@@ -63,12 +62,7 @@ class NoTime(Standing):
 
     def _is_of_idiom(self, piece: Piece) -> bool:
         """Whether it is in an idiom: "up to date", "call it a day"."""
-        return any(start < piece.end and piece.start < end for start, end in self._idioms)
-
-    @cached_property
-    def _idioms(self) -> list[tuple[int, int]]:
-        """Give where idioms, and names that hold a time, stand in the text."""
-        return names_in(self.words, self.lexicon)
+        return not self.around.named.isdisjoint(range(piece.start, piece.end))
 
     def _is_somebody(self, piece: Piece) -> bool:
         """Whether it begins with who is given something, or spoken to: "give it to April on monday"."""

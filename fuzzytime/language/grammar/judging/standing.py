@@ -1,5 +1,6 @@
 """A text as those see it who decide whether something is a time where it stands."""
 
+from functools import cached_property
 from itertools import takewhile
 
 from fuzzytime.english import looks_plural
@@ -7,7 +8,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.run_on_hours import RunOnHours
 from fuzzytime.language.grammar.surroundings.measuring import NEAR
-from fuzzytime.language.grammar.surroundings.surroundings import Around, Surroundings
+from fuzzytime.language.grammar.surroundings.surroundings import Around
 
 WITH = "with"
 
@@ -15,10 +16,15 @@ WITH = "with"
 class Standing(Around):
     """Words, what measures stand among them, and what stands around any of them."""
 
-    def __init__(self, around: Surroundings) -> None:
-        super().__init__(around)
-        self.given = GivenTimes(around)
-        self.run_on = RunOnHours(around)
+    @cached_property
+    def given(self) -> GivenTimes:
+        """What is given, or put off, to a time."""
+        return GivenTimes(self.around)
+
+    @cached_property
+    def run_on(self) -> RunOnHours:
+        """The hours that are typed as one number."""
+        return RunOnHours(self.around)
 
     def is_ambiguous(self, place: int) -> bool:
         """Whether the word at a place is an English word with another meaning, too: "may", "sun"."""

@@ -1,1 +1,4 @@
-"""What looks like a time and is part of none: ``leftovers``, ``countdowns``, but not ``called_things``."""
+"""What looks like a time and is part of none: ``leftovers``.
+
+Of ``unknown_days`` and ``unknown_hours``, and ``countdowns``, but not of ``called_things``.
+"""

@@ -1,9 +1,8 @@
 """Times counted from one that is called by a letter: "T-30", "T minus 10", "D+1"."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.instruction import Span, overlap
 
 ZEROS = frozenset({"t", "h", "d", "l"})
 """Letters for the moment, hour or day that others are counted from."""
@@ -21,12 +20,12 @@ MARKS = frozenset({";", ",", "."})
 """Marks behind such a time."""
 
 
-def counted_from_zero(scanned: Scanned, explained: Sequence[Span]) -> Iterator[int]:
+def counted_from_zero(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
     """Give the places of such times: what they count from is not known."""
-    words = scanned.words
+    words, lexicon = scanned.words, scanned.lexicon
     for place in range(len(words) - 2):
         letter, sign, number = words[place : place + 3]
-        spelt = sign.text in scanned.lexicon.beside.signs and letter.text in MOMENTS
+        spelt = sign.text in lexicon.beside.signs and letter.text in MOMENTS
         if letter.text not in ZEROS or not (sign.text in SIGNS or spelt):
             continue
         heads = not place or words[place - 1].text in {";", ",", "at", "@"}
@@ -35,7 +34,7 @@ def counted_from_zero(scanned: Scanned, explained: Sequence[Span]) -> Iterator[i
         named = heads or (ends and letter.text in MOMENTS)
         whole = named and len(number.text) <= LONGEST_COUNT
         glued = sign.glued and number.is_digits and number.glued and (sign.text != "-" or letter.capital)
-        counted = spelt and (number.is_digits or number.text in scanned.lexicon.numbers)
-        known = any(overlap(span, (letter.start, number.end)) for span in explained)
-        if not known and ((whole and glued) or (heads and counted)):
-            yield from range(place, place + 3)
+        counted = spelt and (number.is_digits or number.text in lexicon.numbers)
+        places = range(place, place + 3)
+        if known.isdisjoint(places) and ((whole and glued) or (heads and counted)):
+            yield from places

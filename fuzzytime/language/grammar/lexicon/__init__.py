@@ -4,7 +4,7 @@ The ``lexicon`` has ``word_groups``, with ``verb_groups`` and ``no_time_groups``
 words has ``forms``; words have a ``spelling``, too, and names a ``transliteration``.
 """
 
-from fuzzytime.language.grammar.lexicon.forms import form_of, longest_match
+from fuzzytime.language.grammar.lexicon.forms import Form, Forms, form_of, longest_match
 from fuzzytime.language.grammar.lexicon.lexicon import Entry, Lexicon, Preposition
 
-__all__ = ["Entry", "Lexicon", "Preposition", "form_of", "longest_match"]
+__all__ = ["Entry", "Form", "Forms", "Lexicon", "Preposition", "form_of", "longest_match"]

@@ -1,11 +1,34 @@
 """Ways to say something, as the words that they are matched by."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TypeVar
 
 from fuzzytime.language.grammar.words import Word, joins, words_of
 
+Form = tuple[str, ...]
+Meaning = TypeVar("Meaning")
 
-def matched_to(words: Sequence[Word], start: int, form: tuple[str, ...]) -> int:
+
+class Forms(dict[Form, Meaning]):
+    """Ways to say something, and what each means: found by their first words."""
+
+    def __init__(self, meanings: Mapping[Form, Meaning]) -> None:
+        super().__init__(meanings)
+        self._beginning: dict[str, list[Form]] = {}
+        for form in meanings:
+            self._beginning.setdefault(form[0], []).append(form)
+
+    @classmethod
+    def of(cls, forms: Iterable[Form]) -> "Forms[None]":
+        """Give ways to say one thing."""
+        return Forms(dict.fromkeys(forms))
+
+    def beginning(self, word: str) -> Sequence[Form]:
+        """Give those that begin with a word."""
+        return self._beginning.get(word, ())
+
+
+def matched_to(words: Sequence[Word], start: int, form: Form) -> int:
     """Give the end of a form that stands at a place, or 0; a hyphen may join its words."""
     at = start + 1
     for text in form[1:]:
@@ -17,15 +40,15 @@ def matched_to(words: Sequence[Word], start: int, form: tuple[str, ...]) -> int:
     return at
 
 
-def longest_match(
-    words: Sequence[Word], start: int, forms: Iterable[tuple[str, ...]]
-) -> tuple[str, ...] | None:
+def longest_match(words: Sequence[Word], start: int, forms: Iterable[Form]) -> Form | None:
     """Give the longest of some forms that stands at a place, or None."""
-    found = [f for f in forms if words[start].text == f[0] and matched_to(words, start, f)]
+    first = words[start].text
+    likely = forms.beginning(first) if isinstance(forms, Forms) else forms
+    found = [form for form in likely if form[0] == first and matched_to(words, start, form)]
     return max(found, key=len, default=None)
 
 
-def form_of(text: str) -> tuple[str, ...]:
+def form_of(text: str) -> Form:
     """Give a way to say something as the words it is matched by."""
     if text.isascii() and text.replace(" ", "").isalpha():
         # Most are plain words, and thousands are read at every start.

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon.forms import matched_to
+from fuzzytime.language.grammar.lexicon.forms import Forms, matched_to
 from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
 from fuzzytime.language.grammar.lexicon.transliteration import Names
 from fuzzytime.language.grammar.lexicon.verb_groups import Doing
@@ -72,6 +72,8 @@ class Lexicon:
         out or doubled: that is pointed at.
     orders
         Verbs of what is done at home, which trees may have for nouns: "order pizza", "bath ella".
+    people
+        Words that somebody is called by, also those that are other words as well: "will", "rose".
     needing_nothing
         Verbs that need no object: those that take none, and those of what is done and names no thing.
     called_by_number
@@ -84,14 +86,14 @@ class Lexicon:
     ordinals: Mapping[str, int]
     ambiguous: frozenset[str]
     indicators: Mapping[str, str]
-    connectives: Mapping[tuple[str, ...], str]
-    clauses: Mapping[tuple[str, ...], str]
-    comparisons: Mapping[tuple[str, ...], Side]
-    corrections: frozenset[tuple[str, ...]]
+    connectives: Forms[str]
+    clauses: Forms[str]
+    comparisons: Forms[Side]
+    corrections: Forms[None]
     addresses: frozenset[str]
     courtesies: frozenset[tuple[str, ...]]
     called_behind: frozenset[tuple[str, ...]]
-    amounts: Mapping[tuple[str, ...], tuple[str, tuple[float, float, float, float] | None]]
+    amounts: Forms[tuple[str, tuple[float, float, float, float] | None]]
     results: frozenset[str]
     wanting: frozenset[str]
     forgetting: frozenset[str]
@@ -158,16 +160,17 @@ class Lexicon:
     rating: frozenset[str]
     reading: frozenset[str]
     amount_nouns: frozenset[str]
-    questions: Mapping[str, frozenset[tuple[str, ...]]]
+    questions: Mapping[str, Forms[None]]
     conversation: Mapping[str, frozenset[tuple[str, ...]]]
     foreign: frozenset[str]
     function_words: frozenset[str]
     misspelt: Mapping[str, str]
     clipped: Mapping[str, str]
     transliterated: Names[Entry]
-    usual_hours: Mapping[tuple[str, ...], Hours]
+    usual_hours: Forms[Hours]
     policy: Policy = field(default_factory=Policy)
     orders: frozenset[str] = field(init=False)
+    people: frozenset[str] = field(init=False)
     needing_nothing: frozenset[str] = field(init=False)
     called_by_number: frozenset[str] = field(init=False)
 
@@ -175,14 +178,16 @@ class Lexicon:
         alone = self.chores | self.ordering | self.alone | self.causing - self.wanting
         orders = alone.union(self.doing.by_the_day, self.doing.by_then, self.doing.of_events)
         object.__setattr__(self, "orders", orders)
+        object.__setattr__(self, "people", self.persons | self.names_like_words)
         object.__setattr__(self, "needing_nothing", self.intransitive | self.doing.naming_nothing)
         numbered = self.measure_nouns | self.machines | self.no_times.numbered
         object.__setattr__(self, "called_by_number", numbered)
 
     def pieces(self, words: Sequence[Word], start: int) -> Iterator[Piece]:
         """Give what the tables say of the words from one place on."""
-        following = {word.text for word in words[start + 1 : start + 3]}
-        for entry in self.entries.get(words[start].text, ()):
+        entries = self.entries.get(words[start].text, ())
+        following = {word.text for word in words[start + 1 : start + 3]} if entries else ()
+        for entry in entries:
             if len(entry.words) > 1 and entry.words[1] not in following:
                 continue
             end = matched_to(words, start, entry.words)

@@ -81,7 +81,7 @@ class BehindTimes(LookedUp):
         if looks_plural(thing) and verb in self.lexicon.chores:
             # "At six water plants at seven"; but "stop at six water points"
             return not self.closed.prepositions_of_points.isdisjoint(self.texts[place + 2 :])
-        somebody = thing in self.lexicon.persons | self.lexicon.names_like_words
+        somebody = thing in self.lexicon.people
         return not looks_plural(thing) and (somebody or verb in self.lexicon.orders)
 
     def _is_in_front(self, piece: Piece) -> bool:

@@ -1,9 +1,11 @@
 """Words of a text with what the tables say of each, looked up once."""
 
 from collections.abc import Sequence
+from functools import cached_property
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings.known_names import named_in
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.days.relations import Relative
 
@@ -29,6 +31,11 @@ class LookedUp:
             inside = place < len(self.words)
             self._pieces[place] = list(self.lexicon.pieces(self.words, place)) if inside else []
         return self._pieces[place]
+
+    @cached_property
+    def named(self) -> frozenset[int]:
+        """The places of words of known names, and of idioms."""
+        return named_in(self.words, self.lexicon)
 
     def before(self, piece: Piece) -> str:
         """Give the word before it."""

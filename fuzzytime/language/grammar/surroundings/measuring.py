@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
-from fuzzytime.requirement import MOMENTS, Constraint, Unit
+from fuzzytime.requirement import BOUNDS, MOMENTS, Unit
 
 AT = "at"
 TO = "to"
@@ -288,4 +288,4 @@ def _is_bound_to_hour(said: Said) -> bool:
     ends = (said.time.first, said.time.last) if isinstance(said.time, Range) else (said.time,)
     clocks = [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None]
     hours = bool(clocks) and all(clock.grain is Unit.HOUR for clock in clocks)
-    return hours and said.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
+    return hours and said.constraint in BOUNDS

@@ -1,6 +1,5 @@
 """What stands before and behind a stretch of words, and whether that makes it a part of a noun."""
 
-from dataclasses import replace
 from functools import cached_property
 
 from fuzzytime.english import looks_plural
@@ -47,8 +46,8 @@ class Surroundings(BehindTimes):
         if before == HER and self._is_behind_person(piece):
             return False
         # "A monday morning call": times behind it describe the same noun.
-        last = replace(
-            piece, end=next(p for p in range(piece.end, len(self.texts) + 1) if not self.timely(p))
+        last = piece._replace(
+            end=next(p for p in range(piece.end, len(self.texts) + 1) if not self.timely(p))
         )
         return not self.may_end(last)
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from fuzzytime.errors import DocumentError
-from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
+from fuzzytime.language.grammar.lexicon import Entry, Forms, Lexicon, form_of
 from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
 from fuzzytime.language.grammar.lexicon.spelling import clipped, misspellings
 from fuzzytime.language.grammar.lexicon.transliteration import Names
@@ -96,10 +96,10 @@ def _lexicon(speech: Tables, days: Tables) -> Lexicon:
         connectives=by_form(speech, "connectives"),
         clauses=by_form(speech, "clauses"),
         comparisons=read_comparisons(speech),
-        corrections=frozenset(speech.words("corrections")),
+        corrections=Forms.of(speech.words("corrections")),
         courtesies=frozenset(speech.words("courtesies")),
         called_behind=frozenset((*speech.words("courtesies", "behind times"), *speech.words("addresses"))),
-        amounts=dict(read_amounts(speech)),
+        amounts=Forms(dict(read_amounts(speech))),
         results=frozenset(" ".join(form) for form in speech.words("results")),
         particles={
             form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
@@ -131,7 +131,7 @@ def _lexicon(speech: Tables, days: Tables) -> Lexicon:
         rating=speech.single_words("measures", "rating"),
         reading=speech.single_words("measures", "reading"),
         amount_nouns=speech.single_words("measures", "amounts"),
-        questions={name: frozenset(speech.words("questions", name)) for name in _ROWS["questions"]},
+        questions={name: Forms.of(speech.words("questions", name)) for name in _ROWS["questions"]},
         conversation={
             name.text: frozenset(speech.words("conversation", name.text))
             for name, _ in speech.rows("conversation")

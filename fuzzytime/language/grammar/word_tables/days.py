@@ -6,8 +6,8 @@ from typing import Any
 
 from fuzzytime.documents.nodes import Node, Scalar
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language.grammar.lexicon import form_of
-from fuzzytime.language.grammar.word_tables.tables import FULL_STOP_BELOW, Form, Tables
+from fuzzytime.language.grammar.lexicon import Form, form_of
+from fuzzytime.language.grammar.word_tables.tables import FULL_STOP_BELOW, Tables
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.days.relations import Relative, Which
 from fuzzytime.language.meaning.expressions import Edge, Ending, UnitWord

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from fuzzytime.language.grammar.word_tables.tables import Form
+from fuzzytime.language.grammar.lexicon import Form
 
 POSSESSIVE = "'s"
 

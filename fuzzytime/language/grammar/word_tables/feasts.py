@@ -6,9 +6,9 @@ from functools import partial
 from typing import Any
 
 from fuzzytime.documents.nodes import Node, Scalar, Sequence
-from fuzzytime.language.grammar.lexicon import Entry
+from fuzzytime.language.grammar.lexicon import Entry, Form
 from fuzzytime.language.grammar.word_tables.feast_names import otherwise
-from fuzzytime.language.grammar.word_tables.tables import Form, Tables, numbered
+from fuzzytime.language.grammar.word_tables.tables import Tables, numbered
 from fuzzytime.language.meaning.calendars.east_asian import (
     CHINA,
     KOREA,

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from fuzzytime.documents.nodes import Mapping, Node, Reader, Scalar, Sequence
 from fuzzytime.errors import DocumentError
-from fuzzytime.language.grammar.lexicon import form_of
+from fuzzytime.language.grammar.lexicon import Form, form_of
 
 ALSO = "also"
 """The key of a row under which other ways to say it stand: an upper file adds to them."""
@@ -21,8 +21,6 @@ TELLING = frozenset({LANGUAGE, "parts", "day_parts", "holidays", "seasons", "zon
 
 HEAD = ("fuzzytime", LANGUAGE)
 """What every word table begins with."""
-
-Form = tuple[str, ...]
 
 
 def is_word_table(path: Path) -> bool:

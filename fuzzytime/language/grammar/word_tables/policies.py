@@ -3,12 +3,12 @@
 from datetime import time
 
 from fuzzytime.documents.nodes import Node
-from fuzzytime.language.grammar.lexicon import form_of
-from fuzzytime.language.grammar.word_tables.tables import Form, Tables, numbered
+from fuzzytime.language.grammar.lexicon import Form, Forms, form_of
+from fuzzytime.language.grammar.word_tables.tables import Tables, numbered
 from fuzzytime.language.policy import DateOrder, Hours, Midnight, Policy, SameWeekday
 
 
-def read_usual_hours(tables: Tables) -> dict[Form, Hours]:
+def read_usual_hours(tables: Tables) -> Forms[Hours]:
     """Give the hours at which people do things, by the words for them."""
     found: dict[Form, Hours] = {}
     for name, node in tables.rows("usual_hours"):
@@ -20,7 +20,7 @@ def read_usual_hours(tables: Tables) -> dict[Form, Hours]:
         hours = (_time(tables, fields["from"], f"{key}.from"), last)
         also = tables.forms(fields["also"], f"{key}.also") if "also" in fields else []
         found.update(dict.fromkeys([form_of(name.text), *also], hours))
-    return found
+    return Forms(found)
 
 
 NIGHT = ("from", "to", "hours")

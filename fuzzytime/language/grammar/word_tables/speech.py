@@ -4,8 +4,8 @@ from collections.abc import Iterable
 from typing import Any
 
 from fuzzytime.documents.nodes import Node
-from fuzzytime.language.grammar.lexicon import Entry, Preposition, form_of
-from fuzzytime.language.grammar.word_tables.tables import Form, Tables
+from fuzzytime.language.grammar.lexicon import Entry, Form, Forms, Preposition, form_of
+from fuzzytime.language.grammar.word_tables.tables import Tables
 from fuzzytime.language.meaning.expressions import Edge, Quantity, TimeWord
 from fuzzytime.requirement import Constraint, Side
 
@@ -70,7 +70,7 @@ def read_words(tables: Tables) -> None:
         tables.entries.append(Entry(form, "correction", " ".join(form)))
 
 
-def read_comparisons(tables: Tables) -> dict[Form, Side]:
+def read_comparisons(tables: Tables) -> Forms[Side]:
     """Give the side of a number by the words that put it into a clause."""
     found: dict[Form, Side] = {}
     for name, node in tables.rows("comparisons"):
@@ -81,7 +81,7 @@ def read_comparisons(tables: Tables) -> dict[Form, Side]:
                 message = f"words must have one meaning in a table, got {' '.join(form)!r} twice"
                 tables.reader.mistake(node, key, message)
             found[form] = Side(side or Side.AT)
-    return found
+    return Forms(found)
 
 
 def read_amounts(

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from fuzzytime.documents.nodes import Mapping, Node, Scalar
-from fuzzytime.language.grammar.lexicon import Entry, form_of
+from fuzzytime.language.grammar.lexicon import Entry, Form, Forms, form_of
 from fuzzytime.language.grammar.word_tables.layers import HEAD, LayeredReader
 from fuzzytime.times import parse_clock
 
@@ -26,8 +26,6 @@ WORDS = "words"
 
 CHOICE = "|"
 """Between words one of which is said."""
-
-Form = tuple[str, ...]
 
 
 class Tables:
@@ -187,10 +185,12 @@ def numbered(tables: Tables, section: str) -> dict[str, int]:
     return {form[0]: int(number) for number, forms in rows if number.isdecimal() for form in forms}
 
 
-def by_form(tables: Tables, section: str) -> dict[Form, str]:
+def by_form(tables: Tables, section: str) -> Forms[str]:
     """Give a section's keys by the ways to say them."""
-    return {
-        form: name.text
-        for name, node in tables.rows(section)
-        for form in tables.forms(node, f"{section}.{name.text}")
-    }
+    return Forms(
+        {
+            form: name.text
+            for name, node in tables.rows(section)
+            for form in tables.forms(node, f"{section}.{name.text}")
+        }
+    )

@@ -9,7 +9,7 @@ from fuzzytime.language.meaning.expressions import Duration, HourMark, Range, Sa
 from fuzzytime.language.meaning.feasts import Feast
 from fuzzytime.language.meaning.joined.distances import said_length
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import BOUNDS, Constraint, Unit
 
 HALF_PAST = 30
 """Minutes past an hour that are hardly said as those to the next."""
@@ -106,7 +106,7 @@ def joined(first: Wall, second: Wall) -> Wall | None:
     if days is not None and days.grain in LONG and (clock is not None or part is not None):
         # "Call April at five", "on a clear night in May"
         return None
-    if clock is not None:
+    if clock is not None and (clock.bare or clock.pair):
         clock = replace(clock, bare=False, pair=False)
     weak = first.weak and second.weak
     return Wall(days, part, clock, first.zone or second.zone, weak)
@@ -114,13 +114,15 @@ def joined(first: Wall, second: Wall) -> Wall | None:
 
 def refined(said: Said, wall: Wall) -> Said | None:
     """Give a bound whose time lies on a day, or in a part of the day, that was said beside it."""
-    bounds, time = {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}, said.time
+    if wall.clock is not None:
+        return None
+    time = said.time
     parted = isinstance(time, Wall) and time.part is not None and time.days is None
     # "Tomorrow sometime in the afternoon"; but "today or tomorrow" has two of each part of the day.
     sometime = said.preposition == "sometime" and parted
     beside = said.constraint is None and bool(said.hedges or said.preposition == "around" or sometime)
     starts = said.lasting is not None and isinstance(time, Wall) and time.clock is not None
-    if not (said.constraint in bounds or beside or starts) or wall.clock is not None:
+    if not (said.constraint in BOUNDS or beside or starts):
         return None
     if said.preposition == "sometime" and not sometime:
         return None

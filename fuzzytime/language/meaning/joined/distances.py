@@ -32,12 +32,17 @@ SIDES = {EARLIER: Constraint.BEFORE, LATER: Constraint.AFTER}
 
 def said_length(duration: Duration, constraint: Constraint, preposition: str | None) -> Said:
     """Give a length with what it is hedged by, as a preposition binds it: "in about ten minutes"."""
-    return Said(replace(duration, hedges=()), constraint, preposition, duration.hedges)
+    return Said(_unhedged(duration), constraint, preposition, duration.hedges)
 
 
 def said_offset(duration: Duration, preposition: str, direction: int = 1) -> Said:
     """Give what is so far off, with what the length is hedged by: "about ten minutes ago"."""
-    return Said(Offset(replace(duration, hedges=()), direction), None, preposition, duration.hedges)
+    return Said(Offset(_unhedged(duration), direction), None, preposition, duration.hedges)
+
+
+def _unhedged(duration: Duration) -> Duration:
+    """Give a length without its hedges."""
+    return replace(duration, hedges=()) if duration.hedges else duration
 
 
 def later_by(length: Duration, hedges: tuple[str, ...] = ()) -> Said:

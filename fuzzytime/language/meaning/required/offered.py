@@ -16,7 +16,9 @@ def alternative_to(before: tuple[Phrase, Grounded] | None, phrase: Phrase, momen
     is not before the one and after the other. Without a time before it, it is none.
     """
     said = phrase.said
-    if not said.alternative or before is None:
+    if not said.alternative:
+        return phrase
+    if before is None:
         return replace(phrase, said=replace(said, alternative=False))
     time, other = said.time, before[0].said.time
     if not isinstance(time, Wall) or time.clock is None or not time.clock.is_open or time.part is not None:

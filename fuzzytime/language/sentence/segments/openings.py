@@ -81,4 +81,5 @@ def before_courtesies(
 def _ends_with(words: Sequence[Word], start: int, end: int, form: tuple[str, ...]) -> bool:
     """Whether a stretch of words ends with a form, and holds more."""
     first = end - len(form)
-    return first > start and tuple(word.text for word in words[first:end]) == form
+    ends = words[end - 1].text == form[-1] and first > start
+    return ends and tuple(word.text for word in words[first:end]) == form

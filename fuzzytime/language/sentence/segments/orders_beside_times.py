@@ -124,7 +124,7 @@ def _is_called(tree: Tree, place: int) -> bool:
     node = tree.nodes[place]
     named = node.tag == "NNP" and node.text[0].isupper()
     event = node.lower in lexicon.happening | lexicon.taken or (node.may_act and not named)
-    known = lexicon.persons | lexicon.names_like_words
+    known = lexicon.people
     return node.lower in known or (node.tag.startswith("NN") and not event)
 
 

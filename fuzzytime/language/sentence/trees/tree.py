@@ -66,7 +66,7 @@ class Tree:
     def children(self, place: int, *relations: str) -> tuple[int, ...]:
         """Give the words below a word, of some relations if any are named."""
         found = self._children.get(place, ())
-        return tuple(p for p in found if self.nodes[p].relation in relations) if relations else found
+        return tuple([p for p in found if self.nodes[p].relation in relations]) if relations else found
 
     def below(self, place: int) -> Iterator[int]:
         """Give a word and all words under it."""

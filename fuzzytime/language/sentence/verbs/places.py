@@ -150,14 +150,15 @@ class Places(Wording):
 
     def names_company(self, place: int) -> bool:
         """Whether a preposition says for whom something is done, or with whom."""
-        closed, things = self.lexicon.closed, self.tree.children(place, "pobj")
+        node, closed = self.tree.nodes[place], self.lexicon.closed
+        if node.lower not in closed.prepositions_of_company:
+            return False
         persons = (self.lexicon.persons | closed.object_pronouns) - closed.it_or_them
-        said = (self.tree.nodes[p] for p in things)
-        known = any(node.lower in persons or node.tag == "NNP" for node in said)
+        said = (self.tree.nodes[p] for p in self.tree.children(place, "pobj"))
+        known = any(one.lower in persons or one.tag == "NNP" for one in said)
         # "A chat with Ann"
         events = self.lexicon.happening | self.lexicon.taken | self.lexicon.events
-        known = known and self.tree.nodes[self.tree.nodes[place].head].lower not in events
-        return known and self.tree.nodes[place].lower in closed.prepositions_of_company
+        return known and self.tree.nodes[node.head].lower not in events
 
     def _preposed(self, words: Sequence[int]) -> Iterator[int]:
         """Give the words that are below a preposition among them."""

@@ -46,8 +46,7 @@ class Dining(Around):
         return any(part.category == "day_part" and part.end == piece.end for part in said)
 
     def _leads(self, place: int) -> bool:
-        meal = place + 1 < len(self.texts) and self.around.is_meal(place + 1)
-        return self.texts[place] == FOR and meal
+        return self.texts[place] == FOR and place + 1 < len(self.texts) and self.around.is_meal(place + 1)
 
     def _ends_preposition(self, start: int, led: int) -> bool:
         """Whether "for" is the end of a longer preposition: "in time for dinner"."""

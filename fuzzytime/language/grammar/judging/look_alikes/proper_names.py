@@ -1,55 +1,18 @@
 """Names that hold a word about time: of persons, bands, films, brands; of files and tags ("today.md")."""
 
-from collections.abc import Sequence
-from functools import lru_cache
 from itertools import takewhile
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon, form_of, longest_match
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
-from fuzzytime.language.grammar.words import Word
 
 NOTABLE = frozenset({"about", "with", "by", "of", "as"})
 """Prepositions before who is spoken of: "read about Wednesday Addams"."""
-
 
 NEXT_TO = ("next", "to")
 """Words before somebody who is beside another."""
 
 TAG, JOINT, DOT = "#", "_", "."
 """The mark before a tag, and those between words of a name that is typed in one."""
-
-
-@lru_cache(maxsize=4)
-def _forms(texts: frozenset[str]) -> dict[str, list[tuple[str, ...]]]:
-    """Give forms of some words by their first."""
-    found: dict[str, list[tuple[str, ...]]] = {}
-    for form in map(form_of, sorted(texts)):
-        found.setdefault(form[0], []).append(form)
-    return found
-
-
-def names_in(words: Sequence[Word], lexicon: Lexicon) -> list[tuple[int, int]]:
-    """Give where what is known by such a name stands: idioms and titles, those with capitals if so typed.
-
-    A name with capitals is one where other words have none: not in "Call Ann After Eight".
-    """
-    kinds, found = lexicon.no_times, []
-    for start, word in enumerate(words):
-        for texts in (kinds.idioms, kinds.capital_names):
-            forms = _forms(texts).get(word.text)
-            form = longest_match(words, start, forms) if forms else None
-            if form is not None and (texts is kinds.idioms or _is_typed(words, start, len(form), lexicon)):
-                found.append((start, start + len(form)))
-    return found
-
-
-def _is_typed(words: Sequence[Word], start: int, length: int, lexicon: Lexicon) -> bool:
-    """Whether a name is typed with its capitals, where other words are small."""
-    inside, others = words[start : start + length], (*words[:start], *words[start + length :])
-    small = lexicon.closed.of_titles
-    capitals = all(word.capital or not word.is_letters or word.text in small for word in inside)
-    return capitals and any(word.is_letters and not word.capital for word in others)
 
 
 def has_surname(piece: Piece, around: Surroundings) -> bool:

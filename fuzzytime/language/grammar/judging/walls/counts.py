@@ -1,7 +1,5 @@
 """Whether numbers and ordinals of a reading count something else: "two christmas cards"."""
 
-from dataclasses import replace
-
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.surroundings.surroundings import THING
@@ -35,7 +33,7 @@ class Counts(Standing):
         if not self.is_ordinal(behind):
             return False
         typed = self.words[behind].is_digits
-        return not self.around.may_end(replace(piece, end=behind + 1 + typed))
+        return not self.around.may_end(piece._replace(end=behind + 1 + typed))
 
     def _counts_feast(self, piece: Piece, wall: Wall) -> bool:
         """Whether its first number counts what a feast has: "two christmas cards"."""

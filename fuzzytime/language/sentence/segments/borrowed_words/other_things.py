@@ -85,7 +85,7 @@ def _acting(wish: Wish) -> range | None:
         carried = node.lower in lexicon.particles.get(nodes[place + 1].lower, ())
         verb = range(place, place + 1 + carried)
         thing = nodes[verb.stop]
-        somebody = openers | lexicon.persons | lexicon.names_like_words
+        somebody = openers | lexicon.people
         if verb.stop in wish.timed or not (thing.lower in somebody or thing.tag.startswith(NOUNS)):
             continue
         asked = lexicon.addressing - lexicon.doing.recalling
@@ -119,10 +119,7 @@ def _others(wish: Wish, here: int, end: int, first: int) -> int:
 
 def _is_somebody(wish: Wish, place: int) -> bool:
     """Whether somebody is named, or an animal is."""
-    return (
-        wish.tree.nodes[place].lower
-        in wish.lexicon.persons | wish.lexicon.names_like_words | wish.lexicon.animals
-    )
+    return wish.tree.nodes[place].lower in wish.lexicon.people | wish.lexicon.animals
 
 
 def _tells(wish: Wish, place: int, named: int) -> bool:

@@ -38,14 +38,15 @@ def _may_be_step(tree: Tree, place: int) -> bool:
     lexicon = tree.lexicon
     node = tree.nodes[place]
     behind = tree.nodes[place + 1 : place + 2]
-    named = lexicon.persons | lexicon.addresses | lexicon.happening | lexicon.taken
+    kinds = [lexicon.persons, lexicon.addresses, lexicon.happening, lexicon.taken]
     if not behind or _ends(behind[0], lexicon):
         # "Wait a minute, robot"; but "press start"
-        named |= lexicon.machines
+        kinds.append(lexicon.machines)
+    named = any(node.lower in kind for kind in kinds)
     known = (node.may_act or node.lower in lexicon.alone) and node.lower == node.lemma.lower()
     joined = tree.nodes[place - 1].lower in {",", "and", "&"}
     bare = node.tag not in SURE and not tree.children(place, "det")
-    return known and joined and bare and node.lower not in named and not node.text[0].isupper()
+    return known and joined and bare and not named and not node.text[0].isupper()
 
 
 def _names_control(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> bool:

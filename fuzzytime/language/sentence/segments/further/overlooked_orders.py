@@ -43,14 +43,13 @@ def _is_done_to_somebody(tree: Tree, place: int) -> bool:
     """Whether what may be a verb has somebody behind it: "feed the cat and text ann"; not "and aunt ann"."""
     lexicon = tree.lexicon
     node, who = tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    called = lexicon.addressing - lexicon.persons
+    if node.lower in lexicon.persons:
+        return False
+    calls = node.lower in lexicon.addressing
     # "Ring jane": a tree may have it for what goes on.
-    taken = not node.is_verb or (node.tag == "VBG" and node.lower in called)
-    bare = taken and (node.lower in called or (node.may_act and node.lower == node.lemma.lower()))
-    names = lexicon.names | (
-        lexicon.persons | lexicon.names_like_words if node.lower in called else frozenset()
-    )
-    return bare and node.lower not in lexicon.persons and any(one.lower in names for one in who)
+    taken = not node.is_verb or (node.tag == "VBG" and calls)
+    bare = taken and (calls or (node.may_act and node.lower == node.lemma.lower()))
+    return bare and any(one.lower in (lexicon.people if calls else lexicon.names) for one in who)
 
 
 def _is_chore(tree: Tree, place: int) -> bool:

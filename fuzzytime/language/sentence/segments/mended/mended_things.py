@@ -48,8 +48,7 @@ def _with_people(tree: Tree) -> Tree:
             nodes[place] = replace(node, tag="NNP", relation="conj", head=place - 2)
             nodes[place - 1] = replace(nodes[place - 1], head=place - 2)
             nodes[node.head] = replace(nodes[node.head], relation="prep", head=nodes[place - 2].head)
-        known = tree.lexicon.persons | tree.lexicon.names_like_words
-        if node.lower in known and (node.tag in DESCRIBING or node.relation in BESIDE):
+        if node.lower in tree.lexicon.people and (node.tag in DESCRIBING or node.relation in BESIDE):
             # "Pick up bob at the station"
             verb = place - 1 - (nodes[place - 1].tag == "RP")
             behind_verb = node.head == verb and nodes[verb].is_verb

@@ -159,7 +159,7 @@ def _calls_person(tree: Tree) -> Tree | None:
     if not 0 < root < LEAST_DONE or not beside or tree.nodes[root].is_verb:
         return None
     who = tree.nodes[1 : root + 1]
-    names = lexicon.persons | lexicon.names_like_words
+    names = lexicon.people
     person = any(node.lower in names or node.text[0].isupper() for node in who)
     # "Text rob at six"; but "text message", "phone call"
     things = lexicon.taken | lexicon.happening | lexicon.events | lexicon.doing.letters

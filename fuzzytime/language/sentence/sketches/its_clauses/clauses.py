@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.judging.beside.titles import written_out
-from fuzzytime.language.grammar.judging.look_alikes.proper_names import names_in
 from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.surroundings.known_names import named_in
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Wall
 from fuzzytime.language.meaning.joined.beside import joined
@@ -53,8 +53,7 @@ def clauses_of(
     lexicon = tree.lexicon
     found: list[Clause] = []
     covered = places_in(phrases)
-    named_so = {place for start, end in names_in(words, lexicon) for place in range(start, end)}
-    titled = written_out(words, lexicon) | named_so
+    titled = written_out(words, lexicon) | named_in(words, lexicon)
     reader = _Clauses(tree, words, phrases, named)
     place = 0
     while place < len(words):

@@ -11,6 +11,7 @@ from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.none_of_it.how_things_are import tells_how_things_are
 from fuzzytime.language.sentence.together.none_of_it.orders_again import is_about_orders
 from fuzzytime.language.sentence.together.none_of_it.what_was import tells_what_was
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
@@ -40,6 +41,10 @@ def doubts_of(text: str, span: Span, words: Sequence[Word], sketch: Sketch) -> I
     said = [word for word in inside if not any(first <= word.start < end for first, end in heads)]
     behind = next((word.text for word in words if word.start >= span[1]), "")
     what = _does(said, behind, sketch)
+    before, after = (any(map(str.isalnum, part)) for part in (text[: span[0]], text[span[1] :]))
+    beside = before or (after and sketch.operation is None)
+    if what is None and beside and tells_how_things_are(sketch):
+        what = "tells how things are, and says nothing to do"
     if what is not None:
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} {what}")
 
@@ -281,8 +286,7 @@ def asks(words: Sequence[Word], behind: str, lexicon: Lexicon) -> bool:
     """
 
     def opens(place: int, *names: str) -> bool:
-        forms = (form for name in names for form in lexicon.questions[name])
-        return place < len(words) and longest_match(words, place, forms) is not None
+        return place < len(words) and any(longest_match(words, place, lexicon.questions[n]) for n in names)
 
     if not words or opens(0, "requesting", "suggesting"):
         return False

@@ -25,7 +25,7 @@ from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import LASTING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.told.consequences import leads_to_consequence
-from fuzzytime.requirement import MOMENTS, Constraint
+from fuzzytime.requirement import BOUNDS, MOMENTS, Constraint
 
 HELD = frozenset({"when", "if", "after", "before"})
 """Kinds of clauses that hold for all that is joined."""
@@ -38,8 +38,6 @@ STEPS = JOINED | {"first", "then"}
 
 FOR_ALL = re.compile(r",\s*(\w+)(?: of (?:them|these|those))?\s*$")
 """The word before a time for all: ", both at noon", ", all of them by five"."""
-
-BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
 
 
 def said_for_all(sketches: Sequence[Sketch], text: str) -> list[Sketch]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Set as AbstractSet
 
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, IMPERATIVE, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
 
 BEFORE_ORDER = ("ccomp", "advcl", "parataxis", "dep", "nsubj", "csubj")
@@ -12,6 +12,12 @@ FINITE = frozenset({"VBZ", "VBP", "VBD", "VBG"})
 
 
 NOUNS = frozenset({"NN", "NNP", "NNS"})
+
+
+def subjects_before(tree: Tree, verb: int) -> list[int]:
+    """Give the subjects in front of a verb; "it" of "it's raining" may hang on "is" in a tree."""
+    over = (verb, *tree.children(verb, "aux"))
+    return [p for one in over for p in tree.children(one, *GRAMMATICAL_SUBJECTS) if p < verb]
 
 
 def behind_particles(tree: Tree, verb: int) -> int:
@@ -73,7 +79,7 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     if (
         start is None
         or tree.nodes[start].lower in closed.second_person_or_relative
-        or not any(p > place for p in timed)
+        or not (any(p > place for p in timed) or _is_so_now(tree, place))
     ):
         return None
     if _is_purpose(tree, place, start):
@@ -90,8 +96,26 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     apart = tree.nodes[joint].text == "," and joint < start - 1 and _is_apart(tree, place)
     told = joint - 1 in timed or speaks or apart or _is_told_so(tree, joint)
     # "Pick up the mulch, garden centre shuts at four"
-    told = told or (tree.nodes[joint].text == "," and _is_sure(tree, place, timed))
+    sure = _is_sure(tree, place, timed) or _is_why(tree, place)
+    told = told or (tree.nodes[joint].text == "," and sure)
     return start if joined and told else None
+
+
+def _is_why(tree: Tree, place: int) -> bool:
+    """Whether it says why there is an order in front of it: "don't touch the pan, it's hot"."""
+    over = (place, *tree.children(place, "aux"))
+    before = [p for one in over for p in tree.children(one, *BEFORE_ORDER) if p < place]
+    asked = [p for p in before if tree.nodes[p].tag in IMPERATIVE]
+    alone = any(not tree.children(p, *GRAMMATICAL_SUBJECTS, "mark") for p in asked)
+    return place == tree.root and alone and _is_so_now(tree, place)
+
+
+def _is_so_now(tree: Tree, place: int) -> bool:
+    """Whether something is being done, or is so, which needs no time: "…, she's sleeping", "…, it's hot"."""
+    be = tree.lexicon.closed.present_be
+    helping = tree.said(tree.children(place, "aux"))
+    described = tree.nodes[place].lower in be and bool(tree.children(place, "acomp"))
+    return described or (tree.nodes[place].tag == "VBG" and bool(helping) and helping <= be)
 
 
 def _is_sure(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
@@ -141,12 +165,12 @@ def _start_of_statement(tree: Tree, place: int) -> int | None:
     closed = tree.lexicon.closed
     doing = tree.lexicon.doing
     node = tree.nodes[place]
-    subjects = [p for p in tree.children(place, *GRAMMATICAL_SUBJECTS) if p < place]
+    subjects = subjects_before(tree, place)
     helping = tree.said(tree.children(place, "aux"))
     coming = node.tag == "VB" and bool(helping) and helping <= closed.future
-    if (node.tag in FINITE - {"VBG"} or coming) and subjects:
+    if (node.tag in FINITE - {"VBG"} or coming or _is_so_now(tree, place)) and subjects:
         return min(tree.below(subjects[-1]))
-    if node.lower in doing.timed | {phase[:-1] for phase in doing.timed} and place > 0:
+    if place > 0 and (node.lower in doing.timed or f"{node.lower}s" in doing.timed):
         # "The last bus leaves", "doors open"
         # "The next leaves at eleven"
         known = (

@@ -89,7 +89,7 @@ def _is_somebodys(tree: Tree, root: int) -> bool:
 
 def _is_person(node: Node, lexicon: Lexicon) -> bool:
     """Whether a word names somebody."""
-    return node.tag == "NNP" or node.lower in lexicon.persons | lexicon.names_like_words
+    return node.tag == "NNP" or node.lower in lexicon.people
 
 
 def _leads_particle(tree: Tree) -> bool:
