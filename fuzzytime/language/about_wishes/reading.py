@@ -50,7 +50,7 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     then = plain.after("following") or plain
     # "Hmm, actually maybe make the call a bit later"
     anew = plain.behind(opening_correction(plain)).without_exclamations()
-    for other in (plain, then, anew, _without_closing(plain)):
+    for other in (plain, then, anew, plain.without_end(plain.table("preferring"))):
         found = _read(other) if found is None and other != said and other.words else found
     return found
 
@@ -77,11 +77,6 @@ def _without_tag(said: Said) -> Said:
     """Leave out what makes a question of what it stands behind: "I'm free at two, right?"."""
     joint = max((place for place, word in enumerate(said.forms) if word == ","), default=0)
     return said.until(joint) if joint and said.behind(joint + 1).is_in("answering") else said
-
-
-def _without_closing(said: Said) -> Said:
-    """Leave out what is said of a wish behind it: "an hour earlier would be better"."""
-    return said.without_end(said.table("preferring"))
 
 
 def behind_what_is_told(text: str, now: datetime, lexicon: Lexicon) -> tuple[str, About] | None:

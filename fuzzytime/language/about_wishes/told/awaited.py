@@ -91,7 +91,7 @@ def _clause(waiting: Sequence[Token], part: TimeRequirement, lexicon: Lexicon) -
 def _named(tokens: Sequence[Token], lexicon: Lexicon) -> Iterator[str]:
     """Give the words that name who does what, without those that only say that it is news: "just"."""
     closed = lexicon.closed
-    pronouns = closed.first_person | closed.personal_pronouns | closed.third_person
+    pronouns = closed.personal_pronouns | closed.third_person
     small = {form[0] for name in ("being", "anew") for form in lexicon.conversation[name] if len(form) == 1}
     for token in tokens:
         word, verb = token.text.lower(), token.tag.startswith(VERBAL)

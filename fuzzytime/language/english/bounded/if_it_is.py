@@ -6,8 +6,7 @@ from fuzzytime.language.english.repeated.days_left_out import except_on, off
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Fields, Weekend
 from fuzzytime.language.meaning.days.relations import Deictic, Relative, Which
-from fuzzytime.language.meaning.days.spared_days import SparedDays
-from fuzzytime.language.meaning.days.workdays import Workday, Workdays
+from fuzzytime.language.meaning.days.workdays import SparedDays, Workday, Workdays
 from fuzzytime.language.meaning.expressions import Repeat, Said, Wall
 from fuzzytime.language.meaning.feasts import Feast
 from fuzzytime.language.meaning.joined.beside import joined

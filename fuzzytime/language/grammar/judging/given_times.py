@@ -73,8 +73,7 @@ class GivenTimes(Around):
 
     def reschedules(self, texts: Sequence[str]) -> bool:
         """Whether one of some words gives something another time."""
-        moving = self.lexicon.rescheduling | self.lexicon.moving
-        return any(not moving.isdisjoint(_as_order(text)) for text in texts)
+        return any(not self.lexicon.rescheduling.isdisjoint(_as_order(text)) for text in texts)
 
 
 def _as_order(text: str) -> tuple[str, ...]:

@@ -8,11 +8,11 @@ from fuzzytime.language.grammar.judging.look_alikes.proper_names import (
     has_surname,
     is_called_like_day,
     is_event_of_weekday,
+    is_typed_name,
     is_whom,
 )
 from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_spoken_of
 from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_of_street
-from fuzzytime.language.grammar.judging.look_alikes.typed_names import is_typed_name
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall, wall_of
 from fuzzytime.requirement import Unit
@@ -53,7 +53,7 @@ class NoTime(Standing):
             or self._is_reckoned(piece)
             or self._is_of_period(piece)
             or self._is_adjective(piece)
-            or self._is_name_of_person(piece)
+            or self.around.names_person(piece.start)
             or self._is_person(piece)
             or self._is_of_played(piece)
             or self._ends_name(piece)
@@ -168,10 +168,6 @@ class NoTime(Standing):
         if isinstance(piece.value.time, Repeat):
             return last == "minute" and follower in self.lexicon.no_times.tiny
         return self.is_ambiguous(piece.end - 1) and follower in self.lexicon.no_times.adjectives
-
-    def _is_name_of_person(self, piece: Piece) -> bool:
-        """Whether it begins with who is called: "ring aunt may on sunday"; but "call me may 5"."""
-        return self.around.names_person(piece.start)
 
     def _is_person(self, piece: Piece) -> bool:
         """Whether what is short for an edge is a person without capitals: "feed the boy"; but "by BOY"."""

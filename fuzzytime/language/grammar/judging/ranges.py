@@ -75,7 +75,7 @@ class Ranges(Standing):
         done = (self.lexicon.orders | doing.errands | doing.putting) - self.lexicon.lasting
         levels = self.beside.with_levels | self.lexicon.amount_nouns | self.lexicon.called_by_number
         numbers = self.measures.is_number(piece.start) and self.measures.is_number(piece.start + 2)
-        joined = numbers and self.texts[piece.start + 1] in self.closed.range_joints | {"-"}
+        joined = numbers and self.texts[piece.start + 1] in self.closed.range_joints
         return joined and (before in done | levels or self.measures.measured(piece))
 
     def _has_dash(self, piece: Piece) -> bool:

@@ -165,7 +165,7 @@ class Surroundings(BehindTimes):
 
     def _is_behind_person(self, piece: Piece) -> bool:
         """Whether "her" is who, and not whose: "remind her tomorrow", "ring her between nine and ten"."""
-        bound = self.texts[piece.start] in self.closed.prepositions_of_time | self.beside.binding_ranges
+        bound = self.texts[piece.start] in self.beside.binding_ranges
         return bound or ({*self.texts[: piece.start - 1][-1:]} <= self.lexicon.addressing and piece.start > 1)
 
     def is_of_several(self, place: int) -> bool:

@@ -182,8 +182,8 @@ def _first_and_last(repeat: Repeat) -> Range | None:
 
 def _is_length_changed(before: Sequence[str], lexicon: Lexicon) -> bool:
     """Whether what goes on for some time is given another: "change the timer from ten minutes to fifteen"."""
-    gives = lexicon.rescheduling | lexicon.moving
-    return bool(before) and before[-1] in lexicon.lasting and not gives.isdisjoint(before)
+    gives = not lexicon.rescheduling.isdisjoint(before)
+    return gives and before[-1] in lexicon.lasting
 
 
 def _lengthened(said: Said, time: Offset) -> Said:

@@ -1,10 +1,10 @@
-"""Working days, which pass over weekends: "in two working days", "the last working day of the month"."""
+"""Working days, which pass over weekends ("in two working days"), and days that are none of others."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import date, timedelta
 
-from fuzzytime.language.meaning.calendar import SEARCHED_YEARS, Calendar, Days, Today
+from fuzzytime.language.meaning.calendar import SEARCHED_YEARS, Calendar, Cycle, Days, Today
 from fuzzytime.language.meaning.days.relations import CountedDay
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Unit
@@ -53,3 +53,27 @@ class Workday(Calendar):
 def is_working(policy: Policy, day: date) -> bool:
     """Whether a day is none of a weekend."""
     return (day.weekday() - policy.weekend_from) % 7 >= policy.weekend_days
+
+
+@dataclass(frozen=True, slots=True)
+class SparedDays(Calendar):
+    """Every day that lies in no period of some series."""
+
+    others: tuple[Calendar, ...]
+
+    @property
+    def grain(self) -> Unit:
+        """A day."""
+        return Unit.DAY
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give days in ascending order."""
+        return (days for days in Cycle(Unit.DAY).upcoming(today, since) if self._is_spared(today, days))
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give days in descending order."""
+        return (days for days in Cycle(Unit.DAY).past(today, until) if self._is_spared(today, days))
+
+    def _is_spared(self, today: Today, days: Days) -> bool:
+        found = (next(other.upcoming(today, days.first), None) for other in self.others)
+        return not any(other is not None and other.first <= days.first < other.end for other in found)

@@ -1,8 +1,9 @@
-"""Repetitions that lie so long behind others: "each evening lock up and set the alarm an hour later"."""
+"""Repetitions so long behind others ("lock up, and set the alarm an hour later"), or at their ends."""
 
 from dataclasses import dataclass, replace
 from typing import Self
 
+from fuzzytime.language.meaning.recurrences.recurrence import PlainRecurrence
 from fuzzytime.requirement import Recurrence, Window
 
 
@@ -61,3 +62,38 @@ class DelayedRecurrence:
 
     def _delayed(self, windows: tuple[Window, ...]) -> tuple[Window, ...]:
         return tuple((begin + self.by, end + self.by) for begin, end in windows)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ClosingRecurrence(PlainRecurrence):
+    """Every so many seconds of the last so many seconds of what goes on; when that is, it does not know.
+
+    >>> ClosingRecurrence(step=1200, stretch=3600).windows(86400)
+    ()
+    """
+
+    step: float
+    stretch: float
+
+    @property
+    def closing(self) -> float:
+        """Seconds at the end of what goes on."""
+        return self.stretch
+
+    @property
+    def endless(self) -> bool:
+        """False: it ends with what goes on."""
+        return False
+
+    @property
+    def interval(self) -> float | None:
+        """Seconds between occurrences."""
+        return self.step
+
+    def windows(self, until: float) -> tuple[Window, ...]:  # noqa: ARG002 - nothing tells when it is
+        """Give no times: they count from what goes on."""
+        return ()
+
+    def coming(self, count: int) -> tuple[Window, ...]:  # noqa: ARG002 - as above
+        """Give no times either."""
+        return ()

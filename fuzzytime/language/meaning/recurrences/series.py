@@ -20,7 +20,7 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.grounded.range_instants import first_after, half_before
 from fuzzytime.language.meaning.instants import SUB_DAY, Instants, halved, midnight
-from fuzzytime.language.meaning.recurrences.closing_recurrence import ClosingRecurrence
+from fuzzytime.language.meaning.recurrences.delayed_recurrence import ClosingRecurrence
 from fuzzytime.language.meaning.recurrences.recurrence import JUST_BEFORE, CalendarRecurrence, EvenRecurrence
 from fuzzytime.language.meaning.recurrences.recurrence_by_months import RecurrenceByMonths, is_by_months
 from fuzzytime.language.meaning.recurrences.recurrence_on_days import RecurrenceOnDays

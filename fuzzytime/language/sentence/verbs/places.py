@@ -46,7 +46,7 @@ class Places(Wording):
         kept = [p for p in below if self._is_place(p) or self.names_company(p)] + list(
             self._behind_times(verb)
         )
-        kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if self._is_numbered(p)]
+        kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if is_numbered_place(self.tree, p)]
         kept += self.level(verb)
         # "Turn left": a participle too.
         kept += [
@@ -114,10 +114,6 @@ class Places(Wording):
         led = (self.tree.nodes[p].lower for p in self.tree.children(place, "advmod"))
         about = not self.lexicon.closed.prepositions_of_nouns.isdisjoint(led)
         return node.relation in {"prep", AGENT} or counted or known or about
-
-    def _is_numbered(self, place: int) -> bool:
-        """Whether a verb with "to" is a place with a number: "take it to station 4"."""
-        return is_numbered_place(self.tree, place)
 
     def _behind_times(self, verb: int) -> Iterator[int]:
         """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""

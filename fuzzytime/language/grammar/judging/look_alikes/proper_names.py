@@ -1,4 +1,6 @@
-"""Names that hold a word about time: of persons, bands, films, brands, and of what is named after them."""
+"""Names that hold a word about time: of persons, bands, films, brands; of files and tags ("today.md")."""
+
+from itertools import takewhile
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
@@ -8,6 +10,9 @@ NOTABLE = frozenset({"about", "with", "by", "of", "as"})
 
 NEXT_TO = ("next", "to")
 """Words before somebody who is beside another."""
+
+TAG, JOINT, DOT = "#", "_", "."
+"""The mark before a tag, and those between words of a name that is typed in one."""
 
 
 def has_surname(piece: Piece, around: Surroundings) -> bool:
@@ -80,8 +85,8 @@ def is_whom(place: int, around: Surroundings) -> bool:
         or (joint in {"after", "for"} and before in kinds.looking)
     ):
         return True
-    moved = around.lexicon.moving | around.lexicon.rescheduling
-    given = not kinds.handing.isdisjoint(texts[:place]) and moved.isdisjoint(texts[:place])
+    moved = not around.lexicon.rescheduling.isdisjoint(texts[:place])
+    given = not kinds.handing.isdisjoint(texts[:place]) and not moved
     given = given and before not in around.beside.put_off and not around.is_day(place - 1)
     return joint == "to" and given
 
@@ -91,3 +96,15 @@ def _is_given_name(place: int, around: Surroundings) -> bool:
     word = around.words[place]
     named = around.texts[place] in around.lexicon.no_times.given_names
     return named and word.capital and any(one.is_letters and not one.capital for one in around.words)
+
+
+def is_typed_name(piece: Piece, around: Surroundings) -> bool:
+    """Whether its last word is within a tag, or what has an ending, or is joined: "at_noon.sh"."""
+    words, texts, last = around.words, around.texts, piece.end - 1
+    first = next(place for place in range(last, -1, -1) if not words[place].glued)
+    end = piece.end + sum(1 for _ in takewhile(lambda word: word.glued, words[piece.end :]))
+    if texts[first] == TAG:
+        # "Tag it #monday"; but "#5"
+        return first + 1 < end and words[first + 1].is_letters
+    dotted = (texts[place + 1] for place in range(last, end - 1) if texts[place] == DOT)
+    return JOINT in texts[first:end] or not around.lexicon.no_times.file_endings.isdisjoint(dotted)

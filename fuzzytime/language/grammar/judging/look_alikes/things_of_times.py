@@ -1,9 +1,8 @@
 """Words about time that belong to a thing: "the 24-hour shop", "next week's shifts", "10/min"."""
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.judging.look_alikes.proper_names import is_whom
+from fuzzytime.language.grammar.judging.look_alikes.proper_names import is_typed_name, is_whom
 from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_converted, is_spoken_of
-from fuzzytime.language.grammar.judging.look_alikes.typed_names import is_typed_name
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.meaning.days.relations import Deictic, Relative, Stretch, Which
 from fuzzytime.language.meaning.expressions import UnitWord

@@ -152,7 +152,7 @@ class BareHours(Standing):
         before = self.texts[place - 1] if place else ""
         kinds = self.lexicon.no_times
         costs = not (kinds.costing | kinds.betting | self.lexicon.rating).isdisjoint(self.texts[: place - 1])
-        counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | kinds.codes | kinds.numbered
+        counted = self.lexicon.called_by_number | self.lexicon.amount_nouns | kinds.codes
         # "Mark questions ten to twelve"
         named = before.isalpha() and {before, before.removesuffix("s")}.isdisjoint(counted)
         named = named and before not in self.lexicon.function_words

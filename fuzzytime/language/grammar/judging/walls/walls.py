@@ -88,8 +88,8 @@ class Walls(Standing):
         """Whether "to" is before a number alone, and a day behind it: "set the heating to 20 tomorrow"."""
         hour = wall.clock is not None and wall.clock.grain is Unit.HOUR and wall.clock.half is None
         place = piece.start + (self.texts[piece.start] == "to")
-        told = self.beside.of_hours | self.beside.of_clocks
-        alone = self.measures.is_number(place) and told.isdisjoint(self.texts[place + 1 : place + 2])
+        behind = self.texts[place + 1 : place + 2]
+        alone = self.measures.is_number(place) and self.beside.of_clocks.isdisjoint(behind)
         return hour and not wall.bare and alone and self.texts[place - 1 : place] == ["to"]
 
     def _is_one(self, piece: Piece, wall: Wall) -> bool:

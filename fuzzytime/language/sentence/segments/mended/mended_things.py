@@ -64,7 +64,7 @@ def _with_people(tree: Tree) -> Tree:
 
 def _with_surname(tree: Tree) -> Tree:
     """Give "bring mrs tran some soup" her name, which a tree that does not know it takes for a verb."""
-    titles = tree.lexicon.beside.titles_of_persons - tree.lexicon.function_words
+    titles = tree.lexicon.beside.titles_of_persons
     for place in range(1, len(tree.nodes)):
         title, node = tree.nodes[place - 1 : place + 1]
         if title.lower not in titles or place == tree.root or title.head in {place, place - 1}:

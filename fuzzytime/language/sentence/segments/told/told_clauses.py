@@ -141,7 +141,7 @@ def _finite(words: Sequence[Word], place: int, lexicon: Lexicon) -> int | None:
             # "Dinner's at seven"
             return here
         known = text in closed.noun_openers | closed.told_joints
-        if not known and (text in lexicon.function_words | closed.relatives or not words[here].is_letters):
+        if not known and (text in lexicon.function_words or not words[here].is_letters):
             return None
         if text in ENDS:
             return None

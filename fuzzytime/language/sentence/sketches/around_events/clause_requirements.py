@@ -8,9 +8,9 @@ from fuzzytime.language.instruction import Operation, Remark, RemarkKind
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.comparisons import comparisons_in
 from fuzzytime.language.sentence.references.anchors import Anchors
-from fuzzytime.language.sentence.references.every_one import every_one, names_each
 from fuzzytime.language.sentence.references.left_inside import edge_inside, left_inside
 from fuzzytime.language.sentence.references.meals import meal_of
+from fuzzytime.language.sentence.references.several import every_one, names_each
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.around_events.at_events import untold
 from fuzzytime.language.sentence.sketches.meaning.pronouns import resolved_object
@@ -208,7 +208,7 @@ def _said_before(pronoun: str | None, anchors: Anchors, sketch: Sketch) -> str |
 def _are_others(clause: Clause, thing: str | None, lexicon: Lexicon) -> bool:
     """Whether "they" in a clause are not what is done something with, which is one thing."""
     subject = None if clause.condition is None else clause.condition.subject
-    several = subject in lexicon.closed.plural_anaphors | lexicon.closed.plural_person
+    several = subject in lexicon.closed.plural_anaphors
     return several and thing is not None and not is_several(thing, lexicon)
 
 

@@ -11,7 +11,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors
-from fuzzytime.language.sentence.references.every_one import every_one
+from fuzzytime.language.sentence.references.several import every_one
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement

@@ -69,10 +69,6 @@ class _Things:
             first -= 1
         return list(self.nodes[first : place + 1])
 
-    def _led_by(self, place: int) -> str:
-        """Give the word in front of a name that ends at a place: "to" the meeting."""
-        return self.nodes[place - len(self._name(place))].lower
-
     # -- what is cancelled ------------------------------------------------------------------------------
 
     def _is_revoked(self, phrase: Phrase, place: int) -> bool:
@@ -138,7 +134,7 @@ class _Things:
             # "Invite Tom to the four pm on thursday"
             return True
         named = self.nodes[place].tag.startswith(("NN", "VBG"))
-        return named and self._led_by(place) in {TO, FOR}
+        return named and self.nodes[place - len(self._name(place))].lower in {TO, FOR}
 
     def _is_listed(self) -> bool:
         """Whether somebody is put on a list: "put me down", "put us on the guest list"."""

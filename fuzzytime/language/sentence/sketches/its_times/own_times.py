@@ -58,11 +58,7 @@ def own_times(draft: Draft, part: Part, said: SaidOfTime, action: Action) -> Own
         covered=(*heard, *aside, *(phrase.span for phrase in things)),
         remarks=(
             *said.remarks,
-            *(_left_out(draft.text, aim, what) for aim, what in aims),
+            *(Remark.noted(draft.text, aim, f"is {what}, and not when to do it") for aim, what in aims),
             *(of_something_else(draft.text, phrase) for phrase in (*others, *things)),
         ),
     )
-
-
-def _left_out(text: str, aim: Span, what: str) -> Remark:
-    return Remark.noted(text, aim, f"is {what}, and not when to do it")

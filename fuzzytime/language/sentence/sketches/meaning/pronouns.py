@@ -71,7 +71,7 @@ def _fitting(
 def _is_moment(thing: str | None, operation: Operation, lexicon: Lexicon) -> bool:
     """Whether what was named is a moment, to which nothing is done but give it another time."""
     named = tuple(word.text for word in words_of(thing or ""))[-1:]
-    return named in lexicon.moments and operation.lemma not in lexicon.rescheduling | lexicon.moving
+    return named in lexicon.moments and operation.lemma not in lexicon.rescheduling
 
 
 def _undone(

@@ -34,7 +34,7 @@ def told_beside(sketches: list[Sketch], text: str) -> list[Sketch]:
             told = replace(sketch, operation=replace(sketch.operation, due=None, stated=True))
             told = told.under(before.times, before.clauses)
         elif found and _may_only(found[-1], sketch, text):
-            found[-1] = _at_the_only(found[-1], sketch)
+            found[-1] = found[-1].under(sketch.times).reaching(sketch)
             continue
         found.append(told)
     return found
@@ -56,11 +56,6 @@ def _may_only(before: Sketch, sketch: Sketch, text: str) -> bool:
         subjects & before.lexicon.closed.third_person
     )
     return only and is_so and bool(sketch.times)
-
-
-def _at_the_only(before: Sketch, sketch: Sketch) -> Sketch:
-    """Give an order with the time that is told behind it, and the words that tell it."""
-    return before.under(sketch.times).reaching(sketch)
 
 
 def _done_next(sketch: Sketch, operation: Operation, text: str) -> Sketch:

@@ -59,7 +59,7 @@ class Reader(Particles):
             complement=complement,
             manner=None
             if stated and node.lemma == "be"
-            else self._how(verb, [*whole, *places, *where, *purpose]),
+            else self._within_sentence(self.manner(verb, [*whole, *places, *where, *purpose])),
             purpose=self.said(purpose),
             addressee=doer,
             due=None if stated or subject is None or direct != subject else self._must(verb),
@@ -90,10 +90,6 @@ class Reader(Particles):
         """Whether somebody or something needs a thing, and none is asked to need it: "the car needs fuel"."""
         node = self.tree.nodes[verb]
         return node.tag in FINITE and node.lemma in self.lexicon.doing.needing
-
-    def _how(self, verb: int, taken: list[int]) -> str | None:
-        """Give how it is done: "quickly wash the car"."""
-        return self._within_sentence(self.manner(verb, taken))
 
     def _purpose(self, verb: int, taken: list[int]) -> list[int]:
         """Give what it is done for: "go to the shop at six to buy milk"."""

@@ -37,8 +37,7 @@ def happens(tree: Tree, phrases: Sequence[Phrase]) -> bool:
         return True
     if _is_somebodys(tree, root) and any(is_at_clock(p) or p.said.is_day for p in phrases):
         return True
-    coming = lexicon.closed.coming if root else lexicon.closed.coming - lexicon.alone
-    if tree.nodes[root].lower in coming and any(map(is_at_clock, phrases)):
+    if tree.nodes[root].lower in lexicon.closed.coming and any(map(is_at_clock, phrases)):
         # "Taxi at seven", "concrete truck 8:30"; but "load truck at nine", and "train at six"
         return not any(node.may_act and node.tag != "JJ" for node in tree.nodes[:root])
     # "A table of twelve at 7:15": no verb has an "of" behind it.
