@@ -72,8 +72,11 @@ class Measures:
         """Whether a clause says that a thing is a number: "when the queue is over 4", "if load > 4"."""
         place = piece.start - (self.texts[piece.start] not in SIGNS)
         verb, subject = self.texts[place], self.texts[place - 1] if place > 0 else ""
+        form = longest_match(self.words, piece.start, self.lexicon.comparisons)
+        amount = subject in self.lexicon.amount_nouns and form not in {None, (AT,)}
+        shown = form is not None and verb in self.beside.of_readings
         return (
-            (verb in SIGNS or verb in self.closed.stative_verbs)
+            (amount or shown or verb in SIGNS or verb in self.closed.stative_verbs)
             and subject[-1:].isalnum()
             and subject not in self.beside.clock_subjects
             and any(
