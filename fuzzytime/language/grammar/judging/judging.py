@@ -125,6 +125,9 @@ class Judge(Around):
             return self._ends_order(piece, time)
         if isinstance(time, Range):
             return self.ranges.accept(piece, said, time)
+        if isinstance(time, HourMark) and said.preposition == "by":
+            # "Pay him by the half hour"
+            return self.lexicon.no_times.costing.isdisjoint(self.texts[: piece.start])
         if isinstance(time, HourMark) and time.open:
             return self._is_of_unsaid_hour(piece, said)
         if self._is_past(piece, said):

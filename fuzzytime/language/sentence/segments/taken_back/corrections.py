@@ -23,7 +23,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.joined.beside import in_hour_of
 from fuzzytime.language.meaning.joined.weekdays_left_out import weekdays_in
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
@@ -181,6 +181,7 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
                 continue
             said = _replaced(phrase.said, piece.value)
             if said is not None:
+                said = _near_old(phrase.said, said, scanned)
                 span = (scanned.words[piece.start].start, scanned.words[piece.end - 1].end)
                 return Phrase(said, piece.start, piece.end, span, "correction")
     return None
@@ -250,6 +251,24 @@ def _replaced(old: Said, new: object) -> Said | None:
     if isinstance(new, Quantity) and not new.indefinite:
         return _counted(old, new)
     return None
+
+
+def _near_old(old: Said, new: Said, scanned: Scanned) -> Said:
+    """Give a new hour of a named day in the half nearer to the old one: "tomorrow at five, no, six".
+
+    What is done at usual hours is so then: "wake me tomorrow at five, no, six".
+    """
+    lexicon, words = scanned.lexicon, scanned.words
+    first, second = old.wall.clock, new.wall.clock
+    if old.wall.days is None or first is None or second is None or not isinstance(new.time, Wall):
+        return new
+    usual = any(longest_match(words, place, lexicon.usual_hours) for place in range(len(words)))
+    if usual or not first.is_open or not second.is_open:
+        return new
+    hour = first.first_from(lexicon.policy.ahead_from)
+    halves = (replace(second, half=half) for half in (Half.AM, Half.PM))
+    nearest = min(halves, key=lambda clock: abs(clock.candidates()[0] - hour))
+    return replace(new, time=replace(new.time, clock=nearest))
 
 
 def _counted(old: Said, new: Quantity) -> Said | None:
