@@ -165,8 +165,8 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
         # "Every day, no sundays"; but "every monday, no, every tuesday"
         return None
     further = longest_match(scanned.words, start, lexicon.corrections)
-    if further is not None:
-        # "Actually, make it twenty"
+    if further is not None and "said" not in scanned.cells[start]:
+        # "Actually, make it twenty"; but "make that no later than six"
         start = min(_behind_pauses(scanned, start + len(further)), len(scanned.words) - 1)
     start = _behind_who_says(scanned, start, lexicon)
     lets_be = marker in lexicon.conversation["retracting"]
@@ -229,13 +229,19 @@ def _replaced(old: Said, new: object) -> Said | None:
         )
     if isinstance(new, Said):
         bare = isinstance(new.time, Duration) or (isinstance(new.time, Wall) and new.time.bare)
-        if new.preposition is not None or not bare:
-            return (
-                replace(new, preposition=new.preposition or _fitting(old, new))
-                if new.preposition or new.constraint is None
-                else new
-            )
-        return _replaced(old, new.time)
+        counted = isinstance(old.time, (Duration, Offset)) and isinstance(new.time, Wall) and new.time.clock
+        if bare and counted:
+            # "Within ten minutes, no, within twenty"
+            return _counted(old, Quantity(counted.hour))
+        if new.preposition is None and bare:
+            return _replaced(old, new.time)
+        if isinstance(new.time, Wall) and new.time == Wall(clock=new.time.clock):
+            # "On monday at nine, no, at six"
+            placed = _replaced(old, new.time)
+            new = new if placed is None else replace(new, time=placed.time)
+        alike = type(old.time) is type(new.time) and new.constraint in MOMENTS
+        # "By five pm, no, six pm"
+        return replace(old, time=new.time, hedges=new.hedges) if alike and not new.preposition else new
     if isinstance(new, Wall) and isinstance(old.time, Wall):
         clock = new.clock
         if clock is not None and old.time.clock is not None:
@@ -245,6 +251,8 @@ def _replaced(old: Said, new: object) -> Said | None:
             )
         return replace(old, time=new)
     if isinstance(new, Duration):
+        if isinstance(old.time, Repeat) and isinstance(old.time.every, Duration):
+            return replace(old, time=replace(old.time, every=new))
         return replace(old, time=new) if isinstance(old.time, Duration) else None
     if isinstance(new, Clock):
         return _replaced(old, Wall(clock=new)) if old.wall.clock is not None else None
@@ -262,6 +270,8 @@ def _near_old(old: Said, new: Said, scanned: Scanned) -> Said:
     first, second = old.wall.clock, new.wall.clock
     if old.wall.days is None or first is None or second is None or not isinstance(new.time, Wall):
         return new
+    if old.wall.part is not None or new.time.part is not None:
+        return new
     usual = any(longest_match(words, place, lexicon.usual_hours) for place in range(len(words)))
     if usual or not first.is_open or not second.is_open:
         return new
@@ -273,16 +283,12 @@ def _near_old(old: Said, new: Said, scanned: Scanned) -> Said:
 
 def _counted(old: Said, new: Quantity) -> Said | None:
     """Give another number of the same unit."""
-    time = old.time.duration if isinstance(old.time, Offset) else old.time
+    time = old.time.every if isinstance(old.time, Repeat) else old.time
+    time = time.duration if isinstance(time, Offset) else time
     if not isinstance(time, Duration) or len(time.terms) != 1:
         return None
     duration = replace(time, terms=((new.value, time.terms[0][1]),), until=None)
-    return replace(old, time=duration)
-
-
-def _fitting(old: Said, new: Said) -> str | None:
-    """Give the old preposition, which stays before a new time of the same kind."""
-    return old.preposition if type(old.time) is type(new.time) and new.constraint in MOMENTS else None
+    return _replaced(old, duration)
 
 
 def _in_half(clock: Clock, old: Clock) -> Clock:
