@@ -4,11 +4,13 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
 from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 AT = "at"
+BETWEEN = "between"
 TO = "to"
 
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
@@ -71,19 +73,32 @@ class Measures:
     def _says_how_much(self, piece: Piece) -> bool:
         """Whether a clause says that a thing is a number: "when the queue is over 4", "if load > 4"."""
         place = piece.start - (self.texts[piece.start] not in SIGNS)
-        verb, subject = self.texts[place], self.texts[place - 1] if place > 0 else ""
-        form = longest_match(self.words, piece.start, self.lexicon.comparisons)
-        amount = subject in self.lexicon.amount_nouns and form not in {None, (AT,)}
-        shown = form is not None and verb in self.beside.of_readings
-        return (
-            (amount or shown or verb in SIGNS or verb in self.closed.stative_verbs)
-            and subject[-1:].isalnum()
-            and subject not in self.beside.clock_subjects
-            and any(
-                longest_match(self.words, start, self.lexicon.clauses)
-                for start in range(max(0, piece.start - NEAR), place - 1)
-            )
+        begun = (
+            (start, longest_match(self.words, start, self.lexicon.clauses))
+            for start in range(max(0, piece.start - NEAR), place - 1)
         )
+        begin = max((start + len(form) for start, form in begun if form is not None), default=0)
+        verb, subject = self.texts[place], self.texts[place - 1] if place > 0 else ""
+        if not begin or not subject[-1:].isalnum() or subject in self.beside.clock_subjects:
+            # "When it is past six"; but "when it climbs past 12"
+            return bool(begin) and verb in self.beside.of_readings and self._compares(piece, verb)
+        said = self.words[begin:place]
+        # "If the meeting goes past 6", "if Bob works past six"
+        untimed = not any(word.capital or has_time(word.text, self.lexicon) for word in said)
+        if verb in SIGNS or verb in self.closed.stative_verbs:
+            return untimed or self.texts[piece.start] != AT
+        return untimed and self._compares(piece, verb)
+
+    def _compares(self, piece: Piece, verb: str) -> bool:
+        """Whether words behind a verb compare something to a number: "goes past 12", "hovers around 6".
+
+        What is open past 12, or on, is so by the clock.
+        """
+        form = longest_match(self.words, piece.start, self.lexicon.comparisons)
+        if form is None or form in {(AT,), (BETWEEN,)}:
+            return self.texts[piece.start] in {*NEARLY, BETWEEN} and verb in self.beside.kept_at
+        state = self.lexicon.standing | self.lexicon.particles.keys() | self.lexicon.doing.hours
+        return verb.isalpha() and (verb == "up" or verb not in state)
 
     def _switches(self, piece: Piece) -> bool:
         """Whether something is turned on or off, which is no amount: "turn off the lights around six"."""
@@ -107,6 +122,9 @@ class Measures:
         hour = not self.beside.of_clocks.isdisjoint(self.texts[place : place + 1])
         if self.texts[at] != AT or place == at + 1 or hour or self.texts[place : place + 1] == ["."]:
             return False
+        if at > 1 and self.texts[at - 1] in self.closed.stative_verbs and self._says_how_much(piece):
+            # "Once the room is at ten"
+            return True
         before = self.texts[max(0, at - NEAR) : at]
         verb = next((p for p in reversed(range(len(before))) if before[p] in self._keeping), None)
         if verb is None:
