@@ -11,7 +11,7 @@ from fuzzytime.language.grammar.judging.repeats import Repeats
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS_ALONE, heads_list
 from fuzzytime.language.grammar.judging.walls.walls import Walls
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.surroundings.measuring import NEAR
+from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import Around, Surroundings
 from fuzzytime.language.grammar.understood.due import is_due
 from fuzzytime.language.grammar.understood.lent import Lent, is_left_for, lacks_unit

@@ -1,16 +1,10 @@
 """Whether a number is an amount: "volume by 10", "bake it at 180", "cut it in two"."""
 
-from collections.abc import Sequence
-
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.timetables import has_time
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.surroundings.compared import AT, NEAR, NEARLY, Compared
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
 from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
-AT = "at"
-BETWEEN = "between"
 TO = "to"
 
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
@@ -22,14 +16,6 @@ OF_TIME = frozenset({"by", "between"})
 CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
-NEARLY = frozenset({"around", "about"})
-
-
-NEAR = 8
-"""Words before a number that decide whether it is an amount."""
-
-SIGNS = frozenset({">", "<"})
-"""Marks that compare numbers, and bind a time behind them."""
 
 COLON = ":"
 
@@ -42,17 +28,12 @@ STATED = frozenset({"when", "if"})
 """Kinds of clauses that say what must be so."""
 
 
-class Measures:
+class Measures(Compared):
     """What is measured in a text."""
-
-    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
-        self.words = words
-        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
-        self.texts = [word.text for word in words]
 
     def measured(self, piece: Piece) -> bool:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
-        if self._says_how_much(piece):
+        if self.says_how_much(piece):
             return True
         if piece.value.preposition in {None, *NEARLY} and self._switches(piece):
             return False
@@ -69,36 +50,6 @@ class Measures:
         """Whether its last word says that it is an hour: "measure it sixish"; but "dim it to sixish"."""
         raised = TO in self.texts[max(0, piece.start - 1) : piece.start + 1]
         return self.texts[piece.end - 1] in self.beside.telling_hours and not raised
-
-    def _says_how_much(self, piece: Piece) -> bool:
-        """Whether a clause says that a thing is a number: "when the queue is over 4", "if load > 4"."""
-        place = piece.start - (self.texts[piece.start] not in SIGNS)
-        begun = (
-            (start, longest_match(self.words, start, self.lexicon.clauses))
-            for start in range(max(0, piece.start - NEAR), place - 1)
-        )
-        begin = max((start + len(form) for start, form in begun if form is not None), default=0)
-        verb, subject = self.texts[place], self.texts[place - 1] if place > 0 else ""
-        if not begin or not subject[-1:].isalnum() or subject in self.beside.clock_subjects:
-            # "When it is past six"; but "when it climbs past 12"
-            return bool(begin) and verb in self.beside.of_readings and self._compares(piece, verb)
-        said = self.words[begin:place]
-        # "If the meeting goes past 6", "if Bob works past six"
-        untimed = not any(word.capital or has_time(word.text, self.lexicon) for word in said)
-        if verb in SIGNS or verb in self.closed.stative_verbs:
-            return untimed or self.texts[piece.start] != AT
-        return untimed and self._compares(piece, verb)
-
-    def _compares(self, piece: Piece, verb: str) -> bool:
-        """Whether words behind a verb compare something to a number: "goes past 12", "hovers around 6".
-
-        What is open past 12, or on, is so by the clock.
-        """
-        form = longest_match(self.words, piece.start, self.lexicon.comparisons)
-        if form is None or form in {(AT,), (BETWEEN,)}:
-            return self.texts[piece.start] in {*NEARLY, BETWEEN} and verb in self.beside.kept_at
-        state = self.lexicon.standing | self.lexicon.particles.keys() | self.lexicon.doing.hours
-        return verb.isalpha() and (verb == "up" or verb not in state)
 
     def _switches(self, piece: Piece) -> bool:
         """Whether something is turned on or off, which is no amount: "turn off the lights around six"."""
@@ -122,7 +73,7 @@ class Measures:
         hour = not self.beside.of_clocks.isdisjoint(self.texts[place : place + 1])
         if self.texts[at] != AT or place == at + 1 or hour or self.texts[place : place + 1] == ["."]:
             return False
-        if at > 1 and self.texts[at - 1] in self.closed.stative_verbs and self._says_how_much(piece):
+        if at > 1 and self.texts[at - 1] in self.closed.stative_verbs and self.says_how_much(piece):
             # "Once the room is at ten"
             return True
         before = self.texts[max(0, at - NEAR) : at]

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.judging.walls.counts import Counts
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS, LINE_STARTS
 from fuzzytime.language.grammar.judging.walls.naming import Naming
 from fuzzytime.language.grammar.judging.walls.weak_walls import WeakWalls
-from fuzzytime.language.grammar.surroundings.measuring import NEAR
+from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import THING, Surroundings
 from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.meaning.calendar import Cycle, Fields, is_weekday
