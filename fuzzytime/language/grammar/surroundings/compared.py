@@ -18,6 +18,9 @@ NEAR = 8
 SIGNS = frozenset({">", "<"})
 """Marks that compare numbers, and bind a time behind them."""
 
+STATED = frozenset({"when", "if"})
+"""Kinds of clauses that say what must be so."""
+
 
 class Compared:
     """The words of a text, and what clauses in it compare to numbers."""
@@ -34,7 +37,7 @@ class Compared:
             (start, longest_match(self.words, start, self.lexicon.clauses))
             for start in range(max(0, piece.start - NEAR), place - 1)
         )
-        begin = max((start + len(form) for start, form in begun if form is not None), default=0)
+        begin, marker = max(((start + len(form), form) for start, form in begun if form), default=(0, ()))
         verb, subject = self.texts[place], self.texts[place - 1] if place > 0 else ""
         if not begin or not subject[-1:].isalnum() or subject in self.beside.clock_subjects:
             # "When it is past six"; but "when it climbs past 12"
@@ -43,7 +46,9 @@ class Compared:
         # "If the meeting goes past 6", "if Bob works past six"
         untimed = not any(word.capital or has_time(word.text, self.lexicon) for word in said)
         if verb in SIGNS or verb in self.closed.stative_verbs:
-            return untimed or self.texts[piece.start] != AT
+            # "Two hours before the fight, which is at eight"
+            stated = self.lexicon.clauses.get(marker) in STATED and "," not in self.texts[begin:place]
+            return (untimed and stated) or self.texts[piece.start] != AT
         return untimed and self._compares(piece, verb)
 
     def _compares(self, piece: Piece, verb: str) -> bool:

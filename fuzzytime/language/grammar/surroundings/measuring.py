@@ -1,7 +1,7 @@
 """Whether a number is an amount: "volume by 10", "bake it at 180", "cut it in two"."""
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.surroundings.compared import AT, NEAR, NEARLY, Compared
+from fuzzytime.language.grammar.surroundings.compared import AT, NEAR, NEARLY, STATED, Compared
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
 from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
@@ -23,9 +23,6 @@ LARGEST_SHARE = 8
 """The largest number that things are parted by, as a rule: "5/8 cup"."""
 
 HOURS = "hours"
-
-STATED = frozenset({"when", "if"})
-"""Kinds of clauses that say what must be so."""
 
 
 class Measures(Compared):
