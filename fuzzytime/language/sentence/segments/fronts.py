@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.clauses.conditions import ITS, being, happening, state
+from fuzzytime.language.sentence.segments.mended.mended_trees import as_done
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
@@ -77,7 +78,7 @@ def fronts_of(
     orders = trees([CARRIER + attempt.order for attempt in tries])
     led: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
-        order = carried.without_carrier(CARRIER, attempt.order, 0)
+        order = as_done(carried.without_carrier(CARRIER, attempt.order, 0), lexicon)
         asks = is_order(order) or bool(order.nodes and _is_wish(order, 0, lexicon))
         if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and asks:
             led[attempt.one] = attempt.front
@@ -140,12 +141,11 @@ def may_be_done(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     "If it rains deburr the plate"
     """
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    known = node.may_act or node.lower in lexicon.addressing
     led = any(one.tag in DETERMINERS for one in behind) and node.tag not in BINDING
     # "When the light turns green"; but "when the timer goes varnish the chair"
     becomes = node.tag in {"JJ", "RB"} and tree.nodes[place - 1].lemma in lexicon.doing.being
     becomes = becomes and not (led and node.lower in lexicon.orders)
-    return (known or led) and is_bare(node, lexicon) and not becomes
+    return (node.may_act or led) and is_bare(node, lexicon) and not becomes
 
 
 def _is_wish(tree: Tree, place: int, lexicon: Lexicon) -> bool:

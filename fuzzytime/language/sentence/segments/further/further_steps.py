@@ -41,7 +41,7 @@ def _may_be_step(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     if not behind or _ends(behind[0], lexicon):
         # "Wait a minute, robot"; but "press start"
         named |= lexicon.machines
-    known = (node.may_act or node.lower in lexicon.alone) and node.lower == node.lemma.lower()
+    known = node.may_act and node.lower == node.lemma.lower()
     joined = tree.nodes[place - 1].lower in {",", "and", "&"}
     bare = node.tag not in SURE and not tree.children(place, "det")
     return known and joined and bare and node.lower not in named and not node.text[0].isupper()

@@ -33,8 +33,7 @@ def does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
     if tree.root != 1 or not tree.nodes[1].is_verb:
         return None
     first, person = tree.nodes[:LET]
-    acts = first.may_act or first.lower in lexicon.addressing
-    acts = acts and first.lower == first.lemma and first.tag in NOUNS | {"VB"}
+    acts = first.may_act and first.lower == first.lemma and first.tag in NOUNS | {"VB"}
     known = person.lower in lexicon.persons | lexicon.animals and not person.may_act
     # "Ping frank at nine", "show rose the flat"; but "help mark the books"
     leads = first.lower in lexicon.doing.trying | lexicon.doing.watching | lexicon.letting
@@ -46,21 +45,22 @@ def does_to_person(tree: Tree, lexicon: Lexicon) -> Tree | None:
 
 def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "press start" its verb, where what is pressed, or are several, was taken for it."""
-    if len(tree.nodes) < LET or tree.root != 1 or tree.nodes[0].relation not in {"aux", "compound"}:
+    if len(tree.nodes) < LET or tree.root != 1 or tree.nodes[0].relation not in {"aux", "compound", "nsubj"}:
         return None
     called = tree.nodes[1].may_act and tree.nodes[1].lower == tree.nodes[1].lemma
     orders = called and tree.nodes[0].lower in lexicon.ordering
-    numbered = any(node.tag == "CD" and node.text.isalpha() for node in tree.nodes[LET:])
-    orders = orders or (not numbered and _orders_several(tree.nodes[0], tree.nodes[1], lexicon))
+    orders = orders or _orders_several(tree.nodes[0], tree.nodes[1], lexicon)
     return with_thing_done(tree, 1) if orders else None
 
 
 def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:
-    """Whether something is done with several: "water plants", "feed chickens"; but "swim lessons" happen."""
+    """Whether something is done with several: "water plants", "mist orchids"; but "swim lessons" happen."""
     done = lexicon.chores | lexicon.doing.by_the_day | lexicon.dosing | lexicon.ordering
     timed = lexicon.happening | lexicon.taken | lexicon.events
-    bare = verb.tag == "NN" and verb.lower in done - lexicon.addressing
-    return bare and things.tag == "NNS" and timed.isdisjoint({things.lower, things.lemma})
+    bare = verb.tag == "NN" and verb.lower in done - lexicon.addressing and things.tag == "NNS"
+    # No verb for what a noun does: "mist orchids"
+    acts = verb.may_act and verb.lower == verb.lemma and things.tag == "VBZ" and not things.may_act
+    return (bare or acts) and timed.isdisjoint({things.lower, things.lemma})
 
 
 def _does_event(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -82,17 +82,20 @@ def _does_event(tree: Tree, lexicon: Lexicon) -> Tree | None:
 
 
 def _does_led(tree: Tree, lexicon: Lexicon) -> Tree | None:
-    """Give "thaw the cells", "forward the minutes" its verb: no noun or adverb is followed by an article."""
+    """Give "thaw the cells", "hoover the stairs" its verb: no noun or adverb is followed by an article."""
     root = tree.root
-    if root < LEAST_DONE - 1 or not tree.nodes[root].tag.startswith("NN"):
+    if len(tree.nodes) < LEAST_DONE:
         return None
     first, led = tree.nodes[:LET]
-    bare = first.may_act and first.lower == first.lemma and first.tag in {"NN", "RB", "JJ"}
-    beside = first.head == root and first.relation in {"npadvmod", "advmod", "compound", "amod", "nmod"}
-    named = led.tag in DETERMINERS and led.head == root and lexicon.entries.keys().isdisjoint({first.lower})
-    if not bare or not beside or not named or first.lower in lexicon.places | lexicon.particles.keys():
+    bare = first.may_act and first.lower == first.lemma and not first.is_verb and led.tag in DETERMINERS
+    beside = lexicon.entries.keys() | lexicon.places | lexicon.particles.keys() | lexicon.function_words
+    if not bare or first.lower in beside:
         return None
-    return with_thing_done(tree, root)
+    if root == 0 and led.head in tree.children(0, "dobj", "pobj", "nsubj"):
+        return with_thing_done(tree, led.head)
+    described = first.head == root and first.relation in {"npadvmod", "advmod", "compound", "amod", "nmod"}
+    named = tree.nodes[root].tag.startswith("NN") and led.head == root
+    return with_thing_done(tree, root) if described and named else None
 
 
 def _does_owned(tree: Tree, lexicon: Lexicon) -> Tree | None:
