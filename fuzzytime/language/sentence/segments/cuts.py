@@ -93,7 +93,7 @@ def other_things(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     for start in sorted(_gaps(one, part, lexicon)) if part.tree.nodes else ():
         pieces = _around(one, part, start, lexicon)
         if pieces:
-            whole = _begins_order(one, part, start) or _is_told(one, part, start, lexicon)
+            whole = _begins_order(part, start) or _is_told(one, part, start, lexicon)
             whole = whole or _is_back(one, part, start, lexicon) or not _takes_verb(one, part, start, lexicon)
             return [pieces[0], replace(pieces[1], verbless=not whole)]
     return []
@@ -141,7 +141,7 @@ def _due_too(part: Part, start: int, lexicon: Lexicon) -> str | None:
     return person_due(part.tree, action.place, lexicon) if joined else None
 
 
-def _begins_order(one: Waiting, part: Part, start: int) -> bool:
+def _begins_order(part: Part, start: int) -> bool:
     """Whether what was taken for another thing is to be done: "thaw it for 2 min, spin at 300 g for 5".
 
     So is what has an article behind it: "can you hang the curtains after lunch and water the basil at six".

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.clauses.conditions import ITS, being, happening, state
-from fuzzytime.language.sentence.segments.mended.mended_trees import as_done
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
@@ -78,8 +77,9 @@ def fronts_of(
     orders = trees([CARRIER + attempt.order for attempt in tries])
     led: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
-        order = as_done(carried.without_carrier(CARRIER, attempt.order, 0), lexicon)
+        order = carried.without_carrier(CARRIER, attempt.order, 0)
         asks = is_order(order) or bool(order.nodes and _is_wish(order, 0, lexicon))
+        asks = asks or (order.root == 0 and _governs(order, lexicon))
         if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and asks:
             led[attempt.one] = attempt.front
     return led
@@ -146,6 +146,13 @@ def may_be_done(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     becomes = node.tag in {"JJ", "RB"} and tree.nodes[place - 1].lemma in lexicon.doing.being
     becomes = becomes and not (led and node.lower in lexicon.orders)
     return (node.may_act or led) and is_bare(node, lexicon) and not becomes
+
+
+def _governs(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether a first word that is no verb in its tree governs: "if it rains | hoover the hall"."""
+    beside = lexicon.places | lexicon.particles.keys() | lexicon.function_words
+    led = any(node.tag in DETERMINERS for node in tree.nodes[1:2])
+    return led and tree.nodes[0].may_act and tree.nodes[0].lower not in beside
 
 
 def _is_wish(tree: Tree, place: int, lexicon: Lexicon) -> bool:

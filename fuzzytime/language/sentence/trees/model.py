@@ -93,7 +93,7 @@ def _pipeline(name: str) -> Any:  # noqa: ANN401 - spaCy's type, which must not 
 
 @cache
 def _listed(name: str, *kinds: str) -> frozenset[str]:
-    """Give the words of some kinds in the model's dictionary; tags of a word that stands alone are guesses."""
+    """Give words of some kinds in the model's dictionary; tags of a word that stands alone are guesses."""
     words = _pipeline(name).get_pipe("lemmatizer").lookups.get_table("lemma_index")
     return frozenset().union(*(words[kind] for kind in kinds))
 

@@ -132,7 +132,9 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         and (node.tag == "NN" or _stands_apart(tree, place))
     ):
         return True
-    if node.tag not in {"NN", "NNP", "JJ", "JJR"} or before not in closed.joints_of_orders:
+    # "Lock the shed and reboot the router": it names nothing.
+    taken = node.tag in {"NN", "NNP", "JJ", "JJR"} or (node.may_act and not node.may_name)
+    if not taken or node.is_verb or before not in closed.joints_of_orders:
         return False
     if before == "," and _is_before_object(tree, place, lexicon):
         return True

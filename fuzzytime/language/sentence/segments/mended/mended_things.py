@@ -201,7 +201,7 @@ def with_event_names(tree: Tree, timed: AbstractSet[int]) -> Tree:
 
 
 def with_bare_thing(tree: Tree, timed: AbstractSet[int]) -> Tree:
-    """Give "swab counter", "clean oven at six" its thing, which a tree takes for where or how that is done."""
+    """Give "swab counter", "clean oven at six" its thing, which a tree takes for where or how."""
     root, place = tree.root, tree.root + 1
     if not tree.nodes[root].is_bare or tree.children(root, "dobj", *SUBJECTS) or place in timed:
         return tree

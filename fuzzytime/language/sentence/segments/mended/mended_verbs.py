@@ -54,13 +54,13 @@ def _orders_verb(tree: Tree, lexicon: Lexicon) -> Tree | None:
 
 
 def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:
-    """Whether something is done with several: "water plants", "mist orchids"; but "swim lessons" happen."""
+    """Whether something is done with several: "water plants", "feed chickens"; but "swim lessons" happen."""
     done = lexicon.chores | lexicon.doing.by_the_day | lexicon.dosing | lexicon.ordering
     timed = lexicon.happening | lexicon.taken | lexicon.events
-    bare = verb.tag == "NN" and verb.lower in done - lexicon.addressing and things.tag == "NNS"
-    # No verb for what a noun does: "mist orchids"
-    acts = verb.may_act and verb.lower == verb.lemma and things.tag == "VBZ" and not things.may_act
-    return (bare or acts) and timed.isdisjoint({things.lower, things.lemma})
+    bare = verb.tag == "NN" and verb.lower in done - lexicon.addressing
+    # "Water ferns": no verb for what a noun does
+    several = things.tag == "NNS" or (things.tag == "VBZ" and not things.may_act)
+    return bare and several and timed.isdisjoint({things.lower, things.lemma})
 
 
 def _does_event(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -101,10 +101,10 @@ def _does_led(tree: Tree, lexicon: Lexicon) -> Tree | None:
 def _does_owned(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "iron Ann's shirt" its verb, which a tree takes for a part of a name: "Uncle Tom's cabin"."""
     root = tree.root
-    if root < LEAST_DONE or tree.children(1, "case") != (LET,) or tree.nodes[0].head != 1:
+    if root < LEAST_DONE or tree.children(1, "case") != (LET,) or tree.nodes[0].head not in {1, root}:
         return None
     first, owner = tree.nodes[:LET]
-    orders = first.lower in lexicon.orders - lexicon.persons and first.lower == first.text
+    orders = first.may_act and first.lower not in lexicon.persons and first.lower == first.text
     owned = owner.relation == "poss" and owner.head == root and tree.nodes[root].tag in NOUNS
     return with_thing_done(tree, root) if orders and owned else None
 
@@ -121,12 +121,14 @@ def _has_done(tree: Tree, lexicon: Lexicon) -> Tree | None:
 
 def _does_that(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "check that oven at six" its thing, which a tree takes for where, or for what that does."""
-    if tree.root != 0 or len(tree.nodes) <= LET or tree.nodes[1].lower != THAT:
+    if tree.root not in {0, LET} or len(tree.nodes) <= LET or tree.nodes[1].lower != THAT:
         return None
     verb, that, thing = tree.nodes[: LET + 1]
-    taken = that.relation in {"dobj", "nsubj", "mark", "det"} and thing.relation != "dobj" and thing.head == 0
-    # "Boil that spaghetti", "press that button"; but "check that works"
-    taken = taken and (thing.tag in {"IN", "VBG", "NN", "NNS"} or not thing.may_act)
+    taken = that.relation in {"dobj", "nsubj", "mark", "det"} and thing.relation != "dobj"
+    taken = taken and thing.head == tree.root and verb.may_act and verb.lower == verb.lemma
+    taken = taken and verb.lower not in lexicon.function_words
+    # "Boil that spaghetti", "lock that shed"; but "check that works"
+    taken = taken and (thing.tag in {"IN", "VBG", "NN", "NNS"} or thing.is_bare or not thing.may_act)
     # "Make that dressing"; but "keep that going"
     led = thing.lower not in lexicon.places | lexicon.particles.keys() and (
         thing.tag == "VBG" or thing.lower not in lexicon.function_words
@@ -140,7 +142,8 @@ def _does_that(tree: Tree, lexicon: Lexicon) -> Tree | None:
         or any(node.tag in DETERMINERS | NOUNS or node.tag.startswith(("VB", "MD")) for node in behind)
     ):
         return None
-    named = tree.hung(tree.children(LET), 0).changed(1, tag="DT", relation="det", head=LET)
+    named = tree.hung(tree.children(LET), 0).changed(0, tag="VB", relation="ROOT", head=0)
+    named = named.changed(1, tag="DT", relation="det", head=LET)
     return named.changed(LET, tag="NN", lemma=thing.lower, relation="dobj", head=0)
 
 
@@ -218,10 +221,15 @@ def _goes_to_do(tree: Tree, lexicon: Lexicon) -> Tree | None:
 
 def _is_to_be_done(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "remind me to hoover the stairs" what is to be done, which a tree takes for where to."""
-    for place in range(1, len(tree.nodes)):
+    for place in range(LET, len(tree.nodes)):
         to, done, behind = tree.nodes[place - 1], tree.nodes[place], tree.nodes[place + 1 : place + 2]
-        led = to.lower == "to" and to.relation == "prep" and done.relation == "pobj"
-        if not led or done.lower not in lexicon.orders or done.head != place - 1:
+        if to.lower != "to" or not done.may_act or done.lower != done.lemma:
+            continue
+        if done.relation in {"compound", "amod"} and place < done.head:
+            mended = _asked_to_do(tree, place, lexicon)
+            if mended is not None:
+                return mended
+        if to.relation != "prep" or done.relation != "pobj" or done.head != place - 1:
             continue
         ends = done.lower in lexicon.needing_nothing and not behind
         # No noun is followed by an article.
@@ -231,6 +239,19 @@ def _is_to_be_done(tree: Tree, lexicon: Lexicon) -> Tree | None:
             mended = tree.hung(later, place).changed(place - 1, tag="TO", relation="aux", head=place)
             return mended.changed(place, tag="VB", lemma=done.lower, relation="xcomp", head=to.head)
     return None
+
+
+def _asked_to_do(tree: Tree, place: int, lexicon: Lexicon) -> Tree | None:
+    """Give "I have to ice cakes" what is to be done, which a tree takes for what kind of thing that is."""
+    asking = lexicon.wanting | lexicon.forgetting | lexicon.doing.remembering | lexicon.doing.requesting
+    asks = next((p for p in range(place - 2, -1, -1) if tree.nodes[p].is_verb), None)
+    if asks is None or tree.nodes[asks].lemma not in asking | {"have"}:
+        return None
+    thing = tree.nodes[place].head
+    mended = tree.hung((p for p in tree.children(thing) if p < place or thing < p), place)
+    mended = mended.changed(place - 1, tag="TO", relation="aux", head=place)
+    mended = mended.changed(place, tag="VB", lemma=tree.nodes[place].lower, relation="xcomp", head=asks)
+    return mended.changed(thing, relation="dobj", head=place)
 
 
 def with_thing_done(tree: Tree, thing: int) -> Tree:
