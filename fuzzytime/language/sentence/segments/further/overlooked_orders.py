@@ -150,10 +150,12 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         return True
     # "Raise the blinds, water the fern, lower them at six"
     # "Sow carrots, thin them": no adjective stands before a pronoun.
-    known = {"NN", "JJR", "JJ"} if node.may_act else {"NN", "JJR"}
+    known = {"NN", "JJR", "JJ", "NNP"} if node.may_act and node.text.islower() else {"NN", "JJR"}
+    # "Bin anything old"
+    pronouns = closed.it_or_them | (closed.behind_verbs - closed.noun_openers - lexicon.particles.keys())
     bare = node.tag in known and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
     if bare and (
-        behind in closed.it_or_them or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)
+        behind in pronouns or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)
     ):
         # "Leave it for an hour and pat it dry", "move the sofa, vacuum behind it"
         return True
