@@ -41,9 +41,10 @@ class BareHours(Standing):
         if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
             # "At three to one"
             return False
-        sized = self.texts[max(0, piece.start - 2) : piece.start - 1] in (["to"], ["a"])
+        *before, led = ["", *self.texts[: max(0, piece.start - 1)]]
+        sized = led == "a" or (led == "to" and not self.lexicon.no_times.sizing.isdisjoint(before))
         if said.preposition == "by" and sized and self.measures.is_number(piece.start - 1):
-            # "Cut the plank to 6 by 2"
+            # "Cut the plank to 6 by 2"; but "heat it to 200 by 6"
             return False
         if self._is_counted(piece, said) or self._counts_either(piece):
             return False
