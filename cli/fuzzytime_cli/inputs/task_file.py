@@ -111,7 +111,8 @@ class _TaskFile:
         reader = self.reader
         root = reader.root()
         # A list alone is of what is to be done.
-        top = {"instructions": root} if isinstance(root, Listed) else reader.mapping(root, "", KEYS)
+        alone: dict[str, Node] = {"instructions": root}
+        top = alone if isinstance(root, Listed) else reader.mapping(root, "", KEYS)
         self.now = self._now(top)
         asked, usual = self.surroundings.asked, self.surroundings.usual
         agents = reader.whole(top["agents"], "agents", 1, MAX_AGENTS) if "agents" in top else None
