@@ -58,6 +58,11 @@ def test_bullets_and_dashes_beside_hours_are_no_words() -> None:
         ("Mr Singh again 2.15 shopping", ("Mr Singh again shopping", "14:15")),
         ("Mr Singh 8.00 - 30 mins", ("Mr Singh", "08:00")),
         ("beef in 10.45 - 20 min", ("beef in", "10:45")),
+        ("bread, 2.15", ("bread", "14:15")),
+        ("bread - 2.15", ("bread", "14:15")),
+        ("Bread: 2.15", ("Bread", "14:15")),
+        ("choir 1415 upstairs", ("choir", "14:15")),
+        ("lunch 1 in the hall", ("lunch in the hall", "13:00")),
     ],
 )
 def test_what_is_beside_an_hour_is_what_happens_then(line: str, wanted: tuple[str, str]) -> None:

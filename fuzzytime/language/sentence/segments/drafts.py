@@ -173,9 +173,9 @@ def _without_parts(
     marks, tags = list_marks(text, lexicon), leading_tags(text)
     timed = max(timed, how_timed([entry], lexicon))
     plain = blanked(without_marks(entry, marks), tags)
-    plain = without_colons(plain, lexicon, timed) if timed else plain
-    plain = blanked(plain, leading_labels(plain, lexicon))
     hours, listed = hours_in(plain, lexicon, timed), timed >= Timed.MOST
+    plain = without_colons(plain, hours)
+    plain = blanked(plain, leading_labels(plain, lexicon))
     scanned = _in_entries(plain, hours, grammar, lexicon, listed=listed)
     messages = messages_of(scanned, lexicon)
     scanned = _again(scanned, blanked(scanned.text, (message.span for message in messages)), grammar)

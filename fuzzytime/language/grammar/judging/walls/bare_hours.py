@@ -35,7 +35,9 @@ class BareHours(Standing):
         listed = said.preposition in {"at", "for"} and bool(self.run_on.behind(wall.clock, piece.end))
         if listed or self.reminds(piece) or self._leads_entry(piece, said) or self._opens_line(piece, said):
             return True
-        ends = self.around.may_end(piece) or self._leads_to_distance(piece)
+        # "@1415 upstairs"
+        marked = self.texts[piece.start] == "@" and self.measures.is_sure(piece.end - 1)
+        ends = marked or self.around.may_end(piece) or self._leads_to_distance(piece)
         if not ends or self.around.is_unit(piece.end):
             return False
         if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):

@@ -6,6 +6,7 @@ is, it is an hour, as if "@" stood in front of it.
 
 import re
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from enum import IntEnum
 from functools import cache
 from itertools import takewhile
@@ -18,6 +19,9 @@ from fuzzytime.language.sentence.segments.lists.dividers import LINE
 
 DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 """A number with two digits behind its point."""
+
+COLON = re.compile(r":(?P<pause>[ \t]+)(?=\d)")
+"""A colon that may stand in front of an hour."""
 
 POINT = re.compile(r"(?<=\d)\.(?=[0-5]\d)")
 """What stands for a colon in an hour."""
@@ -55,9 +59,6 @@ DIGITS = r"(?:2[0-3]|[01]\d)[0-5]\d(?!\d|-\d\d-)"
 "2026-03-05" is a day.
 """
 
-NAMED = re.compile(r"^\s*[^\W\d][^:;,\n]*(?P<colon>:)[ \t](?=\d)", re.MULTILINE)
-"""A name with a colon in front of a number: "Tea: 10.30"."""
-
 
 class Timed(IntEnum):
     """How many lines say when something is: of most of them, a number alone is an hour, too: "Wrap 7".
@@ -78,7 +79,7 @@ def hours_behind(halves: frozenset[str]) -> re.Pattern[str]:
     hour, minutes = r"(?:2[0-3]|[01]?\d)", r"[.:][0-5]\d"
     return re.compile(
         rf"""
-        (?<=[\w)]) \s? (?P<mark>\s)
+        (?<=[\w)]) (?P<gap>: | , | … | \s[-–—=](?=\s))? \s* (?P<mark>[ \t])
         (?: (?P<digits>{DIGITS}) | {hour} (?P<minutes>{minutes}) | (?:1[0-2]|0?[1-9])(?![\d.:]) )
         (?P<until> {half} (?:(?P<dash>\s[-–]\s)|\s?[-–]\s?|\s(?:to|till|until)\s)
                    (?:{DIGITS} | {hour} (?P<last>{minutes})?) )?
@@ -112,20 +113,13 @@ def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozense
     return frozenset((*behind, *_in_front(text, lexicon, timed)))
 
 
-def without_colons(text: str, lexicon: Lexicon, timed: Timed = Timed.MOST) -> str:
-    """Give a text without the colons between what a line names and its hour; but "Guests: 12" is how many.
+def without_colons(text: str, hours: AbstractSet[int]) -> str:
+    """Give a text without the colons in front of its hours.
 
-    >>> from fuzzytime.language import shipped_lexicon
-    >>> without_colons("Tea: 10.30", shipped_lexicon())
+    >>> without_colons("Tea: 10.30", {4})
     'Tea  10.30'
     """
-    for found in NAMED.finditer(text):
-        named = words_of(found[0])[-2]
-        plain = text[: found.start("colon")] + " " + text[found.end("colon") :]
-        counted = looks_plural(named.text) and singular(named.text) not in lexicon.happening | lexicon.taken
-        if not counted and found.end() - 1 in _behind_things(plain, lexicon, timed):
-            text = plain
-    return text
+    return COLON.sub(lambda found: (" " if found.end() - 1 in hours else ":") + found["pause"], text)
 
 
 def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
@@ -139,14 +133,14 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         lasts = counts and found["dash"] is not None and (found["minutes"] or found["digits"]) is not None
         if not before or (counts and not lasts) or _costs(before, lexicon):
             continue
-        if ":" in found[0] and not lexicon.means(before[-1].text, "hedge"):
+        if ":" in text[found.start("mark") : found.end()] and not lexicon.means(before[-1].text, "hedge"):
             # "Panel 9:15" needs no mark.
             continue
         if found["last"] and found["dash"] and not found["minutes"] and _is_called(before[-1], lexicon):
             # "Dive 1 - 9.30"
             yield found.end("dash") - 1
             continue
-        if not (lasts or _may_end(found, behind, lexicon, timed)) or not _names(
+        if not (lasts or _may_end(found, before, behind, lexicon, timed)) or not _names(
             found, before, lexicon, timed
         ):
             continue
@@ -156,8 +150,12 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
 
 
 def _names(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon, timed: Timed) -> bool:
-    """Whether words name what is at the hour behind them."""
+    """Whether words name what is at the hour behind them; but "guests: 12" is how many."""
     typed = found["minutes"] or found["last"] or found["digits"]
+    counted = found["gap"] == "," or _is_counted(before[-1], lexicon)
+    apart = timed < Timed.MOST or (counted and not typed)
+    if found["gap"] and (apart or not before[-1].is_letters):
+        return False
     if found["digits"] and timed < Timed.MOST and not found["digits"].startswith("0"):
         return False
     if not typed and _takes(before, lexicon):
@@ -192,16 +190,27 @@ def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
             yield line.start() + alone.start("hour") - 1
 
 
-def _may_end(found: re.Match[str], behind: Sequence[Word], lexicon: Lexicon, timed: Timed) -> bool:
+def _may_end(
+    found: re.Match[str], before: Sequence[Word], behind: Sequence[Word], lexicon: Lexicon, timed: Timed
+) -> bool:
     """Whether nothing is behind an hour, or beside minutes where or whose it is: "10-11.30 group A".
 
-    Among lines of which most are timed, anything may be: "meeting 3.30 online".
+    Among lines of which most are timed, anything may be: "meeting 3.30 online"; behind an hour without
+    minutes it says where, or with whom: "lunch 1 in the hall".
     """
     if found["ends"] is not None:
         return True
-    typed = found["minutes"] or found["last"] or found["digits"] or (found["until"] and timed >= Timed.MOST)
-    placed = timed >= Timed.MOST or all(word.text in lexicon.function_words for word in behind)
-    return bool(typed) and (found["until"] is not None or placed)
+    typed = found["minutes"] or found["last"] or found["digits"]
+    placed = not lexicon.closed.prepositions_of_times_taken.isdisjoint(word.text for word in behind)
+    if timed >= Timed.MOST:
+        return bool(typed or found["until"]) or (placed and not _is_counted(before[-1], lexicon))
+    beside = all(word.text in lexicon.function_words for word in behind)
+    return bool(typed) and (found["until"] is not None or beside)
+
+
+def _is_counted(word: Word, lexicon: Lexicon) -> bool:
+    """Whether a word names several things that do not happen: "guests"."""
+    return looks_plural(word.text) and singular(word.text) not in lexicon.happening | lexicon.taken
 
 
 def _is_amount(behind: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -12,7 +12,6 @@ from fuzzytime.language.sentence.segments.lists.hours_of_lines import (
     LEADING,
     Timed,
     hours_behind,
-    without_colons,
 )
 
 SURELY = 2
@@ -50,7 +49,7 @@ def _sure(prepositions: frozenset[str], halves: frozenset[str]) -> re.Pattern[st
 
 def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     """Give whether lines are a list of times, as two are surely timed, or three have numbers like hours."""
-    lines = [line[0] for text in texts for line in LINE.finditer(without_colons(text, lexicon))]
+    lines = [line[0] for text in texts for line in LINE.finditer(text)]
     halves = hours_behind(lexicon.beside.of_hours)
     prepositions = lexicon.closed.prepositions_of_points | lexicon.closed.prepositions_of_time
     surely = _sure(prepositions, lexicon.beside.of_hours)
