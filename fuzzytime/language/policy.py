@@ -92,6 +92,10 @@ class Policy:
     kept_off: int = 30
     ask: bool = True
 
+    def is_asleep_at(self, then: time, away: float) -> bool:
+        """Whether something is hardly moved there by so many hours: what is at ten, to four in the night."""
+        return away > self.soon_hours and not self.plausible_from <= then <= self.plausible_to
+
     def begin_before(self, deadline: float) -> int:
         """Give from when on, in seconds of its day, what is due at a time of that day may begin."""
         opens = self.plausible_from.hour * 3600 + self.plausible_from.minute * 60
