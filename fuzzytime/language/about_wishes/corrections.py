@@ -66,7 +66,7 @@ def added_time(text: str, now: datetime, lexicon: Lexicon, *, wish: bool = False
     # "Four" may count anything, but "four to five" has two ends.
     time = time if said.has_time or said != told or time.startswith(FROM) else ""
     number = said.as_number() if len(said.words) == 1 else ""
-    if not time:
+    if not time or said.places:
         return None
     bare = said.is_bare(time)
     return About(kind=AboutKind.MOVE, time=time[0].lower() + time[1:], number=number, bare=bare)

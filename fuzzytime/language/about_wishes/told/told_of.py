@@ -7,6 +7,7 @@ from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS
 from fuzzytime.language.about_wishes.said import CLOCKED, FOR, Said, one_time
 from fuzzytime.language.about_wishes.told.awaited import written_out
+from fuzzytime.language.finding import find_times
 from fuzzytime.requirement import Constraint
 
 SMALL = ("being", "anew")
@@ -14,6 +15,7 @@ SMALL = ("being", "anew")
 
 SOONER = frozenset({"early", "earlier"})
 WILL = "will"
+HAS, BEEN = frozenset({"has", "have"}), "been"
 TO, BE = ("to",), ("be",)
 ALREADY = "already"
 DONE = "ed"
@@ -41,7 +43,7 @@ def told_of(said: Said) -> About | None:
         named = len(who.words) == 1 or who.forms[0] in EMPTY or bool(who.label)
         names = frozenset[str]() if who.is_in("they") else who.meant
         return About(kind=AboutKind.DONE, names=names, certain=named)
-    about = _off(how) or _longer(how) or _later(how) or _then(how, last=last)
+    about = _off(how) or _longer(how) or _later(how) or _so_long(how) or _then(how, last=last)
     if about is None:
         return None
     certain = last or about.kind is AboutKind.MORE
@@ -59,7 +61,11 @@ def _thing_and_state(said: Said) -> tuple[Said, Said]:
     stating = (
         said.lexicon.closed.third_person_be | {WILL} | {f"{verb}s" for verb in said.lexicon.doing.happening}
     )
-    places = (n for n, word in enumerate(said.forms) if word in stating or _obliges(said.behind(n)))
+    places = (
+        n
+        for n, word in enumerate(said.forms)
+        if word in stating or (word in HAS and BEEN in said.forms[n + 1 : n + 3]) or _obliges(said.behind(n))
+    )
     place = next(places, 0)
     off = max((len(form) for form in said.table("cancelled") if said.forms[-len(form) :] == form), default=0)
     if not place and off and said.forms[-1].endswith(DONE):
@@ -113,6 +119,18 @@ def _later(how: Said) -> About | None:
     return About(kind=AboutKind.DELAY, by=by, earlier=earlier, told=True)
 
 
+def _so_long(how: Said) -> About | None:
+    """Read how long it goes on: "is ninety minutes today", "is only half an hour"."""
+    left, _ = how.without("being", "anew")
+    told = find_times(left.text, how.now, how.lexicon).requirements
+    lasts = [part.text for part in told if part.constraint is Constraint.FOR and part.unit in CLOCKED]
+    days = [part for part in told if part.constraint is Constraint.BETWEEN]
+    whole = sum(end - first for first, end in {part.span for part in told}) + len(days) == len(left.text)
+    if len(lasts) != 1 or len(told) != 1 + len(days) or not whole:
+        return None
+    return About(kind=AboutKind.TAKES, time=f"{FOR}{lasts[0].removeprefix(FOR)}", told=True)
+
+
 def _then(how: Said, *, last: bool) -> About | None:
     """Read when it is: "is at seven", "is on friday now"; but "it's friday" tells the day."""
     how, _ = how.without("being")
@@ -120,7 +138,8 @@ def _then(how: Said, *, last: bool) -> About | None:
     beside = None if last else how.beside()
     if beside is not None and beside[1].names and not how.has_time:
         return About(kind=AboutKind.MOVE, time=beside[0], others=beside[1].names, told=True)
-    left, _ = how.without("anew")
+    left, _ = how.without("anew", "rescheduled")
+    left = left.behind(1) if left != how and left.forms[:1] == TO else left
     time = left.as_time() if left.words else ""
     told = one_time(time, how.now, how.lexicon) if time else None
     joint = told is not None and (told.preposition is not None or left.forms[0] == FOR.strip())
