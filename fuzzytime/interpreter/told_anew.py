@@ -131,17 +131,16 @@ def _chosen(
     merged = find_times(words, wish.given, lexicon).requirements
     if not others and words != time.text and len(merged) == 1:
         return replace(merged[0], span=time.span)
-    if not news.choices:
+    if news.question is None:
         return time
     old = instant_after(maker.request.now, moment_of(made))
-    taken = news.choices[news.chosen]
+    choices, chosen = news.question.choices, news.question.chosen
 
     def unlikely(choice: datetime) -> tuple[bool, float]:
-        away = abs(seconds_between(old, choice))
-        return lexicon.policy.is_asleep_at(choice.time(), away / 3600), away
+        hour = choice.hour + choice.minute / 60
+        return lexicon.policy.far_from(hour, hour - seconds_between(old, choice) / 3600)
 
-    nearest = min(news.choices, key=unlikely)
-    return time.shifted(seconds_between(taken, nearest))
+    return time.shifted(seconds_between(choices[chosen], min(choices, key=unlikely)))
 
 
 def _later(news: News, made: Interpreted, wish: SpokenWish) -> tuple[TimeRequirement, ...]:

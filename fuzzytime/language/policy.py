@@ -92,9 +92,10 @@ class Policy:
     kept_off: int = 30
     ask: bool = True
 
-    def is_asleep_at(self, then: time, away: float) -> bool:
-        """Whether something is hardly moved there by so many hours: what is at ten, to four in the night."""
-        return away > self.soon_hours and not self.plausible_from <= then <= self.plausible_to
+    def far_from(self, hour: float, old: float) -> tuple[bool, float]:
+        """Give how unlikely an hour is as the new one of what was at another: at night, and how far away."""
+        asleep = not self.plausible_from.hour <= hour <= self.plausible_to.hour
+        return abs(hour - old) > self.soon_hours and asleep, abs(hour - old)
 
     def begin_before(self, deadline: float) -> int:
         """Give from when on, in seconds of its day, what is due at a time of that day may begin."""

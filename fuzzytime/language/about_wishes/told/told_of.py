@@ -1,5 +1,6 @@
 """What is told of a thing that was asked for: "the gym is off", "lunch is at one", "it takes longer"."""
 
+import re
 from dataclasses import replace
 
 from fuzzytime.english import EMPTY
@@ -7,7 +8,6 @@ from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS
 from fuzzytime.language.about_wishes.said import CLOCKED, FOR, Said, one_time
 from fuzzytime.language.about_wishes.told.awaited import written_out
-from fuzzytime.language.finding import find_times
 from fuzzytime.requirement import Constraint
 
 SMALL = ("being", "anew")
@@ -15,7 +15,7 @@ SMALL = ("being", "anew")
 
 SOONER = frozenset({"early", "earlier"})
 WILL = "will"
-HAS, BEEN = frozenset({"has", "have"}), "been"
+HAS_BEEN = re.compile(r"\b(has|have)( \w+)? been\b")
 TO, BE = ("to",), ("be",)
 ALREADY = "already"
 DONE = "ed"
@@ -27,7 +27,7 @@ def told_of(said: Said) -> About | None:
 
     Of what names no wish itself it may be what happens besides: "lunch is at one".
     """
-    who, how = _thing_and_state(Said(written_out(said.text), said.now, said.lexicon))
+    who, how = _thing_and_state(Said(HAS_BEEN.sub(r"is\2", written_out(said.text)), said.now, said.lexicon))
     # "The truck's late, about 20 minutes"
     how = replace(how, text=how.text.replace(",", ""))
     last = who.is_in("last")
@@ -61,11 +61,7 @@ def _thing_and_state(said: Said) -> tuple[Said, Said]:
     stating = (
         said.lexicon.closed.third_person_be | {WILL} | {f"{verb}s" for verb in said.lexicon.doing.happening}
     )
-    places = (
-        n
-        for n, word in enumerate(said.forms)
-        if word in stating or (word in HAS and BEEN in said.forms[n + 1 : n + 3]) or _obliges(said.behind(n))
-    )
+    places = (n for n, word in enumerate(said.forms) if word in stating or _obliges(said.behind(n)))
     place = next(places, 0)
     off = max((len(form) for form in said.table("cancelled") if said.forms[-len(form) :] == form), default=0)
     if not place and off and said.forms[-1].endswith(DONE):
@@ -122,13 +118,10 @@ def _later(how: Said) -> About | None:
 def _so_long(how: Said) -> About | None:
     """Read how long it goes on: "is ninety minutes today", "is only half an hour"."""
     left, _ = how.without("being", "anew")
-    told = find_times(left.text, how.now, how.lexicon).requirements
-    lasts = [part.text for part in told if part.constraint is Constraint.FOR and part.unit in CLOCKED]
-    days = [part for part in told if part.constraint is Constraint.BETWEEN]
-    whole = sum(end - first for first, end in {part.span for part in told}) + len(days) == len(left.text)
-    if len(lasts) != 1 or len(told) != 1 + len(days) or not whole:
-        return None
-    return About(kind=AboutKind.TAKES, time=f"{FOR}{lasts[0].removeprefix(FOR)}", told=True)
+    day = left.behind(len(left.words) - 1).one_time()
+    dated = day is not None and day.constraint is Constraint.BETWEEN
+    time = (left.until(len(left.words) - 1) if dated else left).as_time()
+    return About(kind=AboutKind.TAKES, time=time, told=True) if time.lower().startswith(FOR) else None
 
 
 def _then(how: Said, *, last: bool) -> About | None:
