@@ -217,6 +217,7 @@ class _Clause:
         news = self._news_of(NewsKind.TIME, left, tables)
         if news is None:
             return None
+        marked = moved or bool(tables - {"they", "being"})
         return replace(news, time=told, question=next(iter(questions), None), marked=marked)
 
     def _news_of(self, kind: NewsKind, left: Said, tables: frozenset[str], *, by: float = 0.0) -> News | None:

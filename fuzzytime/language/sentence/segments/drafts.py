@@ -28,8 +28,7 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
     without_bullets,
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
-from fuzzytime.language.sentence.segments.lists.runs import run_apart
-from fuzzytime.language.sentence.segments.lists.switches import switched_apart
+from fuzzytime.language.sentence.segments.lists.runs import run_apart, switched_apart
 from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.rounds import parted
