@@ -27,6 +27,11 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
     bare = isinstance(said.time, Duration) or (isinstance(said.time, Offset) and said.time.anchor is None)
     if own is None or not own.is_asked or distance is None or not bare:
         return None
+    if _counts_on(anchors, own, said, requirement):
+        anchor = Anchor(
+            text=requirement.text, target=anchors.position - 1, edge=Edge.FREE, lag=distance, exact=True
+        )
+        return only_counted(requirement, anchor, Constraint.AFTER)
     lent = said.preposition == AFTER and _is_lent(requirement, anchors)
     if lent and anchors.position - 1 in anchors.told.since:
         # "After 3 minutes the beans, after 5 the corn, after 8 turn it off": all since the same
@@ -81,6 +86,27 @@ def _behind_last(
         return None
     anchor = Anchor(text=requirement.text, target=last, edge=Edge.END, lag=distance, exact=not within)
     return only_counted(requirement, anchor, Constraint.BETWEEN if within else Constraint.AFTER)
+
+
+def _counts_on(anchors: Anchors, own: Operation, said: Said, requirement: TimeRequirement) -> bool:
+    """Whether it counts from what is to be done before it: "fry it at ten, and after five minutes add salt".
+
+    So it does where it would be before that, and in other words always: "…, and in another five minutes".
+    """
+    last = anchors.position - 1
+    before = anchors.operation_at(last) if last >= anchors.first else None
+    if before is None or not before.is_asked or said.preposition not in {AFTER, IN}:
+        return False
+    if _is_said_before(anchors, last, requirement):
+        return False
+    more = anchors.lexicon.conversation["more"]
+    if any((word,) in more for word in requirement.text.lower().split()):
+        return True
+    start, distance = anchors.told.start(last), requirement.t_spec or 0.0
+    begun = None if start is None or anchors.now is None else seconds_between(anchors.now, start)
+    # "Boil it at six and call mum after ten minutes" is not sure to.
+    in_front = requirement.span[0] < own.span[0]
+    return said.preposition == AFTER and in_front and begun is not None and distance < begun
 
 
 def _is_said_before(anchors: Anchors, target: int, requirement: TimeRequirement) -> bool:
