@@ -78,6 +78,10 @@ def _following(
     known = plausible if here.listed or here.carried or here.usual else moments
     within = CLOSE if here.carried and not here.in_order else FOLLOWING
     follows = [moment for moment in known if since < moment <= since + within]
+    if not follows and here.listed:
+        # "Feed the baby at six and again at ten": late, and on the same day.
+        late = (moment for moment in moments if moment.date() == since.date())
+        follows = [moment for moment in late if since < moment <= since + within]
     if not follows and not here.carried and not here.onto:
         # "Open at nine, lights on at 8.45"
         follows = [moment for moment in plausible if since - SHORTLY <= moment < since]
