@@ -7,6 +7,9 @@ from fuzzytime.language.grammar.surroundings.looked_up import LookedUp
 from fuzzytime.language.grammar.timetables import counts_nothing
 from fuzzytime.language.meaning.expressions import Said
 
+PARTICIPLE = "ing"
+"""The ending of what somebody is doing."""
+
 
 class BehindTimes(LookedUp):
     """The words of a text, and what stands behind a time among them."""
@@ -25,7 +28,18 @@ class BehindTimes(LookedUp):
         known = follower in self.lexicon.function_words or self.timely(piece.end)
         known = known or self._is_taken_back(piece.end) or follower in self.beside.saying_more
         known = known or self._is_polite_end(piece.end) or follower in self.closed.negators_as_typed
+        known = known or self._says_how(piece.end)
         return known or self._is_in_front(piece) or self._is_before_order(piece)
+
+    def _says_how(self, place: int) -> bool:
+        """Whether a word says how something is done, and of no thing: "at six quietly", "at six making a note".
+
+        But "at six friendly shops", "at six meeting points".
+        """
+        how = self.texts[place].endswith((PARTICIPLE, *self.closed.endings_of_manner))
+        behind = self.texts[place + 1] if place + 1 < len(self.texts) else ""
+        apart = not behind[:1].isalnum() and not self.texts[place].endswith(PARTICIPLE)
+        return how and (apart or behind in self.lexicon.function_words)
 
     def _is_polite_end(self, place: int) -> bool:
         """Whether only courtesies and whom one calls stand behind: "at six don't forget", "at six alexa"."""
