@@ -247,7 +247,8 @@ def test_an_hour_behind_a_thing_is_said_to_be_none(text: str, said: list[str]) -
 def test_how_things_are_is_told_and_not_to_be_done(text: str, why: str) -> None:
     reading = language().read(text, now=NOW)
     asked, told = sorted(reading.instructions, key=lambda one: one.operation is None)
-    assert asked.operation is not None and not asked.operation.stated
+    assert asked.operation is not None
+    assert not asked.operation.stated
     assert told.operation is None
     assert f"{why!r} tells how things are, and says nothing to do" in [r.message for r in reading.remarks]
 
