@@ -7,7 +7,8 @@ from itertools import dropwhile
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.measuring import AMOUNTED
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Remark, RemarkKind, Span
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
+from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
 HOURS = 12
@@ -78,3 +79,18 @@ def _is_hour(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word is a number that may be an hour."""
     number = int(word.text) if word.is_digits else lexicon.numbers.get(word.text)
     return number is not None and 0 < number <= HOURS
+
+
+def uncounted(text: str, part: Part, operation: Operation) -> Iterator[Remark]:
+    """Point at a number of which nothing says what it counts: "plank 10"; but "play 7" names one."""
+    lexicon = part.lexicon
+    lasting = lexicon.timing | lexicon.timing_alone | lexicon.intransitive | lexicon.lasting
+    # "Call 911"
+    lasting -= lexicon.addressing
+    acts = any(node.lower == operation.verb and node.may_act for node in part.tree.nodes)
+    number = (operation.object or "").lower()
+    if (number.isdigit() or number in lexicon.numbers) and (operation.lemma in lasting or not acts):
+        place = text.lower().find(number, part.segment.span[0])
+        span = (place, place + len(number))
+        message = f"{text[slice(*span)]!r}: what it counts is not said, as in 'for {number} minutes'"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
