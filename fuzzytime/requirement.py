@@ -37,8 +37,8 @@ BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 MOMENTS = frozenset({None, Constraint.AT})
 """How times bind that say when, with a preposition or without."""
 
-BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
-"""How times bind that bound when something is done, from one side or from both."""
+STRETCHES = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
+"""How times bind that leave a stretch to do something in: from a bound on, up to one, or between two."""
 
 
 class Unit(StrEnum):

@@ -135,13 +135,22 @@ class Assembly:
         NoInputError
             If a file of customs is not there.
         """
-        from fuzzytime.language import Language
+        from fuzzytime.errors import FuzzytimeError
+        from fuzzytime.language import Language, is_word_table
 
         with as_config():
             customs = self.customs_files()
             for path in customs:
                 require_file(path, "file of customs")
-            return Language.shipped(cache=parse_cache(os.environ), customs=customs)
+            try:
+                return Language.shipped(cache=parse_cache(os.environ), customs=customs)
+            except FuzzytimeError as error:
+                from fuzzytime.rulebook import check
+
+                others = (path for path in customs if path.is_file() and not is_word_table(path))
+                rules = next((path for path in others if not check((path,))), None)
+                mistake = f"{rules}: this holds rules and no customs: --rules takes it" if rules else error
+                raise ConfigError(str(mistake)) from error
 
     def interpreter(self, *, personal: bool = True) -> "Interpreter":
         """Put language and rulebook together, with the person's own table on top if they rated starts.

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from fuzzytime.english import SHORT_FOR_IS
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import Lexicon, Reading, content_words
+from fuzzytime.language import Lexicon, Reading, content_words, reported
 from fuzzytime.language.instruction import overlap
 
 NAMING = ("N", "D", "PRP", "J", "CD", "R")
@@ -68,8 +68,9 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     past = verb != operation.lemma or any(verb in forms for forms in lexicon.past.values())
     owed = any(token.text.lower() in lexicon.closed.verbs_of_obligation for token in reading.tokens)
     closed = lexicon.closed
-    if first in closed.second_person:
-        return past and not operation.stated
+    if first in closed.first_person | closed.second_person:
+        # "I've got some"; but "I've fed the cat" tells what was done
+        return past and not operation.stated and reported(reading, lexicon) is None
     # No order begins with "she" or "that".
     return first in closed.third_person_singular | closed.singular_anaphors and not owed
 

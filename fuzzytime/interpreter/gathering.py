@@ -206,10 +206,12 @@ class Gathering:
     def _name(self, wish: Wish) -> str:
         """Give a skill of a wish an identifier of its own: the wish's, and further ones eggs.2, eggs.3."""
         name = wish.identifier
-        self._seen[name] += 1
-        if self._seen[name] == 1:
+        parts = wish.parts if isinstance(wish, SpokenWish) else ()
+        place, self._seen[name] = self._seen[name], self._seen[name] + 1
+        number = parts[place] if place < len(parts) else max(parts, default=0) + place - len(parts) + 1
+        if number == 1:
             return name
-        name = f"{name}.{self._seen[name]}"
+        name = f"{name}.{number}"
         while name in self._taken:
             name += "'"
         self._taken.add(name)

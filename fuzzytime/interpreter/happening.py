@@ -119,13 +119,14 @@ def _where_it_happens(one: Interpreted) -> Interpreted:
 def attended(interpretation: Interpretation, request: Request) -> tuple[tuple[Interpreted, Busy], ...]:
     """Give when who speaks is taken: "I have a meeting from two to four" is no wish, and gives way to none.
 
-    Of several agents the first speaks, unless the wish says which.
+    Of several agents the first speaks, unless the wish says which. What is told to be over takes nobody.
     """
     found = []
+    done = {one.identifier: one.done for one in request.started}
     for interpreted in interpretation.skills:
         operation, start = interpreted.operation, interpreted.skill.preferred
         if operation is not None and operation.attended and start is not None:
-            end = start + interpreted.skill.time_until_done
+            end = done.get(interpreted.identifier, start + interpreted.skill.time_until_done)
             speaker = interpreted.wish.agent or (1 if request.agents > 1 else None)
             if max(start, 0.0) < end:
                 found.append((interpreted, Busy(max(start, 0.0), end, interpreted.skill.name, speaker)))

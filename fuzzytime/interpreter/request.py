@@ -77,9 +77,14 @@ class Wish:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SpokenWish(Wish):
-    """An instruction in words."""
+    """An instruction in words.
+
+    ``parts`` are the numbers by which the several things are called that it asks for, in their order, where
+    it once asked for others too; empty where they are called by their places.
+    """
 
     text: str
+    parts: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

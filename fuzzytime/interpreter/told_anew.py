@@ -8,7 +8,7 @@ from fuzzytime.interpreter.happening import without_time
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.request import SpokenWish, Started
-from fuzzytime.language import Lexicon, News, NewsKind, Reading, is_several
+from fuzzytime.language import Lexicon, News, NewsKind, Reading, find_times, is_several, merged_time
 from fuzzytime.language.instruction import overlap
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.satisfaction import NEVER, Rectangle
@@ -78,7 +78,9 @@ def told_anew(
     if made.instruction is None:
         return made
     sooner = replace(news, by=told - moment_of(made)) if news.kind is NewsKind.THERE else news
-    times = _later(sooner, made, wish) if news.time is None else (_chosen(news.time, news, made, maker),)
+    times = (
+        _later(sooner, made, wish) if news.time is None else (_chosen(news.time, news, made, wish, maker),)
+    )
     instruction = replace(made.instruction, span=news.span, requirements=times)
     anew = _made_again(made, maker.spoken(_wish_anew(wish, made), reading, instruction)[0])
     skill = anew.skill
@@ -120,14 +122,25 @@ def _wish_anew(wish: SpokenWish, made: Interpreted) -> SpokenWish:
     return replace(wish, priority=old.priority, agent=old.agent, hands_on=old.hands_on, elapsed=old.elapsed)
 
 
-def _chosen(time: TimeRequirement, news: News, made: Interpreted, maker: Maker) -> TimeRequirement:
-    """Give the new time; of several that it may be that which is nearest to the old one."""
-    if not news.choices:
+def _chosen(
+    time: TimeRequirement, news: News, made: Interpreted, wish: SpokenWish, maker: Maker
+) -> TimeRequirement:
+    """Give the new time, on the old day where it leaves that open; of several that which is nearest."""
+    (first, *others), lexicon = made.requirements or (time,), maker.lexicon
+    words = merged_time(first.text, made.wish.given, time.text, wish.given, lexicon)
+    merged = find_times(words, wish.given, lexicon).requirements
+    if not others and words != time.text and len(merged) == 1:
+        return replace(merged[0], span=time.span)
+    if news.question is None:
         return time
     old = instant_after(maker.request.now, moment_of(made))
-    taken = news.choices[news.chosen]
-    nearest = min(news.choices, key=lambda choice: abs(seconds_between(old, choice)))
-    return time.shifted(seconds_between(taken, nearest))
+    choices, chosen = news.question.choices, news.question.chosen
+
+    def unlikely(choice: datetime) -> tuple[bool, float]:
+        hour = choice.hour + choice.minute / 60
+        return lexicon.policy.far_from(hour, hour - seconds_between(old, choice) / 3600)
+
+    return time.shifted(seconds_between(choices[chosen], min(choices, key=unlikely)))
 
 
 def _later(news: News, made: Interpreted, wish: SpokenWish) -> tuple[TimeRequirement, ...]:

@@ -92,6 +92,11 @@ class Policy:
     kept_off: int = 30
     ask: bool = True
 
+    def far_from(self, hour: float, old: float) -> tuple[bool, float]:
+        """Give how unlikely an hour is as the new one of what was at another: at night, and how far away."""
+        asleep = not self.plausible_from.hour <= hour <= self.plausible_to.hour
+        return abs(hour - old) > self.soon_hours and asleep, abs(hour - old)
+
     def begin_before(self, deadline: float) -> int:
         """Give from when on, in seconds of its day, what is due at a time of that day may begin."""
         opens = self.plausible_from.hour * 3600 + self.plausible_from.minute * 60

@@ -48,10 +48,30 @@ def test_bullets_and_dashes_beside_hours_are_no_words() -> None:
         ("dentist 1.20, don't be late", ("dentist", "13:20")),
         ("handover to days 2", ("handover to days", "14:00")),
         ("hand over to nights 7.45", ("hand over to nights", "07:45")),
+        ("oven on 10.15", ("oven on", "10:15")),
+        ("heating on 7.30", ("heating on", "07:30")),
+        ("van in 8, two men", ("van in", "08:00")),
+        ("bread in 8, 35 min", ("bread in", "08:00")),
+        ("washing in 4.30", ("washing", "16:30")),
+        ("Mrs B 7", ("Mrs B", "07:00")),
+        ("call with Oslo 3.30 online", ("call with Oslo", "15:30")),
+        ("Mr Singh again 2.15 shopping", ("Mr Singh again shopping", "14:15")),
+        ("Mr Singh 8.00 - 30 mins", ("Mr Singh", "08:00")),
+        ("beef in 10.45 - 20 min", ("beef in", "10:45")),
+        ("bread, 2.15", ("bread", "14:15")),
+        ("bread - 2.15", ("bread", "14:15")),
+        ("Bread: 2.15", ("Bread", "14:15")),
+        ("choir 1415 upstairs", ("choir", "14:15")),
+        ("lunch 1 in the hall", ("lunch in the hall", "13:00")),
     ],
 )
 def test_what_is_beside_an_hour_is_what_happens_then(line: str, wanted: tuple[str, str]) -> None:
     assert wanted in _told("van 9.15", line, "call Ann at 2", "tea 3.10", "wash 4.45")
+
+
+def test_a_number_of_minutes_from_now_is_no_hour_of_a_line() -> None:
+    lines = ("van 9.15", "flip the bacon in 8", "call Ann at 2", "tea 3.10")
+    assert ("flip the bacon", "07:08") in _told(*lines)
 
 
 def test_most_lines_of_a_list_may_end_in_a_number_alone() -> None:

@@ -222,6 +222,12 @@ def test_a_number_that_may_be_the_hour_is_said_to_count(text: str, said: list[st
         ("Water The Plants 7.30!", ["7.30"]),
         ("install python 3.11", []),
         ("enter code 1530", []),
+        ("heating on 6.30", ["6.30"]),
+        ("staff meal 4.30, 20 min", ["4.30"]),
+        ("Mr Singh 8.30 - 20 mins", ["8.30"]),
+        ("set the ratio to 1.25 for ten minutes", []),
+        ("stir 1.50 cups of flour in for 10 minutes", []),
+        ("meet in room 3.15 for an hour", []),
     ],
 )
 def test_an_hour_behind_a_thing_is_said_to_be_none(text: str, said: list[str]) -> None:

@@ -44,7 +44,7 @@ def test_rules_check_checks_customs_and_rules_together(tmp_path: Path) -> None:
 
 def test_what_is_no_file_of_customs_is_said(tmp_path: Path) -> None:
     rules = ran("parse", *CALVES, "--customs", "examples/tables/first.yaml", folder=tmp_path)
-    assert (rules.code, "missing key 'language'" in rules.err) == (78, True)
+    assert (rules.code, "--rules takes it" in rules.err) == (78, True)
     missing = ran("parse", *CALVES, "--customs", "none.yaml", folder=tmp_path)
     assert (missing.code, missing.err) == (66, "fuzzytime: none.yaml: there is no such file of customs\n")
     swapped = ran("plan", *CALVES, "--rules", str(CUSTOMS), folder=tmp_path)

@@ -157,6 +157,14 @@ def test_a_folder_is_not_followed(tmp_path: Path) -> None:
     assert (done.code, "must be a file" in done.err) == (66, True)
 
 
+def test_a_task_file_may_be_a_list_alone(tmp_path: Path) -> None:
+    file = tmp_path / "task.yaml"
+    file.write_text("- call Ann at six\n- {say: feed the cat, duration: 4 min}\n", encoding="utf-8")
+    done = ran("plan", str(file), "--now", "2026-03-04T09:00", folder=tmp_path)
+    assert "18:00 18:10 call Ann" in done.out
+    assert "09:00 09:04 feed the cat" in done.out
+
+
 def test_a_now_of_a_file_that_a_flag_overrules_must_be_one_all_the_same(tmp_path: Path) -> None:
     file = tmp_path / "task.yaml"
     file.write_text("now: tomorrow\ninstructions: [Stir the soup soon]\n", encoding="utf-8")

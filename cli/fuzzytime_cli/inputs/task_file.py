@@ -110,7 +110,9 @@ class _TaskFile:
     def request(self) -> Request:
         reader = self.reader
         root = reader.root()
-        top = reader.mapping(root, "", KEYS)
+        # A list alone is of what is to be done.
+        alone: dict[str, Node] = {"instructions": root}
+        top = alone if isinstance(root, Listed) else reader.mapping(root, "", KEYS)
         self.now = self._now(top)
         asked, usual = self.surroundings.asked, self.surroundings.usual
         agents = reader.whole(top["agents"], "agents", 1, MAX_AGENTS) if "agents" in top else None

@@ -6,16 +6,8 @@ from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import content_words, nouns_of, verb_forms
-from fuzzytime_cli.repl.scene import (
-    Scene,
-    asked_by,
-    begun_parts,
-    identifier_of,
-    number_of,
-    own_words,
-    waiting,
-    whole_number,
-)
+from fuzzytime_cli.repl.scene import Scene, asked_by, begun_parts, identifier_of, own_words, waiting
+from fuzzytime_cli.repl.typed import number_of, whole_number
 from fuzzytime_cli.session import Entry, Started
 
 LABEL = re.compile(r"s\d+(?:\.\d+)?")
@@ -62,6 +54,24 @@ def is_named_itself(scene: Scene, names: frozenset[str]) -> bool:
         )
         for operation in operations
     )
+
+
+def is_of_one_task(scene: Scene, names: frozenset[str]) -> bool:
+    """Whether words name what one planned thing is done with, and nothing that has a time of its own.
+
+    "The lawn" is that which is to be mown, and "lunch" none of "buy lunch".
+    """
+    lexicon = scene.lexicon
+    if not names or not names.isdisjoint(lexicon.happening | lexicon.events | lexicon.taken):
+        return False
+    done = [one.operation.object or "" for _, one in waiting(scene) if one.operation and not one.stated]
+    return sum(_is_of(names, thing) for thing in done) == 1
+
+
+def _is_of(names: frozenset[str], thing: str) -> bool:
+    """Whether words name a thing, perhaps without whose it is: "the dressing", of "Mrs Ray's dressing"."""
+    words, last = content_words(thing), content_words(thing.rpartition(" ")[2])
+    return names == words or (names < words and bool(last) and last <= names)
 
 
 def entries_named(scene: Scene, names: frozenset[str]) -> list[Entry]:
@@ -157,7 +167,7 @@ def identifier_meant(scene: Scene, text: str) -> str:
         raise FuzzytimeError("a number from the list must follow, such as 2, or words for what is planned")
     names = content_words(text)
     if whole_number(text.strip().removeprefix("s").partition(".")[0]) is not None or not names:
-        return identifier_of(text)
+        return identifier_of(scene, text)
     entry = entry_of(scene, names)
     if entry is None:
         unknown(names)

@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
-from pathlib import Path
 
 from rich.text import Text
 
@@ -15,19 +14,14 @@ from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.faults import underlined
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
+from fuzzytime_cli.repl.typed import got, number_of
 from fuzzytime_cli.session import Entry, Started, State
 
 UNREAD = frozenset({ProblemKind.NOT_UNDERSTOOD, ProblemKind.UNREADABLE, ProblemKind.NOTHING_TO_DO})
 """What is wrong with words of which nothing can be planned."""
 
-MOST_REPEATED = 40
-"""Characters that are repeated of what was typed where something else should have been."""
-
-MOST_DIGITS = 9
-"""Of a number that somebody types."""
-
-QUOTES = "\"'"
-"""What may stand around the name of a file."""
+FIRST = 1
+"""The number of the first of several things that an instruction asks for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,70 +93,15 @@ def refused(why: str) -> Reply:
     return Reply((Text(plain(why), style="red"),))
 
 
-def got(text: str) -> str:
-    """Repeat, behind what should have been said, what was; nothing where nothing was."""
-    words = text.strip()
-    return f", got {words[:MOST_REPEATED]!r}" if words else ""
+def identifier_of(scene: Scene, text: str) -> str:
+    """Give a skill's identifier, of which the number will do; what is neither stays as it is.
 
-
-def whole_number(text: str) -> int | None:
-    """Read a whole number that somebody may have meant; None where it is none.
-
-    >>> whole_number(" 12 "), whole_number("²"), whole_number("9" * 5000)
-    (12, None, None)
+    Of an instruction without the first of its things it is that of the first that is left.
     """
-    digits = text.strip()
-    return int(digits) if digits.isdecimal() and len(digits) <= MOST_DIGITS else None
-
-
-def number_of(text: str) -> int:
-    """Read an instruction's number.
-
-    Raises
-    ------
-    FuzzytimeError
-        If it is none.
-    """
-    digits = text.strip().removeprefix("s").partition(".")[0]
-    number = whole_number(digits)
-    if number is None:
-        raise FuzzytimeError(f"a number from the list must follow, such as 2{got(text)}")
-    return number
-
-
-def several_numbers(text: str) -> list[int]:
-    """Read the numbers of several instructions: "1,3", "1 3"; none where it is not several.
-
-    Raises
-    ------
-    FuzzytimeError
-        If one of them is none.
-    """
-    if "," in text:
-        return [number_of(part) for part in text.split(",")]
-    parts = text.split()
-    numbered = len(parts) > 1 and all(whole_number(part.removeprefix("s")) is not None for part in parts)
-    return [number_of(part) for part in parts] if numbered else []
-
-
-def number_and_rest(text: str, what: str) -> tuple[int, str]:
-    """Read an instruction's number, and what follows it.
-
-    Raises
-    ------
-    FuzzytimeError
-        If one of them is missing.
-    """
-    first, _, rest = text.strip().partition(" ")
-    if not rest.strip():
-        raise FuzzytimeError(f"a number and {what} must follow{got(text)}")
-    return number_of(first), rest.strip()
-
-
-def identifier_of(text: str) -> str:
-    """Give a skill's identifier, of which the number will do; what is neither stays as it is."""
     said = text.strip()
-    return f"s{said}" if said[:1].isdecimal() else said
+    wanted = f"s{said}" if said[:1].isdecimal() else said
+    parts = next((one.parts for one in scene.conversation.state.entries if one.identifier == wanted), ())
+    return wanted if not parts or FIRST in parts else f"{wanted}.{parts[0]}"
 
 
 def position_of(scene: Scene, text: str) -> int:
@@ -173,7 +112,7 @@ def position_of(scene: Scene, text: str) -> int:
     FuzzytimeError
         If there is none.
     """
-    wanted = identifier_of(text)
+    wanted = identifier_of(scene, text)
     for position, interpreted in enumerate(scene.plan.everything):
         if interpreted.identifier == wanted:
             return position
@@ -283,13 +222,6 @@ def problem_lines(problem: Problem, width: int) -> list[Text | str]:
     if problem.span is not None and problem.text:
         lines += underlined(problem.text, problem.span, width).split("\n")
     return lines
-
-
-def file_named(text: str) -> Path:
-    """Give the file that a command names; quotes around its name are none of it, as in a shell."""
-    name = text.strip()
-    quoted = len(name) > 1 and name[0] == name[-1] and name[0] in QUOTES
-    return Path(name[1:-1] if quoted else name).expanduser()
 
 
 def not_understood(scene: Scene, state: State, number: int) -> tuple[Text | str, ...]:

@@ -23,7 +23,8 @@ from fuzzytime_cli.inputs.lines import is_ticked_off
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.commands.by_name import command_of
 from fuzzytime_cli.repl.commands.looking import move_lines, start_line
-from fuzzytime_cli.repl.conversation import Conversation, answered, lengths_of, news_of
+from fuzzytime_cli.repl.compared import lengths_of, news_of
+from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.pending import Pending, asked_late, question_lines, question_of, untold_notes
 from fuzzytime_cli.repl.plain_words.perhaps import second_lines
 from fuzzytime_cli.repl.plain_words.speaking import reply_about
@@ -32,14 +33,13 @@ from fuzzytime_cli.repl.scene import (
     AskedBackError,
     Reply,
     Scene,
-    number_of,
     problem_lines,
     refused,
     running_lines,
     said,
-    whole_number,
 )
 from fuzzytime_cli.repl.together import parted, words_of
+from fuzzytime_cli.repl.typed import number_of, whole_number
 from fuzzytime_cli.session import NotKeptError, Started
 
 Line = Text | str
@@ -259,7 +259,8 @@ class Turns:
         # What is told anew is taken for the time nearest to the old one.
         question = None if reading is None else question_of(reading, self.lexicon.policy)
         if len(kept) == 1:
-            lines += second_lines(made, number, kept[0], now, self.lexicon)
+            running = self.conversation.running(now)
+            lines += second_lines(made, running, number, kept[0], now, self.lexicon)
         if self.asks and len(said) == 1 and question is not None:
             self.pending = Pending(number, question)
         return Reply(tuple(lines), changed=True, focus=number)

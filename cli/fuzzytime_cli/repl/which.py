@@ -15,7 +15,8 @@ from fuzzytime_cli.repl.naming import (
     unknown,
     words_of_entry,
 )
-from fuzzytime_cli.repl.scene import AskedBackError, Scene, number_of, waiting, whole_number
+from fuzzytime_cli.repl.scene import AskedBackError, Scene, waiting
+from fuzzytime_cli.repl.typed import number_of, whole_number
 from fuzzytime_cli.session import Entry
 
 BESIDE = timedelta(minutes=15)

@@ -12,7 +12,8 @@ from fuzzytime.errors import FuzzytimeError
 class Entry:
     """One instruction of the conversation, with the moment it was given, and how it was moved since.
 
-    ``moved_by`` are seconds, and ``moved_to`` the start it was moved to (`fuzzytime.interpreter.Moved`).
+    ``moved_by`` are seconds, and ``moved_to`` the start it was moved to (`fuzzytime.interpreter.Moved`);
+    ``parts`` number what it still asks for, where it asked for more (`fuzzytime.interpreter.SpokenWish`).
     """
 
     number: int
@@ -23,6 +24,7 @@ class Entry:
     priority: float = 1.0
     moved_by: float = 0.0
     moved_to: datetime | None = None
+    parts: tuple[int, ...] = ()
 
     @property
     def identifier(self) -> str:

@@ -66,7 +66,7 @@ def added_time(text: str, now: datetime, lexicon: Lexicon, *, wish: bool = False
     # "Four" may count anything, but "four to five" has two ends.
     time = time if said.has_time or said != told or time.startswith(FROM) else ""
     number = said.as_number() if len(said.words) == 1 else ""
-    if not time:
+    if not time or said.places:
         return None
     bare = said.is_bare(time)
     return About(kind=AboutKind.MOVE, time=time[0].lower() + time[1:], number=number, bare=bare)
@@ -74,16 +74,12 @@ def added_time(text: str, now: datetime, lexicon: Lexicon, *, wish: bool = False
 
 def _counted_at(said: Said) -> About | None:
     """Read a new time of one that is named by its place: "the second one tomorrow"."""
-    listed = (place for place in range(2, len(said.words)) if said.forms[place - 1] in _listed(said))
-    for place in listed:
+    listed = {form[-1] for form in said.table("listed")}
+    for place in (place for place in range(2, len(said.words)) if said.forms[place - 1] in listed):
         places, time = said.until(place).places, said.behind(place).as_time()
         if len(places) == 1 and time:
             return About(kind=AboutKind.MOVE, places=places, time=time, certain=True)
     return None
-
-
-def _listed(said: Said) -> frozenset[str]:
-    return frozenset(form[-1] for form in said.table("listed"))
 
 
 def _closing(said: Said) -> frozenset[tuple[str, ...]]:

@@ -66,6 +66,9 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     whole = _without_and(Said.of(text, now, lexicon).without_exclamations().without_thanks())
     place = opening_correction(whole)
     said = whole.behind(place).without_exclamations() if place else whole
+    # "The soup at four instead"
+    told, said = said, said.without_end(said.table("instead") - lexicon.connectives.keys())
+    place += told != said
     naming = whole.after("naming anew") or whole.after("meaning")
     if naming is not None and naming.words:
         said, place = naming, 1
@@ -84,7 +87,8 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     if (later := _later(said)) is not None:
         return later
     thing, time = said.parted(bare=True)
-    if not thing:
+    if not thing or said.places:
+        # "The first one" is no hour.
         return None
     if time and (one := _one_of(Said(thing, now, lexicon))) is not None:
         return replace(one, time=time, corrects=place > 0)

@@ -85,11 +85,13 @@ class Scanned:
 def _with_quotes(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Word]:
     """Cut a text into words; what is quoted is one, as no word in it is a time of what is asked for.
 
-    Only where it is nothing but a bound time it may be one: feed the cat "at six".
+    Only where it is nothing but a bound time it may be one, if nothing is written: feed the cat "at six".
     """
     words = list(words_of(text))
+    written = lexicon.no_times.writing | lexicon.no_times.sending | lexicon.doing.saying
     for start, end in quotes_in(text):
-        if _is_time(text[start + 1 : end - 1], grammar, lexicon):
+        free = written.isdisjoint(word.text for word in words if word.end <= start)
+        if free and _is_time(text[start + 1 : end - 1], grammar, lexicon):
             continue
         inside = [place for place, word in enumerate(words) if start <= word.start < end]
         said = Word(text[start:end].lower(), start, end, words[inside[0]].glued)

@@ -1,4 +1,4 @@
 """Commands that start with a colon.
 
-``by_name`` they are ``changing``, ``moving``, ``looking``, ``rating``, ``saving``.
+``by_name`` they are ``changing``, said ``anew``, ``moving``, ``looking``, ``rating``, ``saving``.
 """

@@ -8,7 +8,7 @@ from pathlib import Path
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import Lexicon
 from fuzzytime_cli.render import wrapped
-from fuzzytime_cli.repl.commands import changing, looking, moving, saving
+from fuzzytime_cli.repl.commands import anew, changing, looking, moving, saving
 from fuzzytime_cli.repl.commands.rating import rate
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.session import State
@@ -106,7 +106,7 @@ COMMANDS: Mapping[str, Command] = {
     "list": Command("list", "the schedule, and what you asked for", looking.show_list),
     "why": Command("why N", "explain skill N: words, rules, satisfaction, and why then", looking.why),
     "what-if": Command("what-if TEXT", "what would move if you asked for that, or gave a :command", what_if),
-    "edit": Command("edit N [TEXT]", "say instruction N anew", changing.edit),
+    "edit": Command("edit N [TEXT]", "say instruction N anew", anew.edit),
     "drop": Command("drop N|N,M|all", "forget instruction N, several, or all", changing.drop),
     "delay": Command(
         "delay N|N,M|all 10min", "move N, or all that is left, to later (-10min: earlier)", moving.delay

@@ -1,36 +1,19 @@
 """Commands of the conversation that change what is asked for, or what is so; each can be undone."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.interpreter import Interpretation, Interpreted, ProblemKind
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.bounds import MAX_AGENTS, PRIORITIES
 from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped
 from fuzzytime_cli.repl.naming import identifier_meant
-from fuzzytime_cli.repl.scene import (
-    Reply,
-    Scene,
-    begun_of,
-    begun_parts,
-    check_sole,
-    ended_line,
-    got,
-    identifier_of,
-    not_understood,
-    number_and_rest,
-    number_of,
-    position_of,
-    said,
-    several_numbers,
-    step,
-    whole_number,
-)
+from fuzzytime_cli.repl.parts import numbers_kept, without_part
+from fuzzytime_cli.repl.scene import Reply, Scene, check_sole, identifier_of, position_of, said, step
+from fuzzytime_cli.repl.typed import got, number_and_rest, number_of, several_numbers, whole_number
 from fuzzytime_cli.session import KeptBusy, KeptReading, Started, State
 
 BRIEF = 60
@@ -42,100 +25,38 @@ def drop(scene: Scene, text: str) -> Reply:
     if text.strip().lower() == "all":
         return step(scene, ":drop all", lambda state: replace(state, entries=()))
     named = several_numbers(text) or [number_of(identifier_meant(scene, text))]
-    numbers = dict.fromkeys(told for one in named for told in (one, *_told_before(scene, one)))
 
     def dropped(state: State) -> State:
-        for one in numbers:
-            state = state.without(one)
+        for one in named:
+            state = _without_told_before(scene, state, one)
         return state
 
     return step(scene, f":drop {','.join(map(str, named))}", dropped)
 
 
-def _told_before(scene: Scene, number: int) -> list[int]:
-    """Give the instructions that told earlier of what one tells anew, and of nothing else."""
-    names = [one for one in scene.plan.everything if one.told_by[-1:] == (f"s{number}",)]
-    others = {one.wish.identifier for one in scene.plan.everything} | {f"s{number}"}
-    wishes = {name for one in names for name in (f"s{number_of(one.identifier)}", *one.told_by)}
-    known = {entry.identifier for entry in scene.conversation.state.entries}
-    return [number_of(name) for name in sorted(wishes & known - others)]
+def _without_told_before(scene: Scene, state: State, number: int) -> State:
+    """Drop an instruction, and what told earlier of what it tells anew; the other things of that stay.
 
-
-def edit(scene: Scene, text: str) -> Reply:
-    """Say an instruction anew; without words put it on the prompt."""
-    first, _, rest = text.strip().partition(" ")
-    number = number_of(first)
-    if not rest.strip():
-        return Reply(edit=f":edit {number} {scene.conversation.state.entry(number).text}")
-    words = rest.strip()
-    anew = {"text": words, "given": scene.now, "moved_by": 0.0, "moved_to": None}
-    begun = begun_of(scene, number) or _left_out(scene, number, words)
-    # What has started does not move: said anew it is another, and may start at another time.
-    said_anew = State.with_changed if begun is None else State.with_another
-    state = scene.conversation.state
-    called = number if begun is None else state.next_number
-    behind = _refers_to_what_came_between(scene, number, called, said_anew(state, number, **anew))
-
-    def change(state: State) -> State:
-        changed = said_anew(state, number, **anew)
-        return changed.with_last(called) if behind else changed
-
-    if refused := not_understood(scene, change(state), called):
-        return Reply(refused)
-    reply = step(scene, f":edit {number}", change)
-    return reply if begun is None else replace(reply, lines=(*ended_line(scene, begun), *reply.lines))
-
-
-def _left_out(scene: Scene, number: int, words: str) -> Started | None:
-    """Give what has started of an instruction whose new words ask for it no more; None where there is none.
-
-    Of "dust the shelf, call Ann", where that is being dusted, "feed the cat" is another instruction.
+    Raises
+    ------
+    FuzzytimeError
+        If these cannot be said alone.
     """
-    conversation, begun = scene.conversation, begun_parts(scene, number)
-    if not begun:
-        return None
-    given = [one.operation for one in scene.plan.everything]
-    read = conversation.interpreter.language.read(words, now=scene.now, given=given)
-    asked = {one.operation.name.lower() for one in read.instructions if one.operation is not None}
-    return next((one for one in reversed(begun) if one.name.lower() not in asked), None)
-
-
-def reworded(scene: Scene, number: int, text: str) -> Reply:
-    """Give an instruction other words, of which those for its time count from when they were said."""
-    if begun_of(scene, number) is not None:
-        return edit(scene, f"{number} {text}")
-    return step(scene, f":edit {number}", lambda state: state.with_changed(number, text=text))
-
-
-def _refers_to_what_came_between(scene: Scene, number: int, called: int, here: State) -> bool:
-    """Whether the words of an instruction that is said anew refer to others that were given since.
-
-    "Stir the soup after that" does, where that is the instruction given last. Where it stands among the
-    others, "that" would be another one, or none; but what was said behind it refers to it there.
-    """
-    conversation, now = scene.conversation, scene.now
-    there = here.with_last(called)
-    if there == here:
-        return False
-    in_place, last = (conversation.understood(now, state) for state in (here, there))
-    followed = _followed(in_place.everything, called)
-    if followed == _followed(last.everything, called):
-        return False
-    if followed and followed == _followed(scene.plan.everything, number):
-        return False
-    lost = _unresolved(last)
-    return not lost or lost < _unresolved(in_place)
-
-
-def _followed(skills: Sequence[Interpreted], number: int) -> list[str]:
-    """Give what an instruction asks by its words to come after."""
-    own = [one for one in skills if number_of(one.identifier) == number and not one.in_order]
-    return [name for one in own for name in one.follows]
-
-
-def _unresolved(interpretation: Interpretation) -> int:
-    """Count the references that are to nothing."""
-    return sum(problem.kind is ProblemKind.UNRESOLVED for problem in interpretation.problems)
+    anew = [one for one in scene.plan.everything if one.told_by[-1:] == (f"s{number}",)]
+    others = {one.wish.identifier for one in scene.plan.everything} - {f"s{number}"}
+    told = {name: one for one in anew for name in (f"s{number_of(one.identifier)}", *one.told_by)}
+    for entry in (one for one in state.entries if one.identifier in told and one.number != number):
+        if entry.identifier not in others:
+            state = state.without(entry.number)
+            continue
+        left = without_part(scene, entry, told[entry.identifier].skill.name)
+        if not left:
+            raise FuzzytimeError(
+                f"{entry.text!r} asks for others too: say it anew, with :edit {entry.number}, or :undo this"
+            )
+        parts = numbers_kept(scene, entry, left)
+        state = state.with_changed(entry.number, text=left, parts=parts)
+    return state.without(number)
 
 
 def duration(scene: Scene, text: str) -> Reply:
@@ -186,7 +107,7 @@ def done(scene: Scene, text: str) -> Reply:
 def more(scene: Scene, text: str) -> Reply:
     """Say that a skill that has started goes on for longer."""
     _, rest = number_and_rest(text, "a length of time, such as 5min,")
-    wanted, longer = identifier_of(text.split(maxsplit=1)[0]), parse_duration(rest)
+    wanted, longer = identifier_of(scene, text.split(maxsplit=1)[0]), parse_duration(rest)
     if longer <= 0:
         raise FuzzytimeError(f"a length of time must be above 0, got {rest!r}")
     store, name = scene.conversation.store, scene.conversation.name

@@ -11,9 +11,10 @@ from fuzzytime.interpreter import Plan
 from fuzzytime.times import seconds_between
 from fuzzytime_cli.clock import Clock, date_of
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.conversation import Move, lengths_of, moves, news_of
+from fuzzytime_cli.repl.compared import Move, lengths_of, moves, news_of
 from fuzzytime_cli.repl.naming import identifier_meant
-from fuzzytime_cli.repl.scene import Reply, Scene, file_named, position_of, running_lines, said
+from fuzzytime_cli.repl.scene import Reply, Scene, position_of, running_lines, said
+from fuzzytime_cli.repl.typed import file_named
 from fuzzytime_cli.session import Started, State
 
 MINUTE = 60.0

@@ -12,18 +12,8 @@ from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration, instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.scene import (
-    Reply,
-    Scene,
-    begun_of,
-    ended_line,
-    got,
-    number_and_rest,
-    number_of,
-    several_numbers,
-    step,
-    waiting,
-)
+from fuzzytime_cli.repl.scene import Reply, Scene, begun_of, ended_line, step, waiting
+from fuzzytime_cli.repl.typed import got, number_and_rest, number_of, several_numbers
 from fuzzytime_cli.session import Entry, State
 
 ALL = "all"

@@ -15,7 +15,8 @@ from fuzzytime.study.answers.rating import Cue, CueKind, Direction, Rating, docu
 from fuzzytime.times import seconds_between
 from fuzzytime_cli.personal import personal_table, rating_line
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.scene import Reply, Scene, got, identifier_of, number_of, step
+from fuzzytime_cli.repl.scene import Reply, Scene, identifier_of, step
+from fuzzytime_cli.repl.typed import got, number_of
 from fuzzytime_cli.session import KeptRating
 
 _SAID = re.compile(r"(?:(?P<score>[1-5])(?:/5| of 5)?)?[ ,]*(?:(?:too )?(?P<way>early|late))?", re.IGNORECASE)
@@ -34,7 +35,7 @@ def rate(scene: Scene, text: str) -> Reply:
     if not name:
         return Reply(tuple(_shown(scene)))
     score, direction = _words(words)
-    identifier = identifier_of(name)
+    identifier = identifier_of(scene, name)
     asked, (start, begun) = _asked(scene, identifier), _start(scene, identifier)
     rating = _rating(asked, seconds_between(asked.wish.given, start), score, direction)
     kept = KeptRating(identifier, asked.skill.name, start, json.dumps(document_of(rating)))

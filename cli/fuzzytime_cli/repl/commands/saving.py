@@ -11,7 +11,8 @@ from fuzzytime_cli.choices import PlanFormat
 from fuzzytime_cli.clock import date_of
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
-from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, file_named, got, problem_lines, said, step
+from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, problem_lines, said, step
+from fuzzytime_cli.repl.typed import file_named, got
 from fuzzytime_cli.session import KeptBusy, State
 
 AHEAD = 13 * WEEK

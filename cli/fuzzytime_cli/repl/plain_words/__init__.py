@@ -1,6 +1,7 @@
 """Plain words about what was asked for already: ``speaking`` tells which command they are, ``taking`` does.
 
-The command that is ``meant``, of one or of several ``parts``: ``retiming``, ``leaving_out``, ``progress``,
-and what is ``leaning`` on what was said before, or said beside ``reasons``. News: ``telling`` how things
-are, what ``happened``, what one ``has_done``. What ``perhaps`` means something else.
+The command that is ``meant``, of one or of several things: ``retiming``, what is ``said_again``,
+``leaving_out``, ``progress``, and what is ``leaning`` on what was said before, or said beside ``reasons``.
+News: ``telling`` how things are, what ``happened``, what one ``has_done``. What ``perhaps`` means something
+else.
 """

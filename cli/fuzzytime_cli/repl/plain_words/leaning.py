@@ -22,8 +22,9 @@ from fuzzytime.language import (
     reworded,
 )
 from fuzzytime_cli.render import plain
+from fuzzytime_cli.repl.commands import anew as said_anew
 from fuzzytime_cli.repl.commands import changing
-from fuzzytime_cli.repl.naming import entry_of, is_named_itself, unknown
+from fuzzytime_cli.repl.naming import entry_of, is_named_itself, is_of_one_task, unknown
 from fuzzytime_cli.repl.plain_words.leaving_out import Taken
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.repl.which import entries_meant
@@ -88,11 +89,7 @@ def _of_things(scene: Scene, words: str) -> About | None:
     if len(said) > len(about.names):
         # "Do the dishes at eight"
         return about
-    if not about.names.isdisjoint(lexicon.happening | lexicon.events | lexicon.taken):
-        return about
-    done = [one.operation for _, one in waiting(scene) if not one.stated]
-    named = [one for one in done if one is not None and content_words(one.object) == about.names]
-    return replace(about, certain=True) if len(named) == 1 else about
+    return replace(about, certain=True) if is_of_one_task(scene, about.names) else about
 
 
 def _going_on(scene: Scene, words: str, last: Entry, taken: Taken) -> Reply | None:
@@ -169,7 +166,7 @@ def _instead(scene: Scene, about: About, taken: Taken) -> Reply | None:
     text = reworded(reading, language.lexicon, thing=about.thing, replaced=named, time=time, now=scene.now)
     if text is None:
         raise FuzzytimeError(f"what {about.thing!r} stands for in {entry.text!r} is not clear: say it anew")
-    reply = changing.reworded(scene, entry.number, text)
+    reply = said_anew.reworded(scene, entry.number, text)
     head = Text(plain(f"taken as :edit {entry.number} {text}; :undo takes it back"))
     return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
 

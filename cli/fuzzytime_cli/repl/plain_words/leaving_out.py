@@ -12,7 +12,7 @@ from fuzzytime.language import About, AboutKind, find_times, reworded
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import instant_after
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.commands import changing
+from fuzzytime_cli.repl.commands import anew
 from fuzzytime_cli.repl.naming import entry_of, starts_of_entry, words_of_entry
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.repl.which import entries_meant
@@ -53,8 +53,8 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
     if not then:
         raise FuzzytimeError(f"nothing that is planned is {about.time} (:list shows what is)")
     if about.names:
-        # Only the gym of "gym at six and call mum at seven"
-        meant = about.names if len(entries) == 1 else frozenset({then[-1].identifier})
+        # Only the gym of "gym at six and call mum at seven"; which of two is asked
+        meant = about.names if len(entries) == 1 or len(then) > 1 else frozenset({then[0].identifier})
         return taken(scene, replace(about, kind=AboutKind.DROP, names=meant, time=""))
     raise FuzzytimeError("when then? Say: move it to tomorrow (or: cancel it)")
 
@@ -91,7 +91,7 @@ def next_left_out(scene: Scene, about: About) -> Reply | None:
 def _without(scene: Scene, about: About, entry: Entry, out: str) -> Reply:
     """Say a repetition anew, without some days."""
     text = f"{entry.text.rstrip('.! ')} except {out}"
-    reply = changing.reworded(scene, entry.number, text)
+    reply = anew.reworded(scene, entry.number, text)
     head = Text(plain(f"taken as :edit {entry.number} {text}; :undo takes it back"))
     return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
 

@@ -17,7 +17,7 @@ from fuzzytime_cli.repl.naming import (
     unknown,
     words_of_entry,
 )
-from fuzzytime_cli.repl.plain_words.parts import first_part, swapped_parts, without_part, without_thing
+from fuzzytime_cli.repl.parts import first_part, swapped_parts, without_part, without_thing
 from fuzzytime_cli.repl.plain_words.progress import blocked, late, length_said, progress, unstarted
 from fuzzytime_cli.repl.plain_words.retiming import days_on, with_time
 from fuzzytime_cli.repl.questions.stretches import is_within
@@ -132,7 +132,8 @@ def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
     part = first_part(scene, meant[0]) if about.upcoming else part_meant(scene, meant[0].number, about.names)
     if len(meant) == 1 and part:
         # "Forget the roses", of "water the roses, then mow the lawn"
-        anew = without_part(scene, meant[0], part)
+        name = next(one.skill.name for one in scene.plan.everything if one.identifier == part)
+        anew = without_part(scene, meant[0], name)
         return f":edit {numbers} {anew}" if anew else f":done {part}"
     rest = without_thing(scene, meant[0], about.names) if len(meant) == 1 else ""
     if len(meant) == 1 and not rest and not about.names <= words_of_entry(scene, meant[0]):

@@ -1,5 +1,6 @@
 """What is taken as it stands, though something that was asked for may be meant: that is said, or asked."""
 
+from collections.abc import Sequence
 from datetime import date, datetime
 
 from rich.text import Text
@@ -10,7 +11,12 @@ from fuzzytime.language import AboutKind, Lexicon, Operation, about_wishes, cont
 from fuzzytime.times import instant_after
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.plain_words.leaving_out import repeats
-from fuzzytime_cli.repl.scene import Reply, Scene, number_of, waiting
+from fuzzytime_cli.repl.scene import Reply, Scene, waiting
+from fuzzytime_cli.repl.typed import number_of
+from fuzzytime_cli.session import Started
+
+BE, MUST_BE = "be", "must be"
+"""The verb of what is only told, and the words in front of one with which something is to be done."""
 
 
 def cancelled_elsewhere(scene: Scene, words: str) -> Reply | None:
@@ -46,9 +52,9 @@ def check_who(scene: Scene, words: str) -> None:
 
 
 def second_lines(
-    made: Interpretation, number: int, words: str, now: datetime, lexicon: Lexicon
+    made: Interpretation, running: Sequence[Started], number: int, words: str, now: datetime, lexicon: Lexicon
 ) -> tuple[Text, ...]:
-    """Say that the same is planned for another time of the day, and stays: "gym at seven", beside one at six.
+    """Say that the same is planned for another time of the day, or running: "gym at seven", after "at six".
 
     Who says that it is "another one" knows.
     """
@@ -59,12 +65,19 @@ def second_lines(
         return ()
     others = [one for one in made.everything if one is not own[0] and not repeats(one)]
     same = [one for one in others if _is_same(one, own[0], lexicon) and _day(one, now) == _day(own[0], now)]
-    if len(same) != 1:
+    told = [
+        (one.identifier, one.skill.name, ", ".join(part.text for part in one.requirements)) for one in same
+    ]
+    operation = own[0].operation
+    named = frozenset[str]() if operation is None else _essence(operation, lexicon)
+    told += [
+        (one.identifier, one.name, "running") for one in running if named and named <= content_words(one.name)
+    ]
+    if len(told) != 1:
         return ()
-    (one,) = same
-    times = ", ".join(part.text for part in one.requirements)
-    first = f"{one.identifier} {one.skill.name}{f' ({times})' if times else ''}"
-    return (Text(plain(f"beside {first}, which stays; if they are one: drop s{number_of(one.identifier)}")),)
+    ((identifier, name, when),) = told
+    first = f"{identifier} {name}{f' ({when})' if when else ''}"
+    return (Text(plain(f"beside {first}, which stays; if they are one: drop s{number_of(identifier)}")),)
 
 
 def _day(one: Interpreted, now: datetime) -> date | None:
@@ -87,6 +100,16 @@ def _is_same(one: Interpreted, other: Interpreted, lexicon: Lexicon) -> bool:
     if things and things == content_words(behind.object or behind.verb) and (operation.particle or begins):
         # "Rice at ten", beside "cook the rice at nine"
         return operation.particle == behind.particle
+    alone = operation.lemma == behind.lemma and not (behind.object or behind.place)
+    if alone and behind.lemma not in lexicon.needing_nothing:
+        # "Bake at eleven", beside "bake the loaves at ten"
+        return True
+    told = behind.stated or behind.lemma == BE or behind.due == MUST_BE
+    if told and not (things | content_words(operation.place)).isdisjoint(
+        content_words(behind.object) - timed
+    ):
+        # "Slides are with them now", beside "send the slides"
+        return True
     same = content_words(operation.name) == content_words(behind.name)
     return same or _essence(operation, lexicon) == _essence(behind, lexicon)
 

@@ -8,10 +8,11 @@ from fuzzytime.language import About, AboutKind
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown
-from fuzzytime_cli.repl.plain_words.parts import without_thing
+from fuzzytime_cli.repl.parts import without_thing
 from fuzzytime_cli.repl.plain_words.retiming import some_time, with_time
 from fuzzytime_cli.repl.questions.stretches import on_its_day
-from fuzzytime_cli.repl.scene import AskedBackError, Scene, check_sole, number_of, waiting
+from fuzzytime_cli.repl.scene import AskedBackError, Scene, check_sole, waiting
+from fuzzytime_cli.repl.typed import number_of
 from fuzzytime_cli.repl.which import alike
 from fuzzytime_cli.session import Entry
 

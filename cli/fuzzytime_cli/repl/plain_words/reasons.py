@@ -11,6 +11,7 @@ from fuzzytime.language import (
     about_wishes,
     behind_what_is_told,
     content_words,
+    reported,
     tells_of_somebody,
 )
 from fuzzytime_cli.render import plain
@@ -80,7 +81,8 @@ def _of_what_is_told(scene: Scene, told: str, about: About) -> About:
 def _asks(scene: Scene, reading: Reading) -> bool:
     """Whether words ask for something, or say a time."""
     asked = any(one.operation is not None and one.operation.is_asked for one in reading.instructions)
-    asked = asked and not tells_what_is(reading, scene.lexicon)
+    lexicon = scene.lexicon
+    asked = asked and not tells_what_is(reading, lexicon) and reported(reading, lexicon) is None
     # "They rang to say monday" says when nothing is to be done.
     told = tells_of_somebody(reading.tokens)
     return asked or (not told and any(one.requirements for one in reading.instructions))

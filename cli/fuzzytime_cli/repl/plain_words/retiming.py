@@ -11,20 +11,17 @@ from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import (
     About,
     AboutKind,
-    Operation,
-    Reading,
-    content_words,
     find_times,
     in_its_place,
     merged_time,
-    restated,
+    reported,
     with_names,
 )
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration
 from fuzzytime_cli.repl.naming import starts_of_entry
-from fuzzytime_cli.repl.plain_words.parts import with_time_of_part
-from fuzzytime_cli.repl.scene import Scene, check_sole, number_of, waiting
+from fuzzytime_cli.repl.parts import with_time_of_part
+from fuzzytime_cli.repl.scene import Scene, check_sole
 from fuzzytime_cli.repl.which import entries_meant
 from fuzzytime_cli.session import Entry
 from fuzzytime_cli.told_states import tells_what_is
@@ -45,82 +42,6 @@ BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 
 AT = re.compile(r"(^| )at ")
 """The preposition of a time that is no bound."""
-
-
-def said_anew(scene: Scene, words: str) -> str | None:
-    """Give the command that says an instruction anew: "no, feed the dog at seven"; None where none is meant.
-
-    Raises
-    ------
-    FuzzytimeError
-        If the instruction asks for more than that.
-    """
-    anew = restated(words, scene.now, scene.lexicon)
-    return None if anew is None else same_anew(scene, anew)
-
-
-def same_anew(scene: Scene, anew: str) -> str | None:
-    """Give the command that words anew the instruction that asks for the same; None where none does.
-
-    Raises
-    ------
-    FuzzytimeError
-        If the instruction asks for more than that.
-    """
-    reading = scene.language.read(anew, now=scene.now, given=[one.operation for one in scene.plan.everything])
-    if len(reading.instructions) != 1:
-        return None
-    operation, times = reading.instructions[0].operation, reading.instructions[0].requirements
-    if operation is None or not times:
-        return None
-    same = [one for one in scene.plan.everything if one.reading and _is_same(one.operation, operation)]
-    same.sort(key=lambda one: number_of(one.identifier) == scene.focus)
-    if not same:
-        return None
-    old, number = same[-1], number_of(same[-1].identifier)
-    several = old.reading is not None and len(old.reading.instructions) > 1
-    own = old.instruction.requirements if old.instruction is not None else ()
-    named = (operation.object or "").lower() in anew.lower() and bool(content_words(operation.object))
-    if several or not named or len(own) > len(times):
-        # The rest of its words stays, and where it stands "them" is nothing: "no, put them out at seven".
-        moved = About(kind=AboutKind.MOVE, time=times[0].text)
-        anew = with_time(scene, scene.conversation.state.entry(number), moved, own)
-    return f":edit {number} {anew}"
-
-
-def timed_now(scene: Scene, words: str, reading: Reading) -> str | None:
-    """Give the command that gives its time to what was asked for without one; None where nothing was.
-
-    Who asks to "trim the hedge", and then to "trim the hedge at four", means one and the same.
-    """
-    forms = scene.lexicon.conversation["closing"] | scene.lexicon.conversation["again"]
-    more = {form[0] for form in forms if len(form) == 1}
-    if len(reading.instructions) != 1 or not more.isdisjoint(words.lower().split()):
-        return None
-    operation, times = reading.instructions[0].operation, reading.instructions[0].requirements
-    if operation is None or not operation.object or not times:
-        return None
-    same = [one for _, one in waiting(scene) if _is_same(one.operation, operation)]
-    lasts = times[0].constraint is Constraint.FOR
-    own = same[0].instruction if len(same) == 1 else None
-    if own is not None and not any(
-        not lasts or part.constraint is Constraint.FOR for part in own.requirements
-    ):
-        number, time = number_of(same[0].identifier), " ".join(part.text for part in times)
-        # "Mow the lawn takes an hour"
-        time = time if not lasts or time.startswith(FOR) else f"{FOR}{time}"
-        entry = scene.conversation.state.entry(number)
-        return f":edit {number} {with_time_of_part(scene, entry, time, same[0].identifier)}"
-    # What may be done at any time is taken to have begun at once.
-    begun = {
-        number_of(one.identifier) for one in scene.conversation.running(scene.now) if one.end > scene.now
-    }
-    for entry in (entry for entry in scene.conversation.state.entries if entry.number in begun):
-        read = scene.language.read(entry.text, now=entry.given).instructions
-        untimed = len(read) == 1 and not read[0].requirements
-        if not same and untimed and _is_same(read[0].operation, operation):
-            return f":edit {entry.number} {words}"
-    return None
 
 
 def wished_instead(scene: Scene, words: str) -> str | None:
@@ -147,21 +68,11 @@ def wished_instead(scene: Scene, words: str) -> str | None:
     reading = language.read(wish, now=scene.now, given=old)
     asked = [one.operation for one in reading.instructions if one.operation is not None]
     told = wish.split()[0].lower() in language.lexicon.closed.condition_openers
-    told = told or tells_what_is(reading, language.lexicon)
+    told = told or tells_what_is(reading, language.lexicon) or reported(reading, language.lexicon) is not None
     if told or not asked or asked[0].negated:
-        # "Never mind, it works", "cancel the slides, Priya is doing them"
+        # "Never mind, it works", "cancel the slides, Priya is doing them", "forget the soup, I've made some"
         return None
     return f":edit {meant[0].number} {with_names(wish, next(iter(old), None), language.lexicon)}"
-
-
-def _is_same(one: Operation | None, other: Operation) -> bool:
-    """Whether two operations do the same with the same, in one place as far as the second tells."""
-    if one is None or (one.lemma, one.negated) != (other.lemma, other.negated):
-        return False
-    places = content_words(other.place) in (frozenset(), content_words(one.place))
-    things = content_words(other.object)
-    # "No, call her at seven"
-    return places and (things == content_words(one.object) or (bool(other.object) and not things))
 
 
 def with_time(
@@ -205,12 +116,15 @@ def with_time(
     # "If it rains, close the window at six": the condition stays.
     times = [part for part in times if part.constraint is not Constraint.WHEN] or times
     if not times:
-        return f"{entry.text.rstrip('.! ')} {about.time}"
+        # How long it is to be watered says nothing of for how long it is dry, in "water it if it's dry".
+        clauses = [p.span[0] for p in parts if p.condition is not None or p.anchor is not None]
+        end = min((first for first in clauses if first), default=len(entry.text.rstrip(".! ")))
+        return f"{entry.text[:end].rstrip(' ,')} {about.time} {entry.text[end:]}".rstrip()
     first, end = times[0].span
     lexicon = scene.lexicon
     time = merged_time(*_time_before(scene, entry, entry.text[first:end]), about.time, scene.now, lexicon)
     repeated = times[0].constraint is Constraint.EVERY and time == about.time
-    if about.bare and times[0].constraint in BOUNDS and times[0].preposition:
+    if about.bare and times[0].constraint in BOUNDS and times[0].preposition and times[0].anchor is None:
         # "By seven", and then "make it eight", is by eight.
         time = AT.sub(rf"\1{times[0].preposition} ", time, count=1)
     if len(times) > 1 or repeated:

@@ -23,7 +23,7 @@ from fuzzytime.language.sentence.trees.model import is_verb
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands import looking
 from fuzzytime_cli.repl.commands.by_name import how_to, what_if
-from fuzzytime_cli.repl.naming import LABEL, entry_of, is_named_itself, label_meant, unknown
+from fuzzytime_cli.repl.naming import LABEL, entry_of, is_named_itself, is_of_one_task, label_meant, unknown
 from fuzzytime_cli.repl.plain_words.happened import happened
 from fuzzytime_cli.repl.plain_words.has_done import done, perhaps_done
 from fuzzytime_cli.repl.plain_words.leaning import leaning, the_other
@@ -31,7 +31,8 @@ from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, 
 from fuzzytime_cli.repl.plain_words.meant import command_meant
 from fuzzytime_cli.repl.plain_words.perhaps import cancelled_elsewhere, check_who
 from fuzzytime_cli.repl.plain_words.reasons import CHANGING, behind_what_tells, with_reason
-from fuzzytime_cli.repl.plain_words.retiming import said_anew, same_anew, timed_now, wished_instead
+from fuzzytime_cli.repl.plain_words.retiming import wished_instead
+from fuzzytime_cli.repl.plain_words.said_again import said_anew, same_anew, timed_now
 from fuzzytime_cli.repl.plain_words.taking import run, run_each
 from fuzzytime_cli.repl.plain_words.telling import (
     behind_a_fact,
@@ -131,6 +132,8 @@ def _told(scene: Scene, words: str) -> Reply | None:
             raise FuzzytimeError(f"{words!r} tells what is, and says nothing to do: say what you want done")
         if means is None or not (means.certain and means.names):
             _check_labels(scene, reading)
+        if _asks_how_it_is(scene, words) and (answer := answering.asked_of(scene, words)) is not None:
+            return answer
         # "Dinner at six" is a wish, and no time of another.
         wish = any(one.operation is not None for one in reading.instructions)
         added = added_time(words, scene.now, language.lexicon, wish=wish)
@@ -148,6 +151,12 @@ def _told(scene: Scene, words: str) -> Reply | None:
             f"{words!r} tells what was done, and nothing like it is planned (:list shows what is)"
         )
     return reply
+
+
+def _asks_how_it_is(scene: Scene, words: str) -> bool:
+    """Whether a line asks how something is, and for nothing to be done: "is gym before lunch?"."""
+    first = words.lower().split(maxsplit=1)[0]
+    return words.rstrip().endswith("?") and (first,) in scene.lexicon.questions["stating"]
 
 
 def _check_labels(scene: Scene, reading: Reading) -> None:
@@ -176,7 +185,8 @@ def _taken(scene: Scene, about: About) -> Reply | None:
         return _when_then(scene, about)
     if about.kind in ASKED_BACK:
         raise FuzzytimeError(ASKED_BACK[about.kind])
-    if about.told and about.kind in OF_ITSELF and not is_named_itself(scene, about.names):
+    of_task = about.kind is AboutKind.MOVE and is_of_one_task(scene, about.names)
+    if about.told and about.kind in OF_ITSELF and not (of_task or is_named_itself(scene, about.names)):
         return None
     if about.kind is AboutKind.BLOCK and about.text:
         return Reply((Text(plain(f"taken as: {about.text}")),), anew=about.text)

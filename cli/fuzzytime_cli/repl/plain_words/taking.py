@@ -8,7 +8,8 @@ from rich.text import Text
 from fuzzytime.language import About, AboutKind
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands.by_name import command_of
-from fuzzytime_cli.repl.scene import Reply, Scene, whole_number
+from fuzzytime_cli.repl.scene import Reply, Scene
+from fuzzytime_cli.repl.typed import whole_number
 
 
 def run(scene: Scene, about: About, line: str) -> Reply:

@@ -5,7 +5,16 @@ from dataclasses import replace
 
 from rich.text import Text
 
-from fuzzytime.language import About, AboutKind, Reading, behind_what_is_told, content_words, news_in
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language import (
+    About,
+    AboutKind,
+    Reading,
+    behind_what_is_told,
+    content_words,
+    news_in,
+    reported,
+)
 from fuzzytime.requirement import Condition, Constraint
 from fuzzytime.times import format_duration
 from fuzzytime_cli.render import plain
@@ -13,7 +22,7 @@ from fuzzytime_cli.repl.commands.changing import ctx
 from fuzzytime_cli.repl.conversation import context_of
 from fuzzytime_cli.repl.plain_words.leaving_out import Taken
 from fuzzytime_cli.repl.plain_words.retiming import IDLE
-from fuzzytime_cli.repl.scene import Reply, Scene, waiting
+from fuzzytime_cli.repl.scene import Reply, Scene, refused, waiting
 from fuzzytime_cli.told_states import as_news, is_waited_for, tells_a_state, tells_what_is, told_of
 
 CHANGED = frozenset({AboutKind.MOVE, AboutKind.DELAY, AboutKind.DROP, AboutKind.EXCEPT})
@@ -84,12 +93,17 @@ def behind_a_fact(scene: Scene, words: str, answered: Callable[[Scene, str], Rep
     """Take what is asked for behind what tells how something is: "Tom's out, call Bob at two"; else None."""
     told, mark, rest = words.partition(",")
     reading = scene.language.read(told, now=scene.now) if mark and rest.strip() else None
-    if reading is None or not tells_what_is(reading, scene.lexicon) or is_news(scene, told):
+    done = reading is not None and reported(reading, scene.lexicon) is not None
+    if reading is None or not (done or tells_what_is(reading, scene.lexicon)) or is_news(scene, told):
         return None
     asked = scene.language.read(rest, now=scene.now).instructions
     if not any(one.operation is not None and one.operation.is_asked for one in asked):
         return None
-    state = told_state(scene, told, reading)
+    # "I've fed the cat, call Bob at two"
+    try:
+        state = answered(scene, told) if done else told_state(scene, told, reading)
+    except FuzzytimeError as error:
+        state = refused(str(error))
     reply = answered(scene, rest.strip())
     lines = (Text(plain(f"{told!r} changes nothing")),) if state is None else state.lines
     if reply is None:

@@ -11,7 +11,8 @@ from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.naming import FEW, all_called, entry_of, running_one
-from fuzzytime_cli.repl.scene import Reply, Scene, number_of, position_of, running_lines, said, waiting
+from fuzzytime_cli.repl.scene import Reply, Scene, position_of, running_lines, said, waiting
+from fuzzytime_cli.repl.typed import number_of
 
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
@@ -80,7 +81,10 @@ def asked_of(scene: Scene, words: str) -> Reply | None:
     filling = {word for form in scene.lexicon.conversation["filling"] for word in form}
     names = content_words(words) - asking - filling
     asks = words.rstrip().endswith("?") or not asking.isdisjoint(words.lower().split()[:1])
-    entry = entry_of(scene, names) if asks and names else None
+    # "Is gym before lunch?" is of the gym.
+    named = (content_words(word) & names for word in words.split())
+    first = next((one for one in named if one), frozenset[str]())
+    entry = (entry_of(scene, names) or entry_of(scene, first)) if asks and names else None
     return (
         None
         if entry is None

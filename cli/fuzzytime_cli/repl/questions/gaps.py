@@ -15,7 +15,8 @@ from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.naming import entry_of, unknown
 from fuzzytime_cli.repl.questions.stretches import bounds_of, on_its_day, time_of
-from fuzzytime_cli.repl.scene import Reply, Scene, number_of, said, waiting
+from fuzzytime_cli.repl.scene import Reply, Scene, said, waiting
+from fuzzytime_cli.repl.typed import number_of
 
 MOST = 5
 """How many things, or gaps, are told at most."""

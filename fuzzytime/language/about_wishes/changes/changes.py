@@ -63,10 +63,10 @@ def _swapped(said: Said) -> About | None:
     if rest is None:
         return None
     rest = rest.until(len(rest.words) - 1) if rest.forms[-1:] in said.table("behind swapping") else rest
-    if not rest.words or rest.is_in("both"):
+    if not rest.words:
         return About(kind=AboutKind.SWAP, both=True, certain=True)
-    if (both := several_in(rest)) is not None:
-        return About(kind=AboutKind.SWAP, names=both, both=True, certain=True)
+    if (both := about_thing(AboutKind.SWAP, rest)).both:
+        return both
     joint = next(
         (place for place, word in enumerate(rest.forms) if word in said.lexicon.closed.joints_of_swaps), 0
     )
@@ -91,24 +91,19 @@ def _dropped(said: Said) -> About | None:
         # "Leave the soup out"
         return about_thing(AboutKind.DROP, said.until(len(said.words) - 1).behind(1))
     rest = said.after("dropping")
-    if rest is not None and (
-        rest.label
-        or rest.places
-        or several_in(rest) is not None
-        or rest.is_in("other")
-        or rest.is_in("the next")
-    ):
-        return about_thing(AboutKind.DROP, rest)
-    if rest is None or rest.has_time:
+    if rest is None:
+        return None
+    about = about_thing(AboutKind.DROP, rest)
+    if about.certain:
+        # "S1 and s2", "the second one", "both calls"
+        return about
+    if rest.has_time:
         return None
     if rest.is_in("everything"):
         return About(kind=AboutKind.DROP, everything=True, certain=True)
-    if rest.is_in("both"):
-        return About(kind=AboutKind.DROP, both=True, certain=True)
     if is_last(rest):
         return About(kind=AboutKind.DROP, certain=True)
-    certain = said.opens_with("letting go") > 0
-    return about_thing(AboutKind.DROP, rest, certain=certain) if rest.names else None
+    return replace(about, certain=said.opens_with("letting go") > 0) if rest.names else None
 
 
 def _appointment(said: Said) -> frozenset[str]:

@@ -47,12 +47,12 @@ def delayed(said: Said) -> About | None:
     by = None if found is None else -found.seconds if earlier else found.seconds
     moved = thing if found is None else found.rest
     named, referred = moved.without(*REFERRED)
-    if moved.is_in("both"):
-        return About(kind=AboutKind.DELAY, both=True, by=by, earlier=earlier, certain=True)
+    both, everything = moved.is_in("both"), "everything" in referred and not named.names
+    if both or everything:
+        about = About(kind=AboutKind.DELAY, both=both, everything=everything, certain=True)
+        return replace(about, by=by, earlier=earlier)
     if not named.names and not referred and (delaying is None or named.words):
         return None
-    if "everything" in referred and not named.names:
-        return About(kind=AboutKind.DELAY, everything=True, by=by, earlier=earlier, certain=True)
     # Who pushes a table back says no length of time.
     certain = delaying is not None or (found is not None and found.joint == "by")
     return replace(about_thing(AboutKind.DELAY, named, certain=certain), by=by, earlier=earlier)

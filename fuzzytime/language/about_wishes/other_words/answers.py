@@ -13,7 +13,7 @@ from fuzzytime.language.instruction import Question
 from fuzzytime.times import instant_after
 
 NOON = 12
-ONE = "one"
+ONE = frozenset({("one",)})
 NOT = "not"
 TWO = 2
 """Choices of which one is meant where the other is not."""
@@ -50,7 +50,8 @@ def _choice(said: Said, question: Question, *, corrected: int) -> int | None:
         return question.chosen
     if (named := _by_place(said, question)) is not None:
         return named
-    found = (_by_time(one, question) for one in (_without_one(said), said))
+    # "The morning one"
+    found = (_by_time(one, question) for one in (said.without_end(ONE), said))
     return next((choice for choice in found if choice is not None), None)
 
 
@@ -89,12 +90,6 @@ def _by_place(said: Said, question: Question) -> int | None:
     if len(places) != 1 or abs(places[0]) > count or not places[0]:
         return None
     return places[0] - 1 if places[0] > 0 else count + places[0]
-
-
-def _without_one(said: Said) -> Said:
-    """Leave out what stands for the time behind what tells which: "the morning one"."""
-    closes = said.forms[-1:] == (ONE,) and len(said.words) > 1
-    return said.until(len(said.words) - 1) if closes else said
 
 
 def _by_time(said: Said, question: Question) -> int | None:

@@ -83,7 +83,7 @@ def _at_that_hour(text: str, clock: str, old: str, said: datetime, now: datetime
     read = [(words, time) for words in halves if (time := one_time(words, now, lexicon)) is not None]
     if len({_hour_of(time, now) for _, time in read if _begin_of(time) is not None}) < len(HALVES):
         return text
-    words, time = min(read, key=lambda pair: abs(_hour_of(pair[1], now) - hour))
+    words, time = min(read, key=lambda pair: lexicon.policy.far_from(_hour_of(pair[1], now), hour))
     # "At ten", and then "no, at seven", is this evening rather than tomorrow morning.
     days = {instant_after(now, one.t_spec or 0.0).date() for one in (time, anew)}
     return words if len(days) == 1 and _hour_of(time, now) != _hour_of(anew, now) else text

@@ -10,7 +10,7 @@ from fuzzytime.english import EMPTY, singular
 from fuzzytime.language.about_wishes.said import CLOCKED, Said
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Span
+from fuzzytime.language.instruction import Operation, Question, Span
 from fuzzytime.language.sentence.references.mentions import verb_forms
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import Constraint, TimeRequirement
@@ -80,8 +80,8 @@ class News:
         Where it is only "it" or "they": whether these are several. None where it is named.
     time
         The new time, counted from when this was said.
-    choices, chosen
-        What a new time may mean that leaves it open, and the position of what it was taken for.
+    question
+        Which of several a new time may be that leaves it open.
     by
         Seconds by which it is later, below 0 for earlier.
     marked
@@ -95,8 +95,7 @@ class News:
     names: frozenset[str]
     several: bool | None = None
     time: TimeRequirement | None = None
-    choices: tuple[datetime, ...] = ()
-    chosen: int = 0
+    question: Question | None = None
     by: float = 0.0
     marked: bool = True
     comes: bool = False
@@ -218,13 +217,8 @@ class _Clause:
         news = self._news_of(NewsKind.TIME, left, tables)
         if news is None:
             return None
-        return replace(
-            news,
-            time=told,
-            choices=questions[0].choices if questions else (),
-            chosen=questions[0].chosen if questions else 0,
-            marked=moved or bool(tables - {"they", "being"}),
-        )
+        marked = moved or bool(tables - {"they", "being"})
+        return replace(news, time=told, question=next(iter(questions), None), marked=marked)
 
     def _news_of(self, kind: NewsKind, left: Said, tables: frozenset[str], *, by: float = 0.0) -> News | None:
         """Give news of what the words that are left name; None where they say more than that."""

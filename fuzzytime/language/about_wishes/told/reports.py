@@ -90,8 +90,7 @@ def _more(said: Said) -> About | None:
     # "Five more minutes for the rice", "give the rice five more minutes"
     given = named.behind(1) if named.forms[:1] in {(GIVE,), (FOR.strip(),)} else named
     certain = not named.names or "needing" in parts or given is not named
-    named = given
-    return About(kind=AboutKind.MORE, names=named.meant, by=found.seconds, certain=certain)
+    return About(kind=AboutKind.MORE, names=given.meant, by=found.seconds, certain=certain)
 
 
 def _made_longer(said: Said) -> About | None:
@@ -137,10 +136,13 @@ def _unstarted(said: Said) -> About | None:
     thing = rest.after("unstarted")
     if thing is None or thing.has_time:
         return None
-    thing = thing.without("yet")[0]
-    # "With the soup", "on the soup"
-    thing = thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
-    return About(kind=AboutKind.UNSTARTED, names=thing.meant, certain=True)
+    return About(kind=AboutKind.UNSTARTED, names=_begun(thing).meant, certain=True)
+
+
+def _begun(said: Said) -> Said:
+    """Leave out what stands beside a thing that is begun, or is not: "with the soup yet", "on the soup"."""
+    thing = said.without("yet")[0]
+    return thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
 
 
 def _started(said: Said) -> About | None:
@@ -151,12 +153,8 @@ def _started(said: Said) -> About | None:
         # "Start s2"
         return About(kind=AboutKind.STARTED, names=frozenset({label}), certain=True)
     thing = said.after("started")
-    if thing is None or not thing.is_one:
+    if thing is None or not thing.is_one or (thing := _begun(thing)).has_time:
         return None
-    thing = thing.without("yet")[0]
-    if thing.has_time:
-        return None
-    thing = thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
     return About(kind=AboutKind.STARTED, names=thing.meant, upcoming=not thing.words, certain=True)
 
 

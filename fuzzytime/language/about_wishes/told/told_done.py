@@ -11,7 +11,8 @@ PAST = frozenset({"VBN", "VBD"})
 SUBJECTS = frozenset({"nsubj", "nsubjpass", "nsubj:pass", "csubj", "expl"})
 PARTICLES = frozenset({"RB", "RP", "IN"})
 NOUN = "NN"
-BEING = frozenset({"be", "have"})
+HAVE = "have"
+BEING = frozenset({"be", HAVE})
 """What helps a verb to say how something is."""
 
 
@@ -39,8 +40,9 @@ def _told_of(reading: Reading, lexicon: Lexicon) -> tuple[Operation, bool] | Non
     if place is None or reading.tokens[place].tag not in PAST:
         return None
     verb = operation.verb.lower()
-    if verb == operation.lemma or verb in lexicon.doing.past_alike:
-        # "I put the bins out" may be what who speaks does, or did
+    has_done = any(token.head == place and token.lemma == HAVE for token in reading.tokens[:place])
+    if not has_done and (verb == operation.lemma or verb in lexicon.doing.past_alike):
+        # "I put the bins out" may be what who speaks does, or did; "I've put them out" is not
         return None
     parts = [token for token in reading.tokens if token.head == place and token.relation in SUBJECTS]
     if parts:

@@ -1,5 +1,6 @@
 """What is told of a thing that was asked for: "the gym is off", "lunch is at one", "it takes longer"."""
 
+import re
 from dataclasses import replace
 
 from fuzzytime.english import EMPTY
@@ -14,6 +15,7 @@ SMALL = ("being", "anew")
 
 SOONER = frozenset({"early", "earlier"})
 WILL = "will"
+HAS_BEEN = re.compile(r"\b(has|have)( \w+)? been\b")
 TO, BE = ("to",), ("be",)
 ALREADY = "already"
 DONE = "ed"
@@ -25,7 +27,7 @@ def told_of(said: Said) -> About | None:
 
     Of what names no wish itself it may be what happens besides: "lunch is at one".
     """
-    who, how = _thing_and_state(Said(written_out(said.text), said.now, said.lexicon))
+    who, how = _thing_and_state(Said(HAS_BEEN.sub(r"is\2", written_out(said.text)), said.now, said.lexicon))
     # "The truck's late, about 20 minutes"
     how = replace(how, text=how.text.replace(",", ""))
     last = who.is_in("last")
@@ -41,7 +43,7 @@ def told_of(said: Said) -> About | None:
         named = len(who.words) == 1 or who.forms[0] in EMPTY or bool(who.label)
         names = frozenset[str]() if who.is_in("they") else who.meant
         return About(kind=AboutKind.DONE, names=names, certain=named)
-    about = _off(how) or _longer(how) or _later(how) or _then(how, last=last)
+    about = _off(how) or _longer(how) or _later(how) or _so_long(how) or _then(how, last=last)
     if about is None:
         return None
     certain = last or about.kind is AboutKind.MORE
@@ -113,6 +115,15 @@ def _later(how: Said) -> About | None:
     return About(kind=AboutKind.DELAY, by=by, earlier=earlier, told=True)
 
 
+def _so_long(how: Said) -> About | None:
+    """Read how long it goes on: "is ninety minutes today", "is only half an hour"."""
+    left, _ = how.without("being", "anew")
+    day = left.behind(len(left.words) - 1).one_time()
+    dated = day is not None and day.constraint is Constraint.BETWEEN
+    time = (left.until(len(left.words) - 1) if dated else left).as_time()
+    return About(kind=AboutKind.TAKES, time=time, told=True) if time.lower().startswith(FOR) else None
+
+
 def _then(how: Said, *, last: bool) -> About | None:
     """Read when it is: "is at seven", "is on friday now"; but "it's friday" tells the day."""
     how, _ = how.without("being")
@@ -120,7 +131,8 @@ def _then(how: Said, *, last: bool) -> About | None:
     beside = None if last else how.beside()
     if beside is not None and beside[1].names and not how.has_time:
         return About(kind=AboutKind.MOVE, time=beside[0], others=beside[1].names, told=True)
-    left, _ = how.without("anew")
+    left, _ = how.without("anew", "rescheduled")
+    left = left.behind(1) if left != how and left.forms[:1] == TO else left
     time = left.as_time() if left.words else ""
     told = one_time(time, how.now, how.lexicon) if time else None
     joint = told is not None and (told.preposition is not None or left.forms[0] == FOR.strip())

@@ -6,6 +6,7 @@ from fuzzytime.language.english.amounts.durations import length_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Quantity, UnitWord
+from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
@@ -33,7 +34,9 @@ def one_or_two(quantity: Quantity, unit: UnitWord, more: Quantity) -> Duration |
 def between(shorter: Duration | Quantity, longer: Duration) -> Duration | None:
     """Five to ten minutes, two or three hours, half an hour to an hour."""
     if isinstance(shorter, Quantity):
-        if len(longer.terms) != 1 or shorter.indefinite:
+        # "8.30 - 20 mins": nobody counts so, and the first is an hour.
+        odd = longer.terms[0][1] is Unit.MINUTE and 2 * shorter.value % 1
+        if len(longer.terms) != 1 or shorter.indefinite or odd:
             return None
         first = Duration(((shorter.value, longer.terms[0][1]),), shorter.hedges)
     else:

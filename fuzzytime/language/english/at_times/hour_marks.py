@@ -2,7 +2,8 @@
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import HourMark, SameTime
+from fuzzytime.language.meaning.expressions import HourMark, Said, SameTime
+from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
 
@@ -24,6 +25,12 @@ def same_time(days: Calendar) -> SameTime:
 def on_the_hour() -> HourMark:
     """On the hour."""
     return HourMark(0)
+
+
+@grammar.rule("said", "by|before the half hour", weight=0.4)
+def by_the_half_hour() -> Said:
+    """By the half hour; but what is paid by the hour is so each hour."""
+    return Said(HourMark(30), Constraint.BEFORE, "by")
 
 
 @grammar.rule("same", "the? bottom|middle of the hour", weight=0.2)

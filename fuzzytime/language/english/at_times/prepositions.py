@@ -190,10 +190,11 @@ def just_off(hedge: str, goal: Goal) -> Said | None:
     "<said> ,? or|and shortly|soon|right|just|a thereafter|afterwards|after|later",
     "<said> ,? or|and a little|bit|while|moment thereafter|afterwards|after|later",
     "<said> ,? or|and thereafter|afterwards",
+    "<said> ,? if not later",
     weight=0.5,
 )
 def or_shortly_after(said: Said) -> Said | None:
-    """At noon or shortly thereafter."""
+    """At noon or shortly thereafter, by six if not later."""
     return _a_little_off(said, "shortly after")
 
 
@@ -209,8 +210,12 @@ def or_shortly_before(said: Said) -> Said | None:
 
 
 def _a_little_off(said: Said, hedge: str) -> Said | None:
-    point = said.constraint in MOMENTS and not said.beside
-    if not point or not isinstance(said.time, (Wall, Ending)):
+    """Put a point off its anchor; a bound stays one, and is meant less exactly: "by six or a bit later"."""
+    if said.beside or not isinstance(said.time, (Wall, Ending)):
+        return None
+    if said.constraint in {Constraint.BEFORE, Constraint.AFTER}:
+        return replace(said, hedges=(*said.hedges, "or so"))
+    if said.constraint not in MOMENTS:
         return None
     return replace(
         said,

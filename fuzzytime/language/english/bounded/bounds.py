@@ -178,7 +178,6 @@ def from_then_on(goal: Goal) -> Said | None:
     return said_of(goal, "not before" if of_day else "from", Constraint.AFTER, Edge.START)
 
 
-@grammar.rule("said", "before|by it gets|is|turns <said> at the very? latest", weight=1.2)
 @grammar.rule(
     "said",
     "<said> ,? at? the? very? latest",

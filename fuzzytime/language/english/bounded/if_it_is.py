@@ -113,9 +113,14 @@ def _weekdays(days: Calendar) -> set[int] | None:
     return {days.weekday} if isinstance(days, Fields) and days.weekly and days.weekday is not None else None
 
 
-@grammar.rule("said", "if|when it's|its <said>", "if|when it is <said>", weight=0.5)
+@grammar.rule(
+    "said",
+    "if|when|once|whenever it's|its <said>",
+    "if|when|once|whenever it is|gets|goes <said>",
+    weight=0.5,
+)
 def if_it_is_past(said: Said) -> Said | None:
-    """(call the office) if it's after nine: after that."""
+    """(call the office) if it's after nine, once it's past nine: after that."""
     return said if _bounds(said) else None
 
 

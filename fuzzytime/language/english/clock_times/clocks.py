@@ -40,7 +40,8 @@ def number(hour: Integer) -> Clock | None:
             return None
         full_day = digits.startswith("0") or value >= 1300
         return Clock(value // 100, value % 100, 0, Unit.MINUTE, full_day=full_day, bare=True)
-    if value > 24 or len(digits) > 2:
+    if value > 24 or len(digits) > 2 or (not value and digits != "00"):
+        # "From 0 to 100"
         return None
     minutes = value in TO_AN_HOUR and not digits
     full_day, hours = value > 12 or digits.startswith("0"), value in AS_MINUTES and not digits

@@ -80,6 +80,7 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
 @grammar.rule(
     "said",
     "between the? <goal> and|&|to|-|through|thru|until|till the? <goal>",
+    "between the hours of <goal> and|to <goal>",
     "from the? <goal> to|-|through|thru the? <goal>",
     weight=1.1,
 )

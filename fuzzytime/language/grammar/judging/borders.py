@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.judging.beside.titles import Titles
 from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_from_the_past
 from fuzzytime.language.grammar.judging.no_times import NoTime
-from fuzzytime.language.grammar.surroundings.measuring import SIGNS
+from fuzzytime.language.grammar.surroundings.compared import SIGNS
 from fuzzytime.language.grammar.surroundings.surroundings import Around, Surroundings
 from fuzzytime.language.grammar.understood.due import tells_when_due
 from fuzzytime.language.grammar.understood.lent import counts_one

@@ -9,7 +9,7 @@ from fuzzytime.language.grammar.judging.repeats import Repeats
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS_ALONE, heads_list
 from fuzzytime.language.grammar.judging.walls.walls import Walls
 from fuzzytime.language.grammar.lexicon import longest_match
-from fuzzytime.language.grammar.surroundings.measuring import NEAR
+from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import Around, Surroundings
 from fuzzytime.language.grammar.understood.due import is_due
 from fuzzytime.language.grammar.understood.lent import Lent, is_left_for, lacks_unit
@@ -122,6 +122,9 @@ class Judge(Around):
             return self._ends_order(piece, time)
         if isinstance(time, Range):
             return self.ranges.accept(piece, said, time)
+        if isinstance(time, HourMark) and said.preposition == "by":
+            # "Pay him by the half hour"
+            return self.lexicon.no_times.costing.isdisjoint(self.texts[: piece.start])
         if isinstance(time, HourMark) and time.open:
             return self._is_of_unsaid_hour(piece, said)
         if self._is_past(piece, said):

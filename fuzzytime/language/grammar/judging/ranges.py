@@ -41,7 +41,7 @@ class Ranges(Standing):
         if self.texts[piece.start] == "one" and self.around.before(piece).isalpha():
             # "Reserve the blue one until friday"
             return False
-        if self._is_meal_until(piece, time):
+        if self._is_meal_until(piece, time) or self._is_before_length(piece, time):
             return False
         if isinstance(time.first, Offset) or isinstance(time.last, Offset):
             # "At most half an hour after 1730"
@@ -82,6 +82,11 @@ class Ranges(Standing):
         """Whether a dash joins days of a month, or months: "3rd-5th", "june-august"; not "rows 3rd-5th"."""
         named = {self.around.before(piece), singular(self.around.before(piece))}
         return "-" in self.texts[piece.start : piece.end] and named.isdisjoint(self.lexicon.called_by_number)
+
+    def _is_before_length(self, piece: Piece, time: Range) -> bool:
+        """Whether its last number counts a unit, behind a dash: "lunch 12:15 - 20 mins"."""
+        dash = self.texts[piece.end - 2] == "-" and self.measures.is_number(piece.end - 1)
+        return dash and not wall_of(time.first).bare and self.around.is_unit(piece.end)
 
     def _is_meal_until(self, piece: Piece, time: Range) -> bool:
         """Whether a meal is served until then: "serve lunch until three", not "tomorrow lunch to two"."""

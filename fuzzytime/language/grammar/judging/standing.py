@@ -7,7 +7,7 @@ from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.run_on_hours import RunOnHours
-from fuzzytime.language.grammar.surroundings.measuring import NEAR
+from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import Around
 
 WITH = "with"

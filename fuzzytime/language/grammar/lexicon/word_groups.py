@@ -173,6 +173,7 @@ class BesideTimes:
     of_hours: Words
     of_clocks: Words
     telling_hours: Words
+    of_readings: Words
     clock_subjects: Words
     bound_for: Words
     getting_off: Words

@@ -1,14 +1,10 @@
 """Whether a number is an amount: "volume by 10", "bake it at 180", "cut it in two"."""
 
-from collections.abc import Sequence
-
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.surroundings.compared import AT, NEAR, NEARLY, STATED, Compared
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
-from fuzzytime.requirement import BOUNDS, MOMENTS, Unit
+from fuzzytime.requirement import MOMENTS, STRETCHES, Unit
 
-AT = "at"
 TO = "to"
 
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
@@ -20,14 +16,6 @@ OF_TIME = frozenset({"by", "between"})
 CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
-NEARLY = frozenset({"around", "about"})
-
-
-NEAR = 8
-"""Words before a number that decide whether it is an amount."""
-
-SIGNS = frozenset({">", "<"})
-"""Marks that compare numbers, and bind a time behind them."""
 
 COLON = ":"
 
@@ -36,21 +24,13 @@ LARGEST_SHARE = 8
 
 HOURS = "hours"
 
-STATED = frozenset({"when", "if"})
-"""Kinds of clauses that say what must be so."""
 
-
-class Measures:
+class Measures(Compared):
     """What is measured in a text."""
-
-    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
-        self.words = words
-        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
-        self.texts = [word.text for word in words]
 
     def measured(self, piece: Piece) -> bool:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
-        if self._says_how_much(piece):
+        if self.says_how_much(piece):
             return True
         if piece.value.preposition in {None, *NEARLY} and self._switches(piece):
             return False
@@ -67,20 +47,6 @@ class Measures:
         """Whether its last word says that it is an hour: "measure it sixish"; but "dim it to sixish"."""
         raised = TO in self.texts[max(0, piece.start - 1) : piece.start + 1]
         return self.texts[piece.end - 1] in self.beside.telling_hours and not raised
-
-    def _says_how_much(self, piece: Piece) -> bool:
-        """Whether a clause says that a thing is a number: "when the queue is over 4", "if load > 4"."""
-        place = piece.start - (self.texts[piece.start] not in SIGNS)
-        verb, subject = self.texts[place], self.texts[place - 1] if place > 0 else ""
-        return (
-            (verb in SIGNS or verb in self.closed.stative_verbs)
-            and subject[-1:].isalnum()
-            and subject not in self.beside.clock_subjects
-            and any(
-                longest_match(self.words, start, self.lexicon.clauses)
-                for start in range(max(0, piece.start - NEAR), place - 1)
-            )
-        )
 
     def _switches(self, piece: Piece) -> bool:
         """Whether something is turned on or off, which is no amount: "turn off the lights around six"."""
@@ -104,6 +70,9 @@ class Measures:
         hour = not self.beside.of_clocks.isdisjoint(self.texts[place : place + 1])
         if self.texts[at] != AT or place == at + 1 or hour or self.texts[place : place + 1] == ["."]:
             return False
+        if at > 1 and self.texts[at - 1] in self.closed.stative_verbs and self.says_how_much(piece):
+            # "Once the room is at ten"
+            return True
         before = self.texts[max(0, at - NEAR) : at]
         verb = next((p for p in reversed(range(len(before))) if before[p] in self._keeping), None)
         if verb is None:
@@ -288,4 +257,4 @@ def _is_bound_to_hour(said: Said) -> bool:
     ends = (said.time.first, said.time.last) if isinstance(said.time, Range) else (said.time,)
     clocks = [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None]
     hours = bool(clocks) and all(clock.grain is Unit.HOUR for clock in clocks)
-    return hours and said.constraint in BOUNDS
+    return hours and said.constraint in STRETCHES

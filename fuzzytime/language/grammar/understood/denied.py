@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat
 from fuzzytime.language.meaning.joined.weekdays_left_out import weekdays_in
-from fuzzytime.requirement import BOUNDS
+from fuzzytime.requirement import STRETCHES
 
 
 def denied(words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon) -> list[Phrase]:
@@ -42,7 +42,7 @@ def _denying(texts: Sequence[str], phrase: Phrase, lexicon: Lexicon) -> int | No
         return place if repeated and weekdays_in(phrase.said.time) and _is_plural(phrase) else None
     if texts[place] in lexicon.beside.leaving_out_of_all:
         all_said = not lexicon.beside.repeating.isdisjoint(texts[:place])
-        return place if all_said and phrase.said.constraint not in BOUNDS else None
+        return place if all_said and phrase.said.constraint not in STRETCHES else None
     if texts[place] in lexicon.beside.behind_leaving_out:
         place -= 1
     left_out = place >= 0 and texts[place] in lexicon.beside.leaving_out

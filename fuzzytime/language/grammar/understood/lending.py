@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.english import PARTICIPLE
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.measuring import NEAR
+from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.understood.lent import is_heated, is_left_for, lasts_minutes
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.days.relations import Relative, days_away

@@ -51,7 +51,14 @@ def lasts_minutes(before: Sequence[str], lexicon: Lexicon) -> bool:
     """Whether what stands right before "for" and a number goes on for minutes: "grill", "warm up"."""
     verb, *particle = before[-2:] or [""]
     settles = verb in lexicon.doing.settling and not lexicon.particles.keys().isdisjoint(particle)
-    return settles or bool(lexicon.timing_alone.intersection(before[-1:]))
+    return settles or (bool(lexicon.timing_alone.intersection(before[-1:])) and not _is_dish(before, lexicon))
+
+
+def _is_dish(before: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether a verb ends what another makes: "make french toast for two", but "chop it, then stir fry"."""
+    order = before[max((p + 1 for p, text in enumerate(before) if text in lexicon.beside.stops), default=0) :]
+    described = order[-2:-1] and order[-2] not in lexicon.function_words
+    return bool(described) and order[0] in lexicon.orders and lexicon.letting.isdisjoint(order[:-2])
 
 
 def is_left_for(texts: Sequence[str], first: int, end: int, lexicon: Lexicon) -> bool:

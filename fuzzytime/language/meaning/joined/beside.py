@@ -9,7 +9,7 @@ from fuzzytime.language.meaning.expressions import Duration, HourMark, Range, Sa
 from fuzzytime.language.meaning.feasts import Feast
 from fuzzytime.language.meaning.joined.distances import said_length
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
-from fuzzytime.requirement import BOUNDS, Constraint, Unit
+from fuzzytime.requirement import STRETCHES, Constraint, Unit
 
 HALF_PAST = 30
 """Minutes past an hour that are hardly said as those to the next."""
@@ -122,7 +122,7 @@ def refined(said: Said, wall: Wall) -> Said | None:
     sometime = said.preposition == "sometime" and parted
     beside = said.constraint is None and bool(said.hedges or said.preposition == "around" or sometime)
     starts = said.lasting is not None and isinstance(time, Wall) and time.clock is not None
-    if not (said.constraint in BOUNDS or beside or starts):
+    if not (said.constraint in STRETCHES or beside or starts):
         return None
     if said.preposition == "sometime" and not sometime:
         return None

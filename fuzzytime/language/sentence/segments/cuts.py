@@ -91,7 +91,7 @@ def other_things(one: Waiting, part: Part) -> list[Segment]:
     for start in sorted(_gaps(one, part)) if part.tree.nodes else ():
         pieces = _around(one, part, start)
         if pieces:
-            whole = _begins_order(one, part, start) or _is_told(one, part, start)
+            whole = _begins_order(part, start) or _is_told(one, part, start)
             whole = whole or _is_back(one, part, start) or not _takes_verb(one, part, start)
             return [pieces[0], replace(pieces[1], verbless=not whole)]
     return []
@@ -139,11 +139,10 @@ def _due_too(part: Part, start: int) -> str | None:
     return person_due(part.tree, action.place) if joined else None
 
 
-def _begins_order(one: Waiting, part: Part, start: int) -> bool:
+def _begins_order(part: Part, start: int) -> bool:
     """Whether what was taken for another thing is to be done: "thaw it for 2 min, spin at 300 g for 5".
 
-    So is what has an article behind it, or a thing, and is a verb for that: "can you hang the curtains after
-    lunch and water the basil at six", "walk the dog at six, order pizza at seven".
+    So is what has an article behind it: "can you hang the curtains after lunch and water the basil at six".
     """
     place = next(part.at((start, start + 1)), None)
     if place is None or place + 1 >= len(part.tree.nodes):
@@ -151,12 +150,7 @@ def _begins_order(one: Waiting, part: Part, start: int) -> bool:
     node, behind, *further = part.tree.nodes[place : place + 4]
     counted = behind.tag == "IN" and bool(further) and further[0].tag == "CD"
     measured = counted and len(further) > 1 and not node.tag.startswith("NNP")
-    thing = behind.tag.startswith(("NN", "JJ")) and place + 1 not in one.timed(part.tree)
-    # "Buy bread at nine and paint brushes at ten"
-    root = part.tree.root
-    bought = root < place and part.tree.nodes[root].lemma in part.lexicon.ordering
-    acts = thing and not bought and node.lower in part.lexicon.orders
-    led = behind.tag in DETERMINERS or measured or acts
+    led = behind.tag in DETERMINERS or measured
     return node.may_act and node.lower == node.lemma and led
 
 

@@ -19,7 +19,6 @@ from fuzzytime.language.sentence.segments.lists.dividers import divided
 from fuzzytime.language.sentence.segments.lists.hours_of_lines import (
     Timed,
     hours_in,
-    how_timed,
     without_colons,
 )
 from fuzzytime.language.sentence.segments.lists.leading_tags import (
@@ -30,6 +29,7 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.lists.runs import run_apart, switched_apart
+from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.rounds import parted
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
@@ -37,6 +37,7 @@ from fuzzytime.language.sentence.segments.told.asides import Aside, asides_of, b
 from fuzzytime.language.sentence.segments.told.asides_of_hours import asides_of_hours
 from fuzzytime.language.sentence.segments.told.gaps import with_gaps
 from fuzzytime.language.sentence.segments.told.messages import Message, messages_of, orders_beside, remarks_of
+from fuzzytime.language.sentence.segments.told.reasons import without_threats
 from fuzzytime.language.sentence.segments.told.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source
 from fuzzytime.language.sentence.trees.tree import Trees
@@ -176,16 +177,16 @@ def _without_parts(
     marks, tags = list_marks(text, lexicon), leading_tags(text)
     timed = max(timed, how_timed([entry], lexicon))
     plain = blanked(without_marks(entry, marks), tags)
-    plain = without_colons(plain, lexicon, timed) if timed else plain
-    plain = blanked(plain, leading_labels(plain, lexicon))
     hours, listed = hours_in(plain, lexicon, timed), timed >= Timed.MOST
+    plain = without_colons(plain, hours)
+    plain = blanked(plain, leading_labels(plain, lexicon))
     scanned = _in_entries(plain, hours, grammar, lexicon, listed=listed)
     messages = messages_of(scanned)
     scanned = _again(scanned, blanked(scanned.text, (message.span for message in messages)), grammar)
     lengths = beside_each_other(asides_of(scanned), told_lengths(scanned))
     asides = beside_each_other(lengths, asides_of_hours(scanned))
     scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides)), grammar)
-    for said in (with_gaps, said_apart):
+    for said in (with_gaps, said_apart, without_threats):
         scanned = _again(scanned, said(scanned), grammar)
     scanned, instances = instances_of(scanned, grammar)
     phrases, remarks = corrected(scanned, phrases_of(scanned))

@@ -14,8 +14,7 @@ def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
     The tree may have it for a thing.
     """
     node = tree.nodes[place]
-    acts = node.may_act or node.lower in tree.lexicon.alone
-    if place + 1 not in timed or tree.nodes[place - 1].text != "," or not acts:
+    if place + 1 not in timed or tree.nodes[place - 1].text != "," or not node.may_act:
         return False
     # "Open in two seconds, close in five"
     listed = place - 2 in timed
@@ -58,7 +57,7 @@ def is_led_by_time(tree: Tree, place: int, timed: set[int]) -> bool:
     led = led and not timed.issuperset(range(first - 1))
     addressing = node.lower in tree.lexicon.addressing
     called = addressing and bool(behind) and _is_called(tree, place + 1)
-    bare = (node.may_act or addressing) and node.lower == node.lemma
+    bare = node.may_act and node.lower == node.lemma
     if node.lower in tree.lexicon.particles.get(behind, ()) and place + 2 < len(tree.nodes):
         # "…, and at noon top up the oil"
         behind = tree.nodes[place + 2].lower

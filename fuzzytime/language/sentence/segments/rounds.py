@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.segments.further.calls import called_first, cal
 from fuzzytime.language.sentence.segments.further.orders_behind_joints import orders_behind_joints
 from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.further.same_doers import done_next
+from fuzzytime.language.sentence.segments.further.verbs_left_out import with_own_verbs
 from fuzzytime.language.sentence.segments.mended.parsing import trees_of, uncapitalised
 from fuzzytime.language.sentence.segments.segment import Segment, segments_of
 from fuzzytime.language.sentence.segments.told.reasons import reason_in_front
@@ -59,7 +60,7 @@ def parted(sources: Sequence[Source], trees: Trees) -> list[list[Part]]:
             if not cut:
                 done[one.position][one.segment.span[0]] = part
         waiting = [one for cut in cuts for one in cut]
-    return [[own[start] for start in sorted(own)] for own in done]
+    return [with_own_verbs([own[start] for start in sorted(own)]) for own in done]
 
 
 def _cut_again(

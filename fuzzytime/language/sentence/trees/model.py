@@ -92,9 +92,10 @@ def _pipeline(name: str) -> Any:  # noqa: ANN401 - spaCy's type, which must not 
 
 
 @cache
-def _verbs(name: str) -> frozenset[str]:
-    """Give the verbs that the model's dictionary lists; tags of a word that stands alone are guesses."""
-    return frozenset(_pipeline(name).get_pipe("lemmatizer").lookups.get_table("lemma_index")["verb"])
+def _listed(name: str, *kinds: str) -> frozenset[str]:
+    """Give words of some kinds in the model's dictionary; tags of a word that stands alone are guesses."""
+    words = _pipeline(name).get_pipe("lemmatizer").lookups.get_table("lemma_index")
+    return frozenset().union(*(words[kind] for kind in kinds))
 
 
 def is_verb(word: str) -> bool:
@@ -105,7 +106,7 @@ def is_verb(word: str) -> bool:
     ModelError
         If there is no model.
     """
-    return word.lower() in _verbs(installed_model().name)
+    return word.lower() in _listed(installed_model().name, "verb")
 
 
 def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Iterator[Tree]:
@@ -120,7 +121,8 @@ def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Ite
     if not wanted:
         return
     pipeline = _pipeline(package.name)
-    verbs = _verbs(package.name)
+    verbs = _listed(package.name, "verb") | lexicon.addressing | lexicon.alone
+    names = _listed(package.name, "noun", "adj")
     for text, doc in zip(wanted, pipeline.pipe(map(_sound, wanted), batch_size=BATCH), strict=True):
         spans = _spans(text, [(token.idx, len(token)) for token in doc])
         nodes = tuple(
@@ -133,6 +135,7 @@ def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Ite
                 token.dep_,
                 token.head.i,
                 bool({token.lower_, token.lemma_} & verbs),
+                bool({token.lower_, token.lemma_} & names),
             )
             for token, (start, end) in zip(doc, spans, strict=True)
             if not token.is_space

@@ -75,7 +75,9 @@ def _is_person(operation: Operation, lexicon: Lexicon) -> bool:
 def is_several(thing: str, lexicon: Lexicon) -> bool:
     """Say whether a noun looks like a plural: by what stands before "of" or another preposition."""
     named = _named_itself(thing, lexicon)
-    return "and" in (word.text for word in words_of(thing)) or singular(named[-1]) != named[-1]
+    return "and" in (word.text for word in words_of(thing)) or any(
+        singular(word) != word for word in named[-1:]
+    )
 
 
 def _named_itself(thing: str, lexicon: Lexicon) -> list[str]:

@@ -17,7 +17,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.model import ModelPackage
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
-FORMAT = 8
+FORMAT = 9
 """Number of the format of the rows; part of their keys."""
 
 ROWS = 50_000
@@ -90,7 +90,10 @@ def _key(text: str, package: ModelPackage) -> bytes:
 
 
 def _written(tree: Tree) -> str:
-    rows = [[n.start, n.end, n.tag, n.lemma, n.relation, n.head, int(n.may_act)] for n in tree.nodes]
+    rows = [
+        [n.start, n.end, n.tag, n.lemma, n.relation, n.head, int(n.may_act), int(n.may_name)]
+        for n in tree.nodes
+    ]
     return json.dumps(rows, separators=(",", ":"))
 
 
@@ -98,10 +101,11 @@ def _read(text: str, row: str, lexicon: Lexicon) -> Tree:
     """Read a row; one that does not fit its text is a ValueError."""
     nodes = []
     rows = json.loads(row)
-    for start, end, tag, lemma, relation, head, may_act in rows:
+    for start, end, tag, lemma, relation, head, *may in rows:
         if not 0 <= start < end <= len(text) or not 0 <= head < len(rows):
             raise ValueError("a row must fit its text")
+        acts, names = map(bool, may)
         nodes.append(
-            Node(text[start:end], start, end, str(tag), str(lemma), str(relation), head, bool(may_act))
+            Node(text[start:end], start, end, str(tag), str(lemma), str(relation), head, acts, names)
         )
     return Tree(text, tuple(nodes), lexicon)

@@ -11,7 +11,8 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 class Node:
     """A word: its place, Penn Treebank tag, dictionary form, and relation to its head as the model says.
 
-    ``may_act`` says whether the model's dictionary has it for a verb too, whatever its tag.
+    ``may_act`` and ``may_name`` say whether a dictionary has it for a verb, and for a noun or an adjective,
+    whatever its tag.
     """
 
     text: str
@@ -22,6 +23,7 @@ class Node:
     relation: str
     head: int
     may_act: bool = True
+    may_name: bool = True
 
     @property
     def lower(self) -> str:

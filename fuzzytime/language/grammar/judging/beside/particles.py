@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.surroundings.measuring import NEAR
+from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import Around
 from fuzzytime.language.meaning.expressions import Duration, Offset, Wall
 

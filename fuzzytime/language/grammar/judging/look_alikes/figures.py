@@ -3,7 +3,7 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Wall
+from fuzzytime.language.meaning.expressions import Duration, Range, Wall
 from fuzzytime.requirement import Unit
 
 BEFORE = 3
@@ -49,9 +49,9 @@ class Figures(Standing):
         )
 
     def _is_value(self, piece: Piece) -> bool:
-        """Whether something is set to it: "set the ratio to 1:30", "price it at 8.45", "upgrade to 10.30"."""
+        """Whether something is set to it: "price it at 8.45", "upgrade from 3.11 to 3.12"."""
         said, kinds = piece.value, self.lexicon.no_times
-        wall = said.time
+        wall = said.time.first if isinstance(said.time, Range) else said.time
         if not isinstance(wall, Wall) or wall.clock is None or wall.clock.grain is not Unit.MINUTE:
             return False
         digits = any(self.words[place].is_digits for place in range(piece.start, piece.end))
@@ -62,9 +62,11 @@ class Figures(Standing):
             return True
         first, before = self.texts[piece.start], self.around.before(piece)
         place = piece.start - 1
-        if first not in {"to", "at"}:
+        if first not in {"to", "at", "from"}:
             first, before, place = before, self.texts[place - 1] if place else "", place - 1
         verbs = {*self.texts[max(0, place - BEFORE) : place + 1]}
+        if first == "from":
+            return self._is_new_value(piece, place)
         if first == "to":
             return before in kinds.set_to or before in kinds.renewing or self._is_new_value(piece, place)
         held = before in kinds.set_to and not kinds.holding.isdisjoint(verbs)
@@ -74,8 +76,7 @@ class Figures(Standing):
     def _is_new_value(self, piece: Piece, place: int) -> bool:
         """Whether it is the shape of a picture, a scale or a version: "set the screen to 16:10"."""
         kinds = self.lexicon.no_times
-        begin = max(0, place - BEFORE)
-        verbs = (p for p in range(begin, place + 1) if self.texts[p] in kinds.versioning)
+        verbs = (p for p in range(place + 1) if self.texts[p] in kinds.versioning)
         if any(map(self.around.opens, verbs)) and self.texts[place] not in self.beside.timed_things:
             return True
         shown = "".join(text for text in self.texts[piece.start : piece.end] if not text.isalpha())
@@ -106,7 +107,10 @@ class Figures(Standing):
         return self.measures.is_number(second) and not self.lexicon.no_times.measured_in.isdisjoint(units)
 
     def _is_share(self, piece: Piece) -> bool:
-        """Whether it is so many of so many: "3 out of 4"."""
+        """Whether it is so many of so many: "3 out of 4", "page 2 of 4 | tomorrow"."""
+        of = piece.start - (self.texts[piece.start] != "of")
+        if of > 0 and self.texts[of] == "of" and self.measures.is_number(of + 1):
+            return self.texts[of - 1] == "out" or self.measures.is_number(of - 1)
         numbers = map(self.measures.is_number, (piece.end - 1, piece.end + len(OUT_OF)))
         return self.texts[piece.end :][: len(OUT_OF)] == OUT_OF and all(numbers)
 

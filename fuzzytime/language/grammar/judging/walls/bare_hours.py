@@ -35,15 +35,18 @@ class BareHours(Standing):
         listed = said.preposition in {"at", "for"} and bool(self.run_on.behind(wall.clock, piece.end))
         if listed or self.reminds(piece) or self._leads_entry(piece, said) or self._opens_line(piece, said):
             return True
-        ends = self.around.may_end(piece) or self._leads_to_distance(piece)
+        # "@1415 upstairs"
+        marked = self.texts[piece.start] == "@" and self.measures.is_sure(piece.end - 1)
+        ends = marked or self.around.may_end(piece) or self._leads_to_distance(piece)
         if not ends or self.around.is_unit(piece.end):
             return False
         if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
             # "At three to one"
             return False
-        sized = self.texts[max(0, piece.start - 2) : piece.start - 1] in (["to"], ["a"])
+        *before, led = ["", *self.texts[: max(0, piece.start - 1)]]
+        sized = led == "a" or (led == "to" and not self.lexicon.no_times.sizing.isdisjoint(before))
         if said.preposition == "by" and sized and self.measures.is_number(piece.start - 1):
-            # "Cut the plank to 6 by 2"
+            # "Cut the plank to 6 by 2"; but "heat it to 200 by 6"
             return False
         if self._is_counted(piece, said) or self._counts_either(piece):
             return False
@@ -60,7 +63,7 @@ class BareHours(Standing):
         if not sure and said.preposition != "for" and self.measures.measured(piece):
             return False
         degrees = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == DEGREES_DIGITS
-        if degrees and self.lexicon.measure_verbs & set(self.texts):
+        if degrees and (self.lexicon.measure_verbs & set(self.texts) or self._is_heat_beside(piece)):
             # "Bake it at 180 for an hour, then half an hour at 200"
             return False
         if said.preposition == "to" and self.given.puts_off(piece):
@@ -69,6 +72,16 @@ class BareHours(Standing):
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and (bool(said.hedges) or self._is_listed(piece))
         return True
+
+    def _is_heat_beside(self, piece: Piece) -> bool:
+        """Whether so long is said beside it, and nothing happens: "beans at 220 for 20 minutes"."""
+        place = piece.end + (self.around.follower(piece) in {"for", ",", "/"})
+        before = self.texts[: piece.start]
+        long = self.around.is_unit(piece.start - 1) or (
+            self.measures.is_number(place) and self.around.is_unit(place + 1)
+        )
+        ordered = not (self.lexicon.orders | self.lexicon.addressing).isdisjoint(before[:1])
+        return long and not ordered and not any(has_time(text, self.lexicon) for text in before)
 
     def _counts_either(self, piece: Piece) -> bool:
         """Whether it is the first of two numbers that count what is behind them: "around 3 or 4 cats"."""

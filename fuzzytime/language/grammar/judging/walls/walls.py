@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.judging.walls.counts import Counts
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS, LINE_STARTS
 from fuzzytime.language.grammar.judging.walls.naming import Naming
 from fuzzytime.language.grammar.judging.walls.weak_walls import WeakWalls
-from fuzzytime.language.grammar.surroundings.measuring import NEAR
+from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import THING, Surroundings
 from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.meaning.calendar import Cycle, Fields, is_weekday
@@ -25,7 +25,7 @@ APART = frozenset({"-", "–", "—", ",", "("})
 BOUND = 2
 """Words of a preposition and the one that it binds: "to christmas"."""
 
-LEADING = frozenset({"to", "on"})
+LEADING = frozenset({"to", "on", "at", "by"})
 """Prepositions of a place, or of a verb, that stand before a noun, too: "to christmas island"."""
 
 ONE = "one"
@@ -212,11 +212,19 @@ class Walls(Standing):
         return owned and piece.start > 0 and self.around.before(piece) not in self.beside.sentence_starts
 
     def _names_noun(self, piece: Piece, said: Said) -> bool:
-        """Whether it describes a noun behind one word: "to christmas island", "put on night light"."""
-        bound = piece.end - piece.start == BOUND and self.texts[piece.start] == said.preposition
-        if not bound or said.preposition not in LEADING or not piece.start or not self._leads_noun(piece):
+        """Whether it describes a noun behind one word: "to sunday school", "put on night light"."""
+        place, named = piece.end - BOUND, self.around.follower(piece)
+        bound = self.texts[place] if piece.start in {place, place + 1} and place > 0 else None
+        if bound not in LEADING or self.around.may_end(piece):
             return False
-        if said.preposition == "on":
+        if bound in {"at", "by"}:
+            # "By night bus", "at night market"; but "call mum at noon, dad at one"
+            held = self.lexicon.frames | self.lexicon.travelling | self.lexicon.happening
+            part = said.wall.part
+            return named in held and part is not None and not part.is_point and said.preposition == bound
+        if not self._leads_noun(piece) and not (bound == "to" and has_time(named, self.lexicon)):
+            return False
+        if bound == "on":
             # "Gym on friday evening" is then.
             switched = self.around.before(piece) in self.lexicon.particles["on"]
             return switched or self.around.is_part(piece.end - 1)

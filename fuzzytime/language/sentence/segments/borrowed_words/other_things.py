@@ -103,9 +103,10 @@ def _others(wish: Wish, here: int, end: int, first: int) -> int:
     nodes, lexicon = wish.tree.nodes, wish.lexicon
     node, openers = nodes[here], lexicon.closed.noun_openers
     given = {nodes[p + 1].lower in openers for p in (here, first) if p + 1 < len(nodes)}
-    somebody = wish.is_name(here) or node.lower in openers
-    # "And show Bob the flat"; but "and mark the book at nine"
-    called = node.lower in lexicon.names_like_words and len(given) == 1
+    # "And show Bob the flat"; but "and mark the book at nine", "and groom the horse"
+    alike = len(given) == 1
+    somebody = (wish.is_name(here) and (alike or not node.may_act)) or node.lower in openers
+    called = node.lower in lexicon.names_like_words and alike
     # "Bring wine to dad at six and cheese to mum at seven"
     numbered = all(nodes[p + 1].tag == "CD" for p in (here, first) if p + 1 < len(nodes))
     acts = node.may_act and not numbered

@@ -43,7 +43,7 @@ def _may_be_step(tree: Tree, place: int) -> bool:
         # "Wait a minute, robot"; but "press start"
         kinds.append(lexicon.machines)
     named = any(node.lower in kind for kind in kinds)
-    known = (node.may_act or node.lower in lexicon.alone) and node.lower == node.lemma.lower()
+    known = node.may_act and node.lower == node.lemma.lower()
     joined = tree.nodes[place - 1].lower in {",", "and", "&"}
     bare = node.tag not in SURE and not tree.children(place, "det")
     return known and joined and bare and not named and not node.text[0].isupper()

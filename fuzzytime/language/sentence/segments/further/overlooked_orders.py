@@ -132,7 +132,9 @@ def _governs(tree: Tree, place: int) -> bool:
         and (node.tag == "NN" or _stands_apart(tree, place))
     ):
         return True
-    if node.tag not in {"NN", "NNP", "JJ", "JJR"} or before not in closed.joints_of_orders:
+    # "Lock the shed and reboot the router": it names nothing.
+    taken = node.tag in {"NN", "NNP", "JJ", "JJR"} or (node.may_act and not node.may_name)
+    if not taken or node.is_verb or before not in closed.joints_of_orders:
         return False
     if before == "," and _is_before_object(tree, place):
         return True
@@ -148,11 +150,11 @@ def _governs(tree: Tree, place: int) -> bool:
         return True
     # "Raise the blinds, water the fern, lower them at six"
     # "Sow carrots, thin them": no adjective stands before a pronoun.
-    known = {"NN", "JJR", "JJ"} if node.may_act else {"NN", "JJR"}
+    known = {"NN", "JJR", "JJ", "NNP"} if node.may_act and node.text.islower() else {"NN", "JJR"}
+    # "Bin anything old"
+    pronouns = closed.it_or_them | (closed.behind_verbs - closed.noun_openers - lexicon.particles.keys())
     bare = node.tag in known and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
-    if bare and (
-        behind in closed.it_or_them or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)
-    ):
+    if bare and (behind in pronouns or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)):
         # "Leave it for an hour and pat it dry", "move the sofa, vacuum behind it"
         return True
     return node.relation == "conj" and before in {"and", "&"} and behind in closed.noun_openers

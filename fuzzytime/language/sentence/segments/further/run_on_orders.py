@@ -125,8 +125,7 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether a bare verb with an object stands behind a word that does not lead to it."""
     lexicon = tree.lexicon
     node, before, behind = tree.nodes[place - 1 : place + 2][1], tree.nodes[place - 1], tree.nodes[place + 1]
-    acts = node.may_act or node.lower in lexicon.addressing
-    if not acts or not is_bare(node, lexicon) or binds(tree, place - 1):
+    if not node.may_act or not is_bare(node, lexicon) or binds(tree, place - 1):
         return False
     where = lexicon.places | lexicon.particles.keys() | lexicon.closed.prepositions_of_way
     if node.tag in {"IN", "RP", "TO"} or node.lower in where:

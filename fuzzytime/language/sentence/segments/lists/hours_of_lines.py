@@ -6,6 +6,7 @@ is, it is an hour, as if "@" stood in front of it.
 
 import re
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from enum import IntEnum
 from functools import cache
 from itertools import takewhile
@@ -16,32 +17,22 @@ from fuzzytime.language.grammar.timetables import SEPARATORS, counts_nothing, ha
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.sentence.segments.lists.dividers import LINE
 
-SURELY = 2
-"""Lines with a time that is surely one, beside which others are a list of times."""
-
-TYPED = 3
-"""Lines with a number that may be an hour and its minutes that are a list of times by themselves."""
-
-MOST = 3
-"""Lines with a time, at least, and the part of all lines that makes most of them timed: a third."""
-
-FEWEST = 5
-"""Of so many lines, one at least has such a time where others end in numbers that may be hours."""
-
-FIVES = 5
-"""Minutes by which people plan; prices have others, but so have trains and sunsets, one of four at most."""
-
-FEW_ODD = 4
-"""Of so many numbers with two digits behind their points, one may have others."""
-
 DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 """A number with two digits behind its point."""
+
+COLON = re.compile(r":(?P<pause>[ \t]+)(?=\d)")
+"""A colon that may stand in front of an hour."""
+
+POINT = re.compile(r"(?<=\d)\.(?=[0-5]\d)")
+"""What stands for a colon in an hour."""
 
 LEADING = re.compile(r"\s*(?:2[0-3]|[01]?\d)(\.)[0-5]\d(?=\s+(?:[-–—]\s+)?[^\W\d])")
 """An hour and its minutes in front of a line."""
 
 ALONE = re.compile(r"\s*(?P<hour>1[0-2]|[1-9])\s+(?P<dash>[-–—]\s+)?(?=[^\W\d])")
 """A number alone in front of a line."""
+
+IN = "in"
 
 BESIDE_HOURS = (
     "hedge", "hedge_after", "preposition_at", "preposition_before", "preposition_after", "forward", "within",
@@ -58,9 +49,6 @@ DIGITS = r"(?:2[0-3]|[01]\d)[0-5]\d(?!\d|-\d\d-)"
 "2026-03-05" is a day.
 """
 
-NAMED = re.compile(r"^\s*[^\W\d][^:;,\n]*(?P<colon>:)[ \t](?=\d)", re.MULTILINE)
-"""A name with a colon in front of a number: "Tea: 10.30"."""
-
 
 class Timed(IntEnum):
     """How many lines say when something is: of most of them, a number alone is an hour, too: "Wrap 7".
@@ -75,18 +63,18 @@ class Timed(IntEnum):
 
 
 @cache
-def _hours(halves: frozenset[str]) -> re.Pattern[str]:
+def hours_behind(halves: frozenset[str]) -> re.Pattern[str]:
     """Give what finds a number behind a word, or two from when to when."""
     half = rf"(?:\s?(?:{'|'.join(map(re.escape, sorted(halves, key=len, reverse=True)))})(?!\w))?"
     hour, minutes = r"(?:2[0-3]|[01]?\d)", r"[.:][0-5]\d"
     return re.compile(
         rf"""
-        (?<=[\w)]) \s? (?P<mark>\s)
+        (?<=[\w)]) (?P<gap>: | , | … | \s[-–—=](?=\s))? \s* (?P<mark>[ \t])
         (?: (?P<digits>{DIGITS}) | {hour} (?P<minutes>{minutes}) | (?:1[0-2]|0?[1-9])(?![\d.:]) )
         (?P<until> {half} (?:(?P<dash>\s[-–]\s)|\s?[-–]\s?|\s(?:to|till|until)\s)
                    (?:{DIGITS} | {hour} (?P<last>{minutes})?) )?
         (?P<more> (?:,\s{hour}(?:{minutes})?)* \s(?:and|&|\+)\s{hour}(?:{minutes})? )?
-        {half} (?P<ends>(?={ENDS}))? (?![\w.:/%°]\S|[/%°])
+        {half} (?P<ends>(?={ENDS}))? (?!\d|[\w.:/%°]\S|[/%°])
         """,
         re.VERBOSE | re.IGNORECASE,
     )
@@ -98,53 +86,6 @@ def _states(states: frozenset[str]) -> re.Pattern[str]:
     state = rf"(?:{'|'.join(sorted(states))})(?:\s(?:the\s)?[^\W\d]+)?"
     hour = r"(?:2[0-3]|[01]?\d)(?:[.:][0-5]\d)?"
     return re.compile(rf"\w\s{state}(\s){hour},\s{state}(\s){hour}(?={ENDS})", re.IGNORECASE)
-
-
-@cache
-def _sure(prepositions: frozenset[str], halves: frozenset[str]) -> re.Pattern[str]:
-    """Give what finds a time that is surely one by how it is typed, or by what stands in front of it."""
-    half = "|".join(map(re.escape, sorted(halves, key=len, reverse=True)))
-    return re.compile(
-        rf"""
-        (?<![\d.:]) \d{{1,2}} (?: : [0-5]\d (?![\d:]) | (?:\.[0-5]\d)?\s?(?:{half})(?!\w) )
-        | (?<=\w\s) 0\d[0-5]\d (?!\w)
-        | \b (?:{"|".join(sorted(prepositions))}) \s (?:[01]?\d|2[0-3]) (?:\.[0-5]\d)? (?= \s* (?:[,;.)]|$) )
-        """,
-        re.VERBOSE | re.IGNORECASE,
-    )
-
-
-def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
-    """Give whether lines are a list of times, as two are surely timed, or three have numbers like hours."""
-    lines = [line[0] for text in texts for line in LINE.finditer(without_colons(text, lexicon))]
-    halves = _hours(lexicon.beside.of_hours)
-    prepositions = lexicon.closed.prepositions_of_points | lexicon.closed.prepositions_of_time
-    surely = _sure(prepositions, lexicon.beside.of_hours)
-    sure = [surely.search(line) is not None for line in lines]
-    decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
-    typed = [
-        LEADING.match(line) is not None
-        or any(found["minutes"] or found["digits"] for found in halves.finditer(line))
-        for line in lines
-    ]
-    digits = [[found["digits"] for found in halves.finditer(line) if found["digits"]] for line in lines]
-    if any(number.startswith("0") for numbers in digits for number in numbers):
-        sure = [one or bool(numbers) for one, numbers in zip(sure, digits, strict=True)]
-    odd = sum(digits >= 60 or digits % FIVES != 0 for digits in decimals)
-    planned = len(decimals) >= TYPED and len(decimals) >= FEW_ODD * odd
-    if sum(sure) < SURELY and not (planned and sum(typed) >= TYPED):
-        return Timed.NO
-    surest = [one or other for one, other in zip(sure, typed, strict=True)]
-    timed = sum(surest)
-    perhaps = (
-        ALONE.match(line) or any(found["ends"] is not None for found in halves.finditer(line))
-        for line in lines
-    )
-    most = sum(one or bool(other) for one, other in zip(surest, perhaps, strict=True))
-    if timed < MOST or FEWEST * timed < len(lines) or MOST * most < len(lines):
-        return Timed.SOME
-    leading = sum(surely.match(line.strip()) is not None or LEADING.match(line) is not None for line in lines)
-    return Timed.LEAD if leading >= MOST and 2 * leading >= timed else Timed.MOST
 
 
 def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozenset[int]:
@@ -162,51 +103,58 @@ def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozense
     return frozenset((*behind, *_in_front(text, lexicon, timed)))
 
 
-def without_colons(text: str, lexicon: Lexicon, timed: Timed = Timed.MOST) -> str:
-    """Give a text without the colons between what a line names and its hour; but "Guests: 12" is how many.
+def without_colons(text: str, hours: AbstractSet[int]) -> str:
+    """Give a text without the colons in front of its hours.
 
-    >>> from fuzzytime.language import shipped_lexicon
-    >>> without_colons("Tea: 10.30", shipped_lexicon())
+    >>> without_colons("Tea: 10.30", {4})
     'Tea  10.30'
     """
-    for found in NAMED.finditer(text):
-        named = words_of(found[0])[-2]
-        plain = text[: found.start("colon")] + " " + text[found.end("colon") :]
-        counted = looks_plural(named.text) and singular(named.text) not in lexicon.happening | lexicon.taken
-        if not counted and found.end() - 1 in _behind_things(plain, lexicon, timed):
-            text = plain
-    return text
+    return COLON.sub(lambda found: (" " if found.end() - 1 in hours else ":") + found["pause"], text)
 
 
 def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
-    """Give where an hour follows what is then."""
-    for found in _hours(lexicon.beside.of_hours).finditer(text):
+    """Give where an hour follows what is then, and the points in it."""
+    for found in hours_behind(lexicon.beside.of_hours).finditer(text):
         before = words_of(text[: found.start()])
+        before = before[:-1] if before and before[-1].text in lexicon.beside.again else before
         behind = words_of(text[found.end() :])[:1]
-        sure = ":" in found[0]
-        if (
-            not before
-            or (sure and not lexicon.means(before[-1].text, "hedge"))
-            or _is_amount(behind, lexicon)
-            or _costs(before, lexicon)
-        ):
+        counts = _is_amount(behind, lexicon)
+        # "Beef in 10.45 - 20 min"
+        lasts = counts and found["dash"] is not None and (found["minutes"] or found["digits"]) is not None
+        if not before or (counts and not lasts) or _costs(before, lexicon):
+            continue
+        if ":" in text[found.start("mark") : found.end()] and not lexicon.means(before[-1].text, "hedge"):
             # "Panel 9:15" needs no mark.
             continue
         if found["last"] and found["dash"] and not found["minutes"] and _is_called(before[-1], lexicon):
             # "Dive 1 - 9.30"
             yield found.end("dash") - 1
             continue
-        typed = found["minutes"] or found["last"] or found["digits"]
-        if found["digits"] and timed < Timed.MOST and not found["digits"].startswith("0"):
+        if not (lasts or _may_end(found, before, behind, lexicon, timed)) or not _names(
+            found, before, lexicon, timed
+        ):
             continue
-        if _takes(before, lexicon) and not typed:
-            # "Simmer 10"
-            continue
-        thing = _thing_of(before, lexicon)
-        named = _is_thing(thing, lexicon) if typed else _is_timed(thing, lexicon, timed)
-        goes_on = found["until"] is not None and _goes_on(before, lexicon)
-        if (goes_on or named) and _may_end(found, behind, lexicon, timed):
-            yield found.start("mark")
+        yield found.start("mark")
+        end = found.start("until") if lasts else found.end()
+        yield from (point.start() for point in POINT.finditer(text, found.start(), end))
+
+
+def _names(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon, timed: Timed) -> bool:
+    """Whether words name what is at the hour behind them; but "guests: 12" is how many."""
+    typed = found["minutes"] or found["last"] or found["digits"]
+    counted = found["gap"] == "," or _is_counted(before[-1], lexicon)
+    apart = timed < Timed.MOST or (counted and not typed)
+    if found["gap"] and (apart or not before[-1].is_letters):
+        return False
+    if found["digits"] and timed < Timed.MOST and not found["digits"].startswith("0"):
+        return False
+    if not typed and _takes(before, lexicon):
+        # "Simmer 10"
+        return False
+    if found["until"] is not None and _goes_on(before, lexicon):
+        return True
+    named = _is_thing(before[-1], lexicon) if typed else _is_timed(before, lexicon, timed)
+    return named or ((typed or timed >= Timed.MOST) and _has_state(before, lexicon))
 
 
 def _behind_states(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
@@ -232,13 +180,27 @@ def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
             yield line.start() + alone.start("hour") - 1
 
 
-def _may_end(found: re.Match[str], behind: Sequence[Word], lexicon: Lexicon, timed: Timed) -> bool:
-    """Whether nothing is behind an hour, or beside minutes where or whose it is: "10-11.30 group A"."""
+def _may_end(
+    found: re.Match[str], before: Sequence[Word], behind: Sequence[Word], lexicon: Lexicon, timed: Timed
+) -> bool:
+    """Whether nothing is behind an hour, or beside minutes where or whose it is: "10-11.30 group A".
+
+    Among lines of which most are timed, anything may be: "meeting 3.30 online"; behind an hour without
+    minutes it says where, or with whom: "lunch 1 in the hall".
+    """
     if found["ends"] is not None:
         return True
-    typed = found["minutes"] or found["last"] or found["digits"] or (found["until"] and timed >= Timed.MOST)
-    placed = all(word.text in lexicon.function_words for word in behind)
-    return bool(typed) and (found["until"] is not None or placed)
+    typed = found["minutes"] or found["last"] or found["digits"]
+    placed = not lexicon.closed.prepositions_of_times_taken.isdisjoint(word.text for word in behind)
+    if timed >= Timed.MOST:
+        return bool(typed or found["until"]) or (placed and not _is_counted(before[-1], lexicon))
+    beside = all(word.text in lexicon.function_words for word in behind)
+    return bool(typed) and (found["until"] is not None or beside)
+
+
+def _is_counted(word: Word, lexicon: Lexicon) -> bool:
+    """Whether a word names several things that do not happen: "guests"."""
+    return looks_plural(word.text) and singular(word.text) not in lexicon.happening | lexicon.taken
 
 
 def _is_amount(behind: Sequence[Word], lexicon: Lexicon) -> bool:
@@ -255,14 +217,25 @@ def _costs(before: Sequence[Word], lexicon: Lexicon) -> bool:
 
 def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether an entry begins with what takes so long."""
-    entry = [*takewhile(lambda word: word.text not in SEPARATORS, reversed(before))]
-    return bool(entry) and entry[-1].text in lexicon.timing | lexicon.timing_alone
+    return any(word.text in lexicon.timing | lexicon.timing_alone for word in _entry_of(before)[-1:])
 
 
-def _thing_of(before: Sequence[Word], lexicon: Lexicon) -> Word:
-    """Give the word in front of an hour that names what is then, "phones" of "phones on 8.30"."""
-    last = before[-1]
-    return before[-2] if last.text in lexicon.beside.switched and len(before) > 1 else last
+def _has_state(before: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a word says in front of an hour where a thing is then: "oven on 10.15", "van in 8".
+
+    No thing is called by the number behind such a word, or set to it; but "flip it in 8", "back in 8".
+    """
+    thing, state = before[-2:] if len(before) > 1 else (before[-1], before[-1])
+    there = state.text in lexicon.beside.states - lexicon.closed.prepositions_of_points
+    first = _entry_of(before)[-1:]
+    ordered = any(word.text in lexicon.orders - lexicon.particles[IN] for word in first)
+    from_now = state.text == IN and (ordered or thing.text in lexicon.beside.states)
+    return there and thing.is_letters and thing.text not in lexicon.function_words and not from_now
+
+
+def _entry_of(before: Sequence[Word]) -> list[Word]:
+    """Give the words of an entry in front of its hour, the last one first."""
+    return [*takewhile(lambda word: word.text not in SEPARATORS, reversed(before))]
 
 
 def _is_thing(word: Word, lexicon: Lexicon) -> bool:
@@ -278,13 +251,17 @@ def _is_thing(word: Word, lexicon: Lexicon) -> bool:
     return named and not joint and not timed
 
 
-def _is_timed(word: Word, lexicon: Lexicon, timed: Timed) -> bool:
-    """Whether a word names what has a time, and is not called by a number: "lunch", but "race 1".
+def _is_timed(before: Sequence[Word], lexicon: Lexicon, timed: Timed) -> bool:
+    """Whether the last word names what has a time, and is not called by a number: "lunch", but "race 1".
 
     Among lines of which most are timed, so may be anything else: "wrap".
     """
+    *others, word = before
+    # "Bay B", but "Mrs B"
+    lettered = len(word.text) == 1 and not (others and has_time(others[-1].text, lexicon))
     has_hour = has_time(word.text, lexicon) or (timed >= Timed.MOST and _is_thing(word, lexicon))
-    return has_hour and word.is_letters and len(word.text) > 1 and not _is_called(word, lexicon)
+    has_hour = has_hour and word.text not in lexicon.beside.no_event
+    return has_hour and word.is_letters and not lettered and not _is_called(word, lexicon)
 
 
 def _goes_on(entry: Sequence[Word], lexicon: Lexicon) -> bool:

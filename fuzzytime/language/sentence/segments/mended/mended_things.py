@@ -199,6 +199,20 @@ def with_event_names(tree: Tree, timed: AbstractSet[int]) -> Tree:
     return tree
 
 
+def with_bare_thing(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "swab counter", "clean oven at six" its thing, which a tree takes for where or how."""
+    root, place = tree.root, tree.root + 1
+    if not tree.nodes[root].is_bare or tree.children(root, "dobj", *SUBJECTS) or place in timed:
+        return tree
+    lexicon = tree.lexicon
+    where = lexicon.places | lexicon.particles.keys() | lexicon.function_words
+    for thing in tree.children(root, *BESIDE, "advmod"):
+        node = tree.nodes[thing]
+        if thing == place and node.tag.startswith("NN") and node.lower not in where:
+            return tree.changed(thing, relation="dobj")
+    return tree
+
+
 def with_her(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "turn her two-hourly" who is turned, whom a tree takes for an owner: nobody owns a time."""
     for place in range(1, len(tree.nodes) - 1):

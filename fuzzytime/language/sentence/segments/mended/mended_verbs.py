@@ -34,8 +34,7 @@ def does_to_person(tree: Tree) -> Tree | None:
     if tree.root != 1 or not tree.nodes[1].is_verb:
         return None
     first, person = tree.nodes[:LET]
-    acts = first.may_act or first.lower in lexicon.addressing
-    acts = acts and first.lower == first.lemma and first.tag in NOUNS | {"VB"}
+    acts = first.may_act and first.lower == first.lemma and first.tag in NOUNS | {"VB"}
     known = person.lower in lexicon.persons | lexicon.animals and not person.may_act
     # "Ping frank at nine", "show rose the flat"; but "help mark the books"
     leads = first.lower in lexicon.doing.trying | lexicon.doing.watching | lexicon.letting
@@ -47,12 +46,11 @@ def does_to_person(tree: Tree) -> Tree | None:
 
 def _orders_verb(tree: Tree) -> Tree | None:
     """Give "press start" its verb, where what is pressed, or are several, was taken for it."""
-    if len(tree.nodes) < LET or tree.root != 1 or tree.nodes[0].relation not in {"aux", "compound"}:
+    if len(tree.nodes) < LET or tree.root != 1 or tree.nodes[0].relation not in {"aux", "compound", "nsubj"}:
         return None
     called = tree.nodes[1].may_act and tree.nodes[1].lower == tree.nodes[1].lemma
     orders = called and tree.nodes[0].lower in tree.lexicon.ordering
-    numbered = any(node.tag == "CD" and node.text.isalpha() for node in tree.nodes[LET:])
-    orders = orders or (not numbered and _orders_several(tree.nodes[0], tree.nodes[1], tree.lexicon))
+    orders = orders or _orders_several(tree.nodes[0], tree.nodes[1], tree.lexicon)
     return with_thing_done(tree, 1) if orders else None
 
 
@@ -61,7 +59,9 @@ def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:
     done = lexicon.chores | lexicon.doing.by_the_day | lexicon.dosing | lexicon.ordering
     timed = lexicon.happening | lexicon.taken | lexicon.events
     bare = verb.tag == "NN" and verb.lower in done - lexicon.addressing
-    return bare and things.tag == "NNS" and timed.isdisjoint({things.lower, things.lemma})
+    # "Water ferns": no verb for what a noun does
+    several = things.tag == "NNS" or (things.tag == "VBZ" and not things.may_act)
+    return bare and several and timed.isdisjoint({things.lower, things.lemma})
 
 
 def _does_event(tree: Tree) -> Tree | None:
@@ -84,33 +84,30 @@ def _does_event(tree: Tree) -> Tree | None:
 
 
 def _does_led(tree: Tree) -> Tree | None:
-    """Give "thaw the cells", "forward the minutes" its verb: no noun or adverb is followed by an article."""
+    """Give "thaw the cells", "hoover the stairs" its verb: no noun or adverb is followed by an article."""
+    lexicon = tree.lexicon
     root = tree.root
-    if root < LEAST_DONE - 1 or not tree.nodes[root].tag.startswith("NN"):
+    if len(tree.nodes) < LEAST_DONE:
         return None
     first, led = tree.nodes[:LET]
-    bare = first.may_act and first.lower == first.lemma and first.tag in {"NN", "RB", "JJ"}
-    beside = first.head == root and first.relation in {"npadvmod", "advmod", "compound", "amod", "nmod"}
-    named = (
-        led.tag in DETERMINERS and led.head == root and tree.lexicon.entries.keys().isdisjoint({first.lower})
-    )
-    if (
-        not bare
-        or not beside
-        or not named
-        or first.lower in tree.lexicon.places | tree.lexicon.particles.keys()
-    ):
+    bare = first.may_act and first.lower == first.lemma and not first.is_verb and led.tag in DETERMINERS
+    beside = lexicon.entries.keys() | lexicon.places | lexicon.particles.keys() | lexicon.function_words
+    if not bare or first.lower in beside:
         return None
-    return with_thing_done(tree, root)
+    if root == 0 and led.head in tree.children(0, "dobj", "pobj", "nsubj"):
+        return with_thing_done(tree, led.head)
+    described = first.head == root and first.relation in {"npadvmod", "advmod", "compound", "amod", "nmod"}
+    named = tree.nodes[root].tag.startswith("NN") and led.head == root
+    return with_thing_done(tree, root) if described and named else None
 
 
 def _does_owned(tree: Tree) -> Tree | None:
     """Give "iron Ann's shirt" its verb, which a tree takes for a part of a name: "Uncle Tom's cabin"."""
     root = tree.root
-    if root < LEAST_DONE or tree.children(1, "case") != (LET,) or tree.nodes[0].head != 1:
+    if root < LEAST_DONE or tree.children(1, "case") != (LET,) or tree.nodes[0].head not in {1, root}:
         return None
     first, owner = tree.nodes[:LET]
-    orders = first.lower in tree.lexicon.orders - tree.lexicon.persons and first.lower == first.text
+    orders = first.may_act and first.lower not in tree.lexicon.persons and first.lower == first.text
     owned = owner.relation == "poss" and owner.head == root and tree.nodes[root].tag in NOUNS
     return with_thing_done(tree, root) if orders and owned else None
 
@@ -128,12 +125,14 @@ def _has_done(tree: Tree) -> Tree | None:
 def _does_that(tree: Tree) -> Tree | None:
     """Give "check that oven at six" its thing, which a tree takes for where, or for what that does."""
     lexicon = tree.lexicon
-    if tree.root != 0 or len(tree.nodes) <= LET or tree.nodes[1].lower != THAT:
+    if tree.root not in {0, LET} or len(tree.nodes) <= LET or tree.nodes[1].lower != THAT:
         return None
     verb, that, thing = tree.nodes[: LET + 1]
-    taken = that.relation in {"dobj", "nsubj", "mark", "det"} and thing.relation != "dobj" and thing.head == 0
-    # "Boil that spaghetti", "press that button"; but "check that works"
-    taken = taken and (thing.tag in {"IN", "VBG", "NN", "NNS"} or not thing.may_act)
+    taken = that.relation in {"dobj", "nsubj", "mark", "det"} and thing.relation != "dobj"
+    taken = taken and thing.head == tree.root and verb.may_act and verb.lower == verb.lemma
+    taken = taken and verb.lower not in lexicon.function_words
+    # "Boil that spaghetti", "lock that shed"; but "check that works"
+    taken = taken and (thing.tag in {"IN", "VBG", "NN", "NNS"} or thing.is_bare or not thing.may_act)
     # "Make that dressing"; but "keep that going"
     led = thing.lower not in lexicon.places | lexicon.particles.keys() and (
         thing.tag == "VBG" or thing.lower not in lexicon.function_words
@@ -147,7 +146,8 @@ def _does_that(tree: Tree) -> Tree | None:
         or any(node.tag in DETERMINERS | NOUNS or node.tag.startswith(("VB", "MD")) for node in behind)
     ):
         return None
-    named = tree.hung(tree.children(LET), 0).changed(1, tag="DT", relation="det", head=LET)
+    named = tree.hung(tree.children(LET), 0).changed(0, tag="VB", relation="ROOT", head=0)
+    named = named.changed(1, tag="DT", relation="det", head=LET)
     return named.changed(LET, tag="NN", lemma=thing.lower, relation="dobj", head=0)
 
 
@@ -226,10 +226,15 @@ def _goes_to_do(tree: Tree) -> Tree | None:
 
 def _is_to_be_done(tree: Tree) -> Tree | None:
     """Give "remind me to hoover the stairs" what is to be done, which a tree takes for where to."""
-    for place in range(1, len(tree.nodes)):
+    for place in range(LET, len(tree.nodes)):
         to, done, behind = tree.nodes[place - 1], tree.nodes[place], tree.nodes[place + 1 : place + 2]
-        led = to.lower == "to" and to.relation == "prep" and done.relation == "pobj"
-        if not led or done.lower not in tree.lexicon.orders or done.head != place - 1:
+        if to.lower != "to" or not done.may_act or done.lower != done.lemma:
+            continue
+        if done.relation in {"compound", "amod"} and place < done.head:
+            mended = _asked_to_do(tree, place)
+            if mended is not None:
+                return mended
+        if to.relation != "prep" or done.relation != "pobj" or done.head != place - 1:
             continue
         ends = done.lower in tree.lexicon.needing_nothing and not behind
         # No noun is followed by an article.
@@ -239,6 +244,20 @@ def _is_to_be_done(tree: Tree) -> Tree | None:
             mended = tree.hung(later, place).changed(place - 1, tag="TO", relation="aux", head=place)
             return mended.changed(place, tag="VB", lemma=done.lower, relation="xcomp", head=to.head)
     return None
+
+
+def _asked_to_do(tree: Tree, place: int) -> Tree | None:
+    """Give "I have to ice cakes" what is to be done, which a tree takes for what kind of thing that is."""
+    lexicon = tree.lexicon
+    asking = lexicon.wanting | lexicon.forgetting | lexicon.doing.remembering | lexicon.doing.requesting
+    asks = next((p for p in range(place - 2, -1, -1) if tree.nodes[p].is_verb), None)
+    if asks is None or tree.nodes[asks].lemma not in asking | {"have"}:
+        return None
+    thing = tree.nodes[place].head
+    mended = tree.hung((p for p in tree.children(thing) if p < place or thing < p), place)
+    mended = mended.changed(place - 1, tag="TO", relation="aux", head=place)
+    mended = mended.changed(place, tag="VB", lemma=tree.nodes[place].lower, relation="xcomp", head=asks)
+    return mended.changed(thing, relation="dobj", head=place)
 
 
 def with_thing_done(tree: Tree, thing: int) -> Tree:

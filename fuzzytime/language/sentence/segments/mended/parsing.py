@@ -8,6 +8,7 @@ from fuzzytime.language.instruction import Span, blanked
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
 from fuzzytime.language.sentence.segments.mended.aims import with_aim, with_purpose
 from fuzzytime.language.sentence.segments.mended.mended_things import (
+    with_bare_thing,
     with_event_names,
     with_her,
     with_object_of_aim,
@@ -84,7 +85,7 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
     if not tree.nodes:
         return tree
     timed = one.timed(tree)
-    tree = with_thing_before_time(with_her(with_whole_things(tree), timed), timed)
+    tree = with_thing_before_time(with_her(with_bare_thing(with_whole_things(tree), timed), timed), timed)
     tree = with_purpose(with_aim(tree, timed))
     tree = with_event_names(with_object_of_aim(tree, timed), timed)
     tree = with_event(with_clause(with_reminded(tree)))
@@ -143,9 +144,8 @@ def _may_be_done(tree: Tree) -> bool:
     """
     lexicon = tree.lexicon
     node = tree.nodes[tree.root]
-    known = lexicon.addressing | lexicon.chores | lexicon.ordering | lexicon.alone | lexicon.timing_alone
     led = any(one.tag in DETERMINERS | {"PRP"} for one in tree.nodes[tree.root + 1 : tree.root + 2])
-    return node.may_act or node.lower in known or led
+    return node.may_act or node.lower in lexicon.timing_alone or led
 
 
 def _heard(one: Waiting) -> str:

@@ -23,7 +23,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.joined.beside import in_hour_of
 from fuzzytime.language.meaning.joined.weekdays_left_out import weekdays_in
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
@@ -161,8 +161,8 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int]) -> Ph
         # "Every day, no sundays"; but "every monday, no, every tuesday"
         return None
     further = longest_match(scanned.words, start, lexicon.corrections)
-    if further is not None:
-        # "Actually, make it twenty"
+    if further is not None and "said" not in scanned.cells[start]:
+        # "Actually, make it twenty"; but "make that no later than six"
         start = min(_behind_pauses(scanned, start + len(further)), len(scanned.words) - 1)
     start = _behind_who_says(scanned, start)
     lets_be = marker in lexicon.conversation["retracting"]
@@ -177,6 +177,7 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int]) -> Ph
                 continue
             said = _replaced(phrase.said, piece.value)
             if said is not None:
+                said = _near_old(phrase.said, said, scanned)
                 span = (scanned.words[piece.start].start, scanned.words[piece.end - 1].end)
                 return Phrase(said, piece.start, piece.end, span, "correction")
     return None
@@ -227,13 +228,19 @@ def _replaced(old: Said, new: object) -> Said | None:
         )
     if isinstance(new, Said):
         bare = isinstance(new.time, Duration) or (isinstance(new.time, Wall) and new.time.bare)
-        if new.preposition is not None or not bare:
-            return (
-                replace(new, preposition=new.preposition or _fitting(old, new))
-                if new.preposition or new.constraint is None
-                else new
-            )
-        return _replaced(old, new.time)
+        counted = isinstance(old.time, (Duration, Offset)) and isinstance(new.time, Wall) and new.time.clock
+        if bare and counted:
+            # "Within ten minutes, no, within twenty"
+            return _counted(old, Quantity(counted.hour))
+        if new.preposition is None and bare:
+            return _replaced(old, new.time)
+        if isinstance(new.time, Wall) and new.time == Wall(clock=new.time.clock):
+            # "On monday at nine, no, at six"
+            placed = _replaced(old, new.time)
+            new = new if placed is None else replace(new, time=placed.time)
+        alike = type(old.time) is type(new.time) and new.constraint in MOMENTS
+        # "By five pm, no, six pm"
+        return replace(old, time=new.time, hedges=new.hedges) if alike and not new.preposition else new
     if isinstance(new, Wall) and isinstance(old.time, Wall):
         clock = new.clock
         if clock is not None and old.time.clock is not None:
@@ -243,6 +250,8 @@ def _replaced(old: Said, new: object) -> Said | None:
             )
         return replace(old, time=new)
     if isinstance(new, Duration):
+        if isinstance(old.time, Repeat) and isinstance(old.time.every, Duration):
+            return replace(old, time=replace(old.time, every=new))
         return replace(old, time=new) if isinstance(old.time, Duration) else None
     if isinstance(new, Clock):
         return _replaced(old, Wall(clock=new)) if old.wall.clock is not None else None
@@ -251,18 +260,34 @@ def _replaced(old: Said, new: object) -> Said | None:
     return None
 
 
+def _near_old(old: Said, new: Said, scanned: Scanned) -> Said:
+    """Give a new hour of a named day in the half nearer to the old one: "tomorrow at five, no, six".
+
+    What is done at usual hours is so then: "wake me tomorrow at five, no, six".
+    """
+    lexicon, words = scanned.lexicon, scanned.words
+    first, second = old.wall.clock, new.wall.clock
+    if old.wall.days is None or first is None or second is None or not isinstance(new.time, Wall):
+        return new
+    if old.wall.part is not None or new.time.part is not None:
+        return new
+    usual = any(longest_match(words, place, lexicon.usual_hours) for place in range(len(words)))
+    if usual or not first.is_open or not second.is_open:
+        return new
+    hour = first.first_from(lexicon.policy.ahead_from)
+    halves = (replace(second, half=half) for half in (Half.AM, Half.PM))
+    nearest = min(halves, key=lambda clock: abs(clock.candidates()[0] - hour))
+    return replace(new, time=replace(new.time, clock=nearest))
+
+
 def _counted(old: Said, new: Quantity) -> Said | None:
     """Give another number of the same unit."""
-    time = old.time.duration if isinstance(old.time, Offset) else old.time
+    time = old.time.every if isinstance(old.time, Repeat) else old.time
+    time = time.duration if isinstance(time, Offset) else time
     if not isinstance(time, Duration) or len(time.terms) != 1:
         return None
     duration = replace(time, terms=((new.value, time.terms[0][1]),), until=None)
-    return replace(old, time=duration)
-
-
-def _fitting(old: Said, new: Said) -> str | None:
-    """Give the old preposition, which stays before a new time of the same kind."""
-    return old.preposition if type(old.time) is type(new.time) and new.constraint in MOMENTS else None
+    return _replaced(old, duration)
 
 
 def _in_half(clock: Clock, old: Clock) -> Clock:

@@ -1,16 +1,44 @@
-"""Why something is to be done, said in front: "because the bank closes at four, go there before three"."""
+"""Why something is to be done: "because the bank closes at four, go there before three", "… or it's shut"."""
 
+import re
 from dataclasses import replace
 
-from fuzzytime.language.sentence.segments.segment import Segment
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.instruction import blanked
+from fuzzytime.language.sentence.segments.segment import ENDS, Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.requirement import Constraint
 
 TOLD = frozenset({"VBZ", "VBP", "VBD", "MD"})
 """Tags of what is so."""
 
+IT = "it"
+
 LEAST = 3
 """Words of "lunch is at one", at least, before its time."""
+
+SUBJECT = re.compile(r"[^\W\d]+")
+"""Whom or what it is said of: "they" of "they'll"."""
+
+
+def without_threats(scanned: Scanned) -> str:
+    """Give a text of the same length without what is so behind a deadline: "by three | or they won't come".
+
+    "By three or you can do it at six" offers another time.
+    """
+    words, text, closed = scanned.words, scanned.text, scanned.lexicon.closed
+    for place in range(1, len(words) - 1):
+        joint, subject = words[place], SUBJECT.match(words[place + 1].text)
+        told = subject is not None and subject[0] in closed.personal_pronouns | {IT}
+        offers = not closed.tentative_modals.isdisjoint(word.text for word in words[place + 2 : place + 3])
+        if joint.text not in closed.alternatives or not told or offers:
+            continue
+        bounds = (one for one in phrases_of(scanned) if one.said.constraint is Constraint.BEFORE)
+        if any(words[one.first].start < joint.start and one.end in {place, place - 1} for one in bounds):
+            end = next((word.start for word in words[place:] if word.text in ENDS), len(text))
+            text = blanked(text, [(joint.start, end)])
+    return text
 
 
 def reason_in_front(one: Waiting, part: Part) -> list[Segment]:

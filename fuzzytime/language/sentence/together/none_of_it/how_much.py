@@ -4,10 +4,12 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import dropwhile
 
+from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.measuring import AMOUNTED
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
+from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
@@ -21,20 +23,25 @@ AT_END = re.compile(
 )
 """A number that may be an hour behind the thing that ends what is said."""
 
+TYPED = re.compile(r"(?<=\s)(?:0?[1-9]|1\d|2[0-3])\.[0-5][05](?=\s|$|[,;)])")
+"""A number that may be an hour with its minutes, by which people plan."""
+
 
 def counted(text: str, sketch: Sketch, words: Sequence[Word]) -> Iterator[Remark]:
     """Say how the last numbers of an order without a time are taken: they may be meant as its hours."""
     first, end = sketch.part.segment.span
     said = [word for word in words if first <= word.start < end and word.text.isalnum()]
-    if sketch.phrases or sketch.clauses:
+    lengths = all(isinstance(phrase.said.time, Duration) for phrase in sketch.phrases)
+    if sketch.clauses or not lengths:
         return
     joint = _joint(said, sketch.lexicon)
-    if not joint and (span := _number_at_end(text, sketch, said)) is not None:
+    at_end = None if joint or sketch.phrases else _number_at_end(text, sketch, said)
+    if (span := at_end or _typed_inside(text, sketch, said)) is not None:
         number = text[slice(*span)]
         yield Remark(
             RemarkKind.POLICY, span, f"{number!r} is not taken as a time: say 'at {number}' if it is"
         )
-    if not joint or (joint == 1 and said[joint].text == FOR):
+    if not joint or sketch.phrases or (joint == 1 and said[joint].text == FOR):
         # "Table for seven"
         return
     number = said[-1].text
@@ -73,6 +80,22 @@ def _number_at_end(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | No
     named = found["noun"] != noun and found.start() > asked[-1].start
     named = named and not any(word.capital and word.text in lexicon.function_words for word in asked[:-1])
     return None if called or named else found.span("number")
+
+
+def _typed_inside(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | None:
+    """Give where a number like an hour stands that nothing is called, or set to: "heating on 6.30"."""
+    lexicon, kinds = sketch.lexicon, sketch.lexicon.no_times
+    called = lexicon.called_by_number | kinds.set_to | kinds.costing | kinds.versioning | kinds.numbered
+    called |= lexicon.function_words - lexicon.beside.states
+    for found in TYPED.finditer(text, *sketch.part.segment.span):
+        before = [word.text for word in said if word.end <= found.start()][-1:]
+        behind = [word.text for word in said if word.start >= found.end()][:1]
+        covered = any(overlap(phrase.span, found.span()) for phrase in sketch.phrases)
+        counts = any(looks_plural(one) or lexicon.means(one, "unit") for one in behind)
+        counts = counts or not kinds.measured_in.isdisjoint(behind)
+        if before and called.isdisjoint(before) and not covered and not counts:
+            return found.span()
+    return None
 
 
 def _is_hour(word: Word, lexicon: Lexicon) -> bool:

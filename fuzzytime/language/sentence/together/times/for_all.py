@@ -25,7 +25,7 @@ from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import LASTING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.told.consequences import leads_to_consequence
-from fuzzytime.requirement import BOUNDS, MOMENTS, Constraint
+from fuzzytime.requirement import MOMENTS, STRETCHES, Constraint
 
 HELD = frozenset({"when", "if", "after", "before"})
 """Kinds of clauses that hold for all that is joined."""
@@ -183,7 +183,7 @@ def _handed_on(phrase: Phrase) -> list[Phrase]:
         or (isinstance(time, Offset) and time.anchor is None)
     ):
         return []
-    if said.constraint in BOUNDS or isinstance(time, (Range, Repeat)):
+    if said.constraint in STRETCHES or isinstance(time, (Range, Repeat)):
         return [phrase]
     later = _not_before(said)
     return [] if later is None else [replace(phrase, said=later)]

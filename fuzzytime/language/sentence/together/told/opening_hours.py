@@ -6,7 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
 from fuzzytime.language.sentence.segments.told.asides_of_hours import HOURS, bounding
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
-from fuzzytime.requirement import BOUNDS, MOMENTS, Constraint
+from fuzzytime.requirement import MOMENTS, STRETCHES, Constraint
 
 BESIDE = frozenset({"", ",", "-", "–", ";", ":", "so", ", so", "; so", ", and so"})
 """What stands between an order and what is told of where it is done."""
@@ -54,7 +54,7 @@ def _bound_of(sketch: Sketch) -> Phrase | None:
     described = tree.children(root, "acomp")
     if any(tree.nodes[place].lower in doing.opening_up for place in described):
         # "The shop is open until five"
-        return phrase if phrase.said.constraint in BOUNDS or isinstance(phrase.said.time, Range) else None
+        return phrase if phrase.said.constraint in STRETCHES or isinstance(phrase.said.time, Range) else None
     at = isinstance(phrase.said.time, Wall) and phrase.said.constraint in MOMENTS
     closing = operation.lemma in doing.closing_up
     if not at or not (closing or operation.lemma in doing.opening_up):

@@ -1,13 +1,16 @@
 """Several things that one line asks for: another time for one of them, or the line without it."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
+from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import content_words, merged_time
+from fuzzytime.language import Instruction, content_words, merged_time
 from fuzzytime.requirement import Constraint
-from fuzzytime_cli.repl.scene import Scene, begun_parts, waiting
+from fuzzytime.times import instant_after
+from fuzzytime_cli.repl.scene import FIRST, Scene, begun_parts, waiting
+from fuzzytime_cli.repl.typed import number_of
 from fuzzytime_cli.session import Entry
 
 BETWEEN = re.compile(r",\s*(?:and\s+)?|\s+and\s+")
@@ -29,15 +32,30 @@ def with_time_of_part(scene: Scene, entry: Entry, time: str, part: str) -> str:
         # "Move the lawn to sunday", which was to be mown at ten, leaves it at ten.
         lexicon = scene.lexicon
         time = merged_time(entry.text[first:end], entry.given, time, scene.now, lexicon)
-    text = f"{entry.text[:first].rstrip()} {time}{entry.text[end:]}"
+    front, behind = f"{entry.text[:first].rstrip()} {time}", entry.text[end:]
     others = [other for other in _parts_of(scene, entry) if other is not one]
     shares = first < end and any((first, end) == _time_of(other, length=length) for other in others)
-    return _checked(
-        scene,
-        entry,
-        _each_with_time(scene, entry, one, time) if shares else text,
-        _names(scene, entry.text, entry),
+    if shares:
+        return _checked(scene, entry, _each_with_time(scene, entry, one, time), {one.skill.name})
+    try:
+        return _checked(scene, entry, front + behind, {one.skill.name})
+    except FuzzytimeError:
+        # "On friday" would be of the next one, too.
+        then = _on_its_day(scene, entry, others, end)
+        return _checked(scene, entry, front + then, {one.skill.name})
+
+
+def _on_its_day(scene: Scene, entry: Entry, others: Sequence[Interpreted], end: int) -> str:
+    """Give what stands from some place on in an entry, with its day said of the first time in it."""
+    times = (part for one in others if one.instruction is not None for part in one.instruction.requirements)
+    behind = sorted(
+        (part.span, part.t_spec) for part in times if part.span[0] >= end and part.t_spec is not None
     )
+    if not behind:
+        return entry.text[end:]
+    (_, over), t_spec = behind[0]
+    day = instant_after(entry.given, t_spec).date()
+    return f"{entry.text[end:over]} {'today' if day == scene.now.date() else f'on {day}'}{entry.text[over:]}"
 
 
 def _each_with_time(scene: Scene, entry: Entry, one: Interpreted, time: str) -> str:
@@ -64,28 +82,53 @@ def swapped_parts(scene: Scene, entry: Entry, parts: Sequence[str | None]) -> st
     FuzzytimeError
         If the two are not clear, or have no times of their own.
     """
-    spans = sorted(_time_of(_one_of(scene, part or ""), length=False) for part in parts)
+    both = [_one_of(scene, part or "") for part in parts]
+    spans = sorted(_time_of(one, length=False) for one in both)
     (first, end), (begin, over) = spans
     text = entry.text
     if first == end or begin == over or end > begin:
         raise FuzzytimeError(f"which two change places is not clear: say it anew, with :edit {entry.number}")
     swapped = f"{text[:first]}{text[begin:over]}{text[end:begin]}{text[first:end]}{text[over:]}"
-    return _checked(scene, entry, swapped, _names(scene, text, entry))
+    return _checked(scene, entry, swapped, {one.skill.name for one in both})
 
 
-def without_part(scene: Scene, entry: Entry, part: str) -> str:
+def without_part(scene: Scene, entry: Entry, name: str) -> str:
     """Give an entry's words without one of several things; empty where the others cannot be said alone."""
-    one = _one_of(scene, part)
-    if one.instruction is None or begun_parts(scene, entry.number):
-        # What has begun is known by its place among the others.
+    read = _asked_in(scene, entry.text, entry.given)
+    left = [one for one in read if _name(one) != name]
+    if len(left) != len(read) - 1 or not left:
         return ""
-    spans = [other.instruction.span for other in _parts_of(scene, entry) if other.instruction is not None]
-    first, end = one.instruction.span
-    behind = [start for start, _ in spans if start >= end]
+    first, end = next(one.span for one in read if one not in left)
+    behind = [one.span[0] for one in left if one.span[0] >= end]
     before = entry.text[:first]
     text = before + entry.text[min(behind) :] if behind else _without_joints(scene, before)
-    left = [other.skill.name for other in _parts_of(scene, entry) if other is not one]
-    return text if left == _names(scene, text, entry) else ""
+    anew = _asked_in(scene, text, entry.given)
+    same = [(_name(one), _times(one, entry.given)) for one in left]
+    return text if same == [(_name(one), _times(one, entry.given)) for one in anew] else ""
+
+
+def only_left_out(scene: Scene, entry: Entry, text: str) -> bool:
+    """Whether words are those of an entry without one of several things that it asks for."""
+    names = dict.fromkeys(_name(one) for one in _asked_in(scene, entry.text, entry.given))
+    return len(names) > 1 and any(without_part(scene, entry, name) == text for name in names)
+
+
+def numbers_kept(scene: Scene, entry: Entry, text: str) -> tuple[int, ...]:
+    """Give the numbers of an entry's things that other words of it ask for; none where they are as they were.
+
+    Of "feed the cat and call mum" without the cat the call stays the second: s1.2.
+    """
+    known = [(one.identifier, one.skill.name) for one in scene.plan.everything]
+    known += [(one.identifier, one.name) for one in begun_parts(scene, entry.number)]
+    numbers: dict[str, int] = {}
+    for identifier, name in known:
+        number = int(identifier.partition(".")[2] or FIRST)
+        if number_of(identifier) == entry.number:
+            numbers[name] = min(number, numbers.get(name, number))
+    names = [_name(one) for one in _asked_in(scene, text, entry.given)]
+    kept = tuple(numbers.get(name, 0) for name in names)
+    as_they_were = kept == tuple(range(FIRST, FIRST + len(kept)))
+    return () if 0 in kept or len(set(kept)) < len(kept) or as_they_were else kept
 
 
 def without_thing(scene: Scene, entry: Entry, names: frozenset[str]) -> str:
@@ -146,21 +189,45 @@ def _time_of(one: Interpreted, *, length: bool) -> tuple[int, int]:
     return own[-1].span if own else (one.instruction.span[1],) * 2
 
 
-def _names(scene: Scene, text: str, entry: Entry) -> list[str]:
-    """Give what words ask for, in their order."""
-    read = scene.language.read(text, now=entry.given)
-    return [one.operation.name for one in read.instructions if one.operation is not None]
+def _asked_in(scene: Scene, text: str, given: datetime) -> list[Instruction]:
+    """Give what words that were given at a moment ask for, in their order."""
+    read = scene.language.read(text, now=given)
+    return [one for one in read.instructions if one.operation is not None]
 
 
-def _checked(scene: Scene, entry: Entry, text: str, names: Sequence[str]) -> str:
-    """Give words that ask for the same as before.
+def _name(one: Instruction) -> str:
+    return "" if one.operation is None else one.operation.name
+
+
+def _times(one: Instruction, given: datetime) -> list[tuple[object, ...]]:
+    """Give the times and conditions of what is asked for, but for what it comes before or after."""
+    return [
+        (
+            part.constraint,
+            *(
+                None if at is None else instant_after(given, at)
+                for at in (part.t_spec, part.earliest, part.latest)
+            ),
+            part.number,
+            None if part.condition is None else part.text,
+        )
+        for part in one.requirements
+        if part.anchor is None
+    ]
+
+
+def _checked(scene: Scene, entry: Entry, text: str, changed: Collection[str]) -> str:
+    """Give words that ask for the same as before, at the same times but for what is changed.
 
     Raises
     ------
     FuzzytimeError
-        If they ask for something else.
+        If they ask for something else, or that would move others along.
     """
-    if _names(scene, text, entry) != list(names):
+    before, anew = _asked_in(scene, entry.text, entry.given), _asked_in(scene, text, scene.now)
+    same = [_name(one) for one in before] == [_name(one) for one in anew]
+    others = [pair for pair in zip(before, anew, strict=False) if _name(pair[0]) not in changed]
+    if not same or any(_times(old, entry.given) != _times(new, scene.now) for old, new in others):
         raise FuzzytimeError(
             f"how to say that of {entry.text!r} is not clear: say it anew, with :edit {entry.number}"
         )

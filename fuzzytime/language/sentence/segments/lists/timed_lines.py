@@ -1,0 +1,80 @@
+"""Whether lines are together a list of times: two are surely timed, or three have numbers like hours."""
+
+import re
+from collections.abc import Sequence
+from functools import cache
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.segments.lists.dividers import LINE
+from fuzzytime.language.sentence.segments.lists.hours_of_lines import (
+    ALONE,
+    DECIMAL,
+    LEADING,
+    Timed,
+    hours_behind,
+)
+
+SURELY = 2
+"""Lines with a time that is surely one, beside which others are a list of times."""
+
+TYPED = 3
+"""Lines with a number that may be an hour and its minutes that are a list of times by themselves."""
+
+MOST = 3
+"""Lines with a time, at least, and the part of all lines that makes most of them timed: a third."""
+
+FEWEST = 5
+"""Of so many lines, one at least has such a time where others end in numbers that may be hours."""
+
+FIVES = 5
+"""Minutes by which people plan; prices have others, but so have trains and sunsets, one of four at most."""
+
+FEW_ODD = 4
+"""Of so many numbers with two digits behind their points, one may have others."""
+
+
+@cache
+def _sure(prepositions: frozenset[str], halves: frozenset[str]) -> re.Pattern[str]:
+    """Give what finds a time that is surely one by how it is typed, or by what stands in front of it."""
+    half = "|".join(map(re.escape, sorted(halves, key=len, reverse=True)))
+    return re.compile(
+        rf"""
+        (?<![\d.:]) \d{{1,2}} (?: : [0-5]\d (?![\d:]) | (?:\.[0-5]\d)?\s?(?:{half})(?!\w) )
+        | (?<=\w\s) 0\d[0-5]\d (?!\w)
+        | \b (?:{"|".join(sorted(prepositions))}) \s (?:[01]?\d|2[0-3]) (?:\.[0-5]\d)? (?= \s* (?:[,;.)]|$) )
+        """,
+        re.VERBOSE | re.IGNORECASE,
+    )
+
+
+def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
+    """Give whether lines are a list of times, as two are surely timed, or three have numbers like hours."""
+    lines = [line[0] for text in texts for line in LINE.finditer(text)]
+    halves = hours_behind(lexicon.beside.of_hours)
+    prepositions = lexicon.closed.prepositions_of_points | lexicon.closed.prepositions_of_time
+    surely = _sure(prepositions, lexicon.beside.of_hours)
+    sure = [surely.search(line) is not None for line in lines]
+    decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
+    typed = [
+        LEADING.match(line) is not None
+        or any(found["minutes"] or found["digits"] for found in halves.finditer(line))
+        for line in lines
+    ]
+    digits = [[found["digits"] for found in halves.finditer(line) if found["digits"]] for line in lines]
+    if any(number.startswith("0") for numbers in digits for number in numbers):
+        sure = [one or bool(numbers) for one, numbers in zip(sure, digits, strict=True)]
+    odd = sum(digits >= 60 or digits % FIVES != 0 for digits in decimals)
+    planned = len(decimals) >= TYPED and len(decimals) >= FEW_ODD * odd
+    if sum(sure) < SURELY and not (planned and sum(typed) >= TYPED):
+        return Timed.NO
+    surest = [one or other for one, other in zip(sure, typed, strict=True)]
+    timed = sum(surest)
+    perhaps = (
+        ALONE.match(line) or any(found["ends"] is not None for found in halves.finditer(line))
+        for line in lines
+    )
+    most = sum(one or bool(other) for one, other in zip(surest, perhaps, strict=True))
+    if timed < MOST or FEWEST * timed < len(lines) or MOST * most < len(lines):
+        return Timed.SOME
+    leading = sum(surely.match(line.strip()) is not None or LEADING.match(line) is not None for line in lines)
+    return Timed.LEAD if leading >= MOST and 2 * leading >= timed else Timed.MOST
