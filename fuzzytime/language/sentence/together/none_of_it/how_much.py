@@ -85,7 +85,7 @@ def _number_at_end(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | No
 def _typed_inside(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | None:
     """Give where a number like an hour stands that nothing is called, or set to: "heating on 6.30"."""
     lexicon, kinds = sketch.lexicon, sketch.lexicon.no_times
-    called = lexicon.called_by_number | kinds.set_to | kinds.costing | kinds.versioning | kinds.numbered
+    called = lexicon.called_by_number | kinds.set_to | kinds.costing | kinds.versioning
     called |= lexicon.function_words - lexicon.beside.states
     for found in TYPED.finditer(text, *sketch.part.segment.span):
         before = [word.text for word in said if word.end <= found.start()][-1:]
