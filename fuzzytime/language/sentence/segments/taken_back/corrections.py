@@ -239,6 +239,9 @@ def _replaced(old: Said, new: object) -> Said | None:
             placed = _replaced(old, new.time)
             new = new if placed is None else replace(new, time=placed.time)
         alike = type(old.time) is type(new.time) and new.constraint in MOMENTS
+        # "After lunch, actually next week" is no bound.
+        alike = alike and (old.wall.clock is None) == (new.wall.clock is None)
+        alike = alike and (old.wall.days is None) == (new.wall.days is None)
         # "By five pm, no, six pm"
         return replace(old, time=new.time, hedges=new.hedges) if alike and not new.preposition else new
     if isinstance(new, Wall) and isinstance(old.time, Wall):
