@@ -13,14 +13,13 @@ from fuzzytime.language.sentence.sketches.meaning.pronouns import (
     undone_alone,
 )
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.none_of_it.doubts import (
-    doubts_of,
+from fuzzytime.language.sentence.together.none_of_it.doubts import doubts_of, unasked
+from fuzzytime.language.sentence.together.none_of_it.how_much import counted
+from fuzzytime.language.sentence.together.none_of_it.unused import (
     nothing_to_do,
     things_or_orders,
-    unasked,
     unused_orders,
 )
-from fuzzytime.language.sentence.together.none_of_it.how_much import counted
 from fuzzytime.language.sentence.together.none_of_it.what_was import is_over, tells_what_was
 
 

@@ -62,11 +62,10 @@ def _tells(title: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether a word has a capital that has none in a sentence: "Before"; or a unit behind a number."""
     if title[0].text in lexicon.no_times.beginning_titles or _ends_in_time(title, lexicon):
         return True
-    plain = lexicon.function_words | lexicon.closed.noun_openers
     said = any(
         word.capital
         and (
-            word.text in plain
+            word.text in lexicon.function_words
             or (word.text,) in lexicon.clauses
             or any(one.category in BINDING for one in lexicon.entries.get(word.text, ()))
         )

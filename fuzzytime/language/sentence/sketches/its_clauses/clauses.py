@@ -190,8 +190,14 @@ class _Clauses:
             return event and _named_at(event, named, time)
         named_event = edge is not None or form == BY or (form == (OF,) and bound is None)
         told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
+        return self._with_time(told, clause, place, time)
+
+    def _with_time(
+        self, told: Clause | None, clause: Clause, place: int, time: Phrase | None
+    ) -> Clause | None:
+        """Give what a clause tells, as far as it goes on, with its time; None where it tells nothing."""
         # "By the time the night shift clocks off at six", where a tree finds no verb.
-        told = clause if told is None and kind == BY_THEN and time is not None else told
+        told = clause if told is None and clause.kind == BY_THEN and time is not None else told
         found = self._gone_on(self._denied(told, place))
         return found if found is None or time is None else self._timed(found, clause, time)
 

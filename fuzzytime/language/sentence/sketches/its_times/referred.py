@@ -15,7 +15,7 @@ from fuzzytime.language.sentence.sketches.its_times.own_times import OwnTimes
 from fuzzytime.language.sentence.sketches.its_times.retimed import by_that_day, is_there, on_that_day, put_off
 from fuzzytime.language.sentence.sketches.its_times.said_of_time import DATED
 from fuzzytime.language.sentence.verbs.meant.actions import Action
-from fuzzytime.language.sentence.verbs.meant.moments import reference_of
+from fuzzytime.language.sentence.verbs.meant.small_clauses import reference_of
 from fuzzytime.requirement import Reference
 
 LEAVE = "leave"

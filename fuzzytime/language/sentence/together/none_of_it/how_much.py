@@ -8,8 +8,9 @@ from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.measuring import AMOUNTED
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
 HOURS = 12
@@ -84,7 +85,7 @@ def _number_at_end(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | No
 def _typed_inside(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | None:
     """Give where a number like an hour stands that nothing is called, or set to: "heating on 6.30"."""
     lexicon, kinds = sketch.lexicon, sketch.lexicon.no_times
-    called = lexicon.called_by_number | kinds.set_to | kinds.costing | kinds.versioning | kinds.numbered
+    called = lexicon.called_by_number | kinds.set_to | kinds.costing | kinds.versioning
     called |= lexicon.function_words - lexicon.beside.states
     for found in TYPED.finditer(text, *sketch.part.segment.span):
         before = [word.text for word in said if word.end <= found.start()][-1:]
@@ -101,3 +102,18 @@ def _is_hour(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word is a number that may be an hour."""
     number = int(word.text) if word.is_digits else lexicon.numbers.get(word.text)
     return number is not None and 0 < number <= HOURS
+
+
+def uncounted(text: str, part: Part, operation: Operation) -> Iterator[Remark]:
+    """Point at a number of which nothing says what it counts: "plank 10"; but "play 7" names one."""
+    lexicon = part.lexicon
+    lasting = lexicon.timing | lexicon.timing_alone | lexicon.intransitive | lexicon.lasting
+    # "Call 911"
+    lasting -= lexicon.addressing
+    acts = any(node.lower == operation.verb and node.may_act for node in part.tree.nodes)
+    number = (operation.object or "").lower()
+    if (number.isdigit() or number in lexicon.numbers) and (operation.lemma in lasting or not acts):
+        place = text.lower().find(number, part.segment.span[0])
+        span = (place, place + len(number))
+        message = f"{text[slice(*span)]!r}: what it counts is not said, as in 'for {number} minutes'"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)

@@ -36,9 +36,8 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     every, within = phrases[repeated[0]], _in_part(sketch, repeat, repeated[0])
     if within is not None:
         return within
-    counted = repeat.times is not None
-    lexicon = sketch.lexicon
-    joints = lexicon.closed.alternatives if counted else lexicon.closed.coordinators
+    counted, closed = repeat.times is not None, sketch.lexicon.closed
+    joints = closed.alternatives if counted else closed.coordinators
     clocks = [p for p in phrases if p.said.constraint in MOMENTS and p.said.wall.clock is not None]
     said = [
         place
@@ -52,14 +51,12 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     if first is None:
         return sketch
     again = beginning(repeat, first)
-    hedges = tuple(
-        dict.fromkeys(hedge for place in (*repeated, *moments) for hedge in phrases[place].said.hedges)
-    )
+    places = (*repeated, *moments)
+    hedges = tuple(dict.fromkeys(hedge for place in places for hedge in phrases[place].said.hedges))
     for place in (*repeated, *said):
-        told = replace(
-            phrases[place].said, time=again, constraint=Constraint.EVERY, hedges=hedges, beside=False
-        )
-        phrases[place] = replace(phrases[place], said=told)
+        phrase = phrases[place]
+        told = replace(phrase.said, time=again, constraint=Constraint.EVERY, hedges=hedges, beside=False)
+        phrases[place] = replace(phrase, said=told)
     return replace(sketch, phrases=tuple(phrases))
 
 

@@ -59,24 +59,21 @@ def time_of(
     closed = anchors.lexicon.closed
     if operation is None or operation.negated or not requirements:
         return None
+    asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
+    target: int | None
     if _is_needed(operation, text, anchors.lexicon):
-        asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
         same = (p for p in asked if (one := anchors.operation_at(p)) and one.object == operation.object)
-        needed = next(same, None)
         bound = all(part.constraint in DONE and not part.anchor for part in requirements)
-        return (
-            Anchor(text=text, object=operation.object, target=needed)
-            if bound and needed is not None
-            else None
-        )
+        target = next(same, None) if bound else None
+        return None if target is None else Anchor(text=text, object=operation.object, target=target)
     if any(part.constraint not in DONE or not _may_bound(part) for part in requirements):
         return None
-    obliged = " ".join(text.lower().split()[:2]) in anchors.lexicon.beside.obliged
-    if text.split(maxsplit=1)[0].lower() == operation.verb and not obliged:
+    words = text.lower().split()
+    obliged = " ".join(words[:2]) in anchors.lexicon.beside.obliged
+    if words[0] == operation.verb and not obliged:
         # "Empty the bins by six" asks for it.
         return None
     said = " ".join(filter(None, (operation.verb, operation.object, operation.complement))).lower().split()
-    words = text.lower().split()
     if anchors.lexicon.results.isdisjoint(said) and not _must_be_so(operation, words, anchors):
         return None
     if (
@@ -87,8 +84,7 @@ def time_of(
         # "We must be finished by six"
         return Anchor(text=text, object=operation.object)
     if words[0] in closed.anaphors | closed.universal_pronouns or obliged:
-        asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
-        target: int | None = next(asked, None)
+        target = next(asked, None)
     else:
         target = anchors.lasting(operation.object, text).target if operation.object else None
     if target is None or target >= anchors.position or not anchors.is_asked(target):

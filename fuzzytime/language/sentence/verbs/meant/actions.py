@@ -4,9 +4,8 @@ from dataclasses import dataclass
 
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
-from fuzzytime.language.sentence.verbs.meant.moments import reference_of
 from fuzzytime.language.sentence.verbs.meant.orders_before import is_order, is_purpose, order_before
-from fuzzytime.language.sentence.verbs.meant.small_clauses import gets_to_do, small_clause
+from fuzzytime.language.sentence.verbs.meant.small_clauses import gets_to_do, reference_of, small_clause
 from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("xcomp", "ccomp")

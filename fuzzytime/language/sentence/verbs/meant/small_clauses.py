@@ -1,4 +1,4 @@
-"""What a verb brings about: "let the dough rest", "have the slides ready", "keep the soup warm".
+"""What a verb brings about, and when: "let the dough rest", "have the slides ready", "keep the soup warm".
 
 The object and what it does or becomes are a clause without a tense of its own; trees join it to its verb in
 many ways.
@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("ccomp", "xcomp", "oprd", "acomp")
 MODIFIERS = ("amod", "acl")
@@ -16,6 +17,9 @@ GOVERNED = ("aux", "csubj")
 """How a tree that takes the clause for the sentence joins the verb to it: "have the robot mop the floor"."""
 
 PREDICATES = frozenset({"VB", "VBP", "VBN", "VBD", "VBG", "JJ", "RB"})
+
+RESULTS = frozenset({"JJ", "VBN"})
+"""Tags of what something is in the end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,3 +79,37 @@ def gets_to_do(tree: Tree, verb: int, below: int) -> bool:
     """Whether somebody is got to do something: "get Bob to mow the lawn", "get the sprinklers going"."""
     named = any(verb < place < below for place in tree.children(below, *SUBJECTS))
     return tree.nodes[verb].lemma == "get" and named and tree.nodes[below].tag in {"VB", "VBG"}
+
+
+def reference_of(tree: Tree, place: int) -> Reference | None:
+    """Give which moment of an operation its verb, or what it results in, says that its times are about."""
+    lexicon = tree.lexicon
+    lemma = tree.nodes[place].lemma
+    named = lexicon.indicators.get(lemma) or lexicon.indicators.get(tree.nodes[place].lower)
+    if named is not None:
+        return Reference(named)
+    node = tree.nodes[place]
+    if node.lower in lexicon.results and node.tag in RESULTS and tree.children(place, "auxpass", "aux"):
+        return Reference.FINISH
+    if lemma == "be" and any(tree.nodes[p].lower in lexicon.results for p in tree.children(place, "acomp")):
+        # "Charge it so that it is ready by noon"
+        return Reference.FINISH
+    if lemma in lexicon.causing and any(
+        tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
+    ):
+        return Reference.FINISH
+    brought = small_clause(tree, place) if lemma in lexicon.causing else None
+    # "Make the soup hot by six"; but "have the robot mop the floor" is what it does.
+    return Reference.FINISH if brought and tree.nodes[brought.predicate].tag in RESULTS else None
+
+
+def _results(tree: Tree, place: int) -> Iterator[int]:
+    """Give what a verb brings about: "have the rice ready", "make sure that it is done"."""
+    nouns = tree.children(place, "dobj")
+    modifying = (p for noun in nouns for p in tree.children(noun, "amod", "acl") if p > noun)
+    for below in (
+        *tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"),
+        *modifying,
+    ):
+        yield below
+        yield from _results(tree, below)

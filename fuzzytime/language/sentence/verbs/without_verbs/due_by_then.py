@@ -82,7 +82,7 @@ def _state(nodes: Sequence[Node], lexicon: Lexicon, *, listed: bool) -> int:
 def _is_thing(thing: Sequence[Node], lexicon: Lexicon) -> bool:
     """Whether words name something, of which there may be several: "lights", taken for what one does."""
     doing = lexicon.doing
-    acts = doing.arriving | doing.leaving | doing.becoming | doing.being | doing.stopping | doing.phases
+    acts = doing.arriving | doing.leaving | doing.being | doing.stopping | doing.phases
     several = len(thing) == 1 and thing[0].tag == "VBZ" and thing[0].lemma not in acts
     everyone = len(thing) == 1 and thing[0].lower in lexicon.closed.universal_pronouns
     return several or everyone or all(node.tag in NAMING for node in thing)

@@ -1,4 +1,4 @@
-"""What happens under the name of what is done: "school run 8:15", "ward visit 11:30", "lobby call 7:00".
+"""What happens under the name of what is done, or of its moment: "school run 8:15", "closing time 18:00".
 
 A tree takes the second noun for the verb of the first. Yet one thing and a bare verb do not agree, and
 behind such a name stands its time alone.
@@ -8,6 +8,7 @@ from collections.abc import Collection, Sequence
 
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Wall
+from fuzzytime.language.meaning.phrases import is_at_clock
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
@@ -21,6 +22,9 @@ LEADING = frozenset({*DETERMINERS, "CD"})
 
 COMPOUND = "compound"
 PLURAL = "NNS"
+
+LONGEST_MOMENT = 4
+"""Words in front of what ends such a name, fewer than that."""
 
 
 def with_named_deed(tree: Tree, timed: Collection[int]) -> Tree:
@@ -143,3 +147,28 @@ def _names(tree: Tree, place: int, start: int) -> bool:
     if node.lower in doers or (place > start and node.tag == "NNP") or node.text.isupper():
         return False
     return node.tag in NOUNS or node.lower in lexicon.ordinals
+
+
+def named_moment(tree: Tree, phrases: Sequence[Phrase], offset: int) -> Operation | None:
+    """Give what happens at the one clock time of a line, which names nothing else than that moment.
+
+    ``offset`` is where the tree begins in the text. No order has a bare "time" beside a clock time without a
+    preposition; "make time at six" is one.
+    """
+    lexicon = tree.lexicon
+    if len(phrases) != 1 or not is_at_clock(phrases[0]):
+        return None
+    timed = set(tree.at(phrases[0].span[0] - offset, phrases[0].span[1] - offset))
+    named = [p for p, node in enumerate(tree.nodes) if p not in timed and any(map(str.isalnum, node.text))]
+    before = [tree.nodes[place] for place in named[:-1]]
+    if (
+        not 0 < len(before) < LONGEST_MOMENT
+        or tree.nodes[named[-1]].lower not in lexicon.closed.named_moments
+    ):
+        return None
+    counted = lexicon.closed.ends_of_rows | lexicon.ordinals.keys() | lexicon.function_words
+    if before[-1].lower in counted or (before[0].may_act and phrases[0].said.preposition is not None):
+        return None
+    last = tree.nodes[named[-1]]
+    name = tree.text[before[0].start : last.end]
+    return Operation(verb=last.lower, lemma="be", span=(last.start, last.end), object=name, stated=True)

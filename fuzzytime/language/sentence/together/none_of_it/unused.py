@@ -1,0 +1,112 @@
+"""Words of an instruction that neither its operation nor a time holds: they are pointed at, never dropped."""
+
+from collections.abc import Iterator, Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.quotes import is_quoted
+from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
+from fuzzytime.language.sentence.segments.waiting import Part
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+
+OBJECTS = ("dobj", "attr", "oprd")
+BESIDE = frozenset({"advcl", "ccomp", "conj", "parataxis", "dep"})
+"""Relations of a verb that may be a further order, and was not cut off."""
+NAMES = ("NN", "CD")
+"""How tags of words begin that name or count something."""
+
+SO = "so"
+"""What begins a purpose, alone or before "that"."""
+
+
+def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[Span]) -> Iterator[Remark]:
+    """Point at orders in the tree of an instruction that its operation does not hold: nothing is dropped.
+
+    ``heard`` are the stretches of its times and clauses.
+    """
+    tree, held = part.tree, set(operation.name.lower().split())
+    for place, node in enumerate(tree.nodes):
+        start = node.start + part.offset
+        inside = any(first <= start < end for first, end in heard) or operation.span[0] == start
+        if inside or node.lower in held or node.tag not in IMPERATIVE or node.relation not in BESIDE:
+            continue
+        if tree.children(place, *SUBJECTS, "aux", "mark") or not tree.children(place, *OBJECTS, "prt"):
+            continue
+        below = [p for p in tree.below(place) if tree.nodes[p].relation != "punct"]
+        span = part.span(tree.nodes[min(below)], tree.nodes[max(below)])
+        message = f"{text[slice(*span)]!r} is not planned: say it as an instruction of its own"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+
+
+def things_or_orders(text: str, part: Part) -> Iterator[Remark]:
+    """Point at a thing beside another that may as well be an order: "strip the wall and paint by noon"."""
+    tree = part.tree
+    for place, node in enumerate(tree.nodes):
+        over = tree.nodes[node.head]
+        joined = node.relation == "conj" and over.relation == "dobj" and over.tag.startswith("NN")
+        bare = node.tag == "NN" and not tree.children(place) and tree.nodes[place - 1].lower in {"and", "&"}
+        led = any(tree.nodes[p].tag in DETERMINERS for p in tree.children(node.head, "det", "poss"))
+        if joined and bare and led and node.lower in part.lexicon.chores:
+            span = part.span(node)
+            yield Remark.noted(text, span, "is taken for a thing: say 'then' before it if it is to be done")
+
+
+def unused_front(text: str, part: Part, heard: Sequence[Span]) -> Iterator[Remark]:
+    """Point at a clause in front that says nothing that is understood: nothing is dropped."""
+    first, end = part.segment.span[0], part.offset
+    said = text[first:end].rstrip(" ,")
+    if said and not any(overlap(span, (first, first + len(said))) for span in heard):
+        message = f"{said!r} says when, and is not understood"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, (first, first + len(said)), message)
+
+
+def unused_words(text: str, part: Part, operation: Operation, heard: Sequence[Span]) -> Iterator[Remark]:
+    """Point at names and numbers of an instruction that neither its operation nor a time holds."""
+    lexicon = part.lexicon
+    beside, why = lexicon.beside, _reasons(part.tree)
+    held = {word.text for word in words_of(f"{operation.name} {operation.addressee or ''}")}
+    known = held | {word.removesuffix("'s") for word in held}
+    persons = lexicon.persons - lexicon.names
+    known = known.union(persons, lexicon.machines, beside.nothing, *lexicon.called_behind)
+    left = [
+        place
+        for place, node in enumerate(part.tree.nodes)
+        if (node.tag.startswith(NAMES) or node.lower in beside.marking_order or _says_how(node, lexicon))
+        and node.text[0].isalnum()
+        and place not in why
+        and not any(word.text in known for word in words_of(node.text))
+        and not any(a <= node.start + part.offset < b for a, b in heard)
+    ]
+    for first in (place for place in left if place - 1 not in left):
+        last = next(place for place in left if place >= first and place + 1 not in left)
+        span = part.span(part.tree.nodes[first], part.tree.nodes[last])
+        yield Remark.noted(text, span, "is not used")
+
+
+def _reasons(tree: Tree) -> frozenset[int]:
+    """Give the words that only say why, or what for: "… because Ann comes", "… so we can cook the fish"."""
+    closed, nodes = tree.lexicon.closed, tree.nodes
+    marks = [p for p, node in enumerate(nodes) if node.lower in closed.subordinators_of_reason]
+    for place, node in enumerate(nodes):
+        # "So we can …", "so that we can …"
+        aims = node.lower in closed.subordinators_of_purpose and SO in tree.said(range(place - 1, place + 1))
+        marks += [place] if aims and place and place < node.head != tree.root else []
+    led = (nodes[p].head for p in marks if nodes[p].relation in {"mark", "advmod"})
+    return frozenset(place for verb in led for place in tree.below(verb))
+
+
+def _says_how(node: Node, lexicon: Lexicon) -> bool:
+    """Whether a word is an adverb that says how something is done, or how often."""
+    told = node.tag.startswith("RB") and node.relation == "advmod"
+    return told and node.lower not in lexicon.vague_adverbs | lexicon.particles.keys() | lexicon.places
+
+
+def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[Span]) -> Iterator[Remark]:
+    """Point at words without a verb that is understood; at none where all that is said is a time."""
+    first, end = part.segment.span
+    inside = (word for word in words if first <= word.start < end)
+    said = [word for word in inside if word.is_letters or is_quoted(word.text)]
+    if not all(any(a <= word.start < b for a, b in heard) for word in said):
+        message = f"{text[first:end]!r} names nothing to do that is understood"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, part.segment.span, message)
