@@ -167,3 +167,30 @@ def test_what_is_running_may_be_the_same() -> None:
     talk = talk_of("make the soup")
     talk.wait(minutes=1)
     assert "beside s1 make the soup (running), which stays" in talk.say("soup at five")
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "the gym isn't happening",
+        "I don't need to do the gym any more",
+        "we don't need the gym",
+        "no need for the gym",
+    ],
+)
+def test_what_is_not_needed_is_not_done(said: str) -> None:
+    talk = talk_of("gym at ten", "feed the cat at two")
+    talk.say(said)
+    assert starts(talk) == {"feed the cat": NINE.replace(hour=14)}
+
+
+def test_what_is_not_needed_and_not_planned_is_pointed_at() -> None:
+    talk = talk_of("feed the cat at two")
+    assert "not to be done" in talk.say("we don't need to hurry")
+    assert talk.entries == ["feed the cat at two"]
+
+
+def test_a_time_that_is_not_another_is_the_new_one_of_a_thing() -> None:
+    talk = talk_of("gym at ten", "feed the cat at two")
+    talk.say("the gym at four, not ten")
+    assert starts(talk)["gym"] == FOUR
