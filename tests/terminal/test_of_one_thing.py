@@ -194,3 +194,22 @@ def test_a_time_that_is_not_another_is_the_new_one_of_a_thing() -> None:
     talk = talk_of("gym at ten", "feed the cat at two")
     talk.say("the gym at four, not ten")
     assert starts(talk)["gym"] == FOUR
+
+
+def test_what_names_one_of_several_things_in_another_form_is_of_that() -> None:
+    talk = talk_of("count the till at ten, restock the shelves at eleven and ring the supplier at noon")
+    talk.say("supplier rang us, so no need to")
+    assert talk.entries == ["count the till at ten, restock the shelves at eleven"]
+    assert "if they are one: drop count the till" in talk.say("count the till with Jo")
+    talk.say("restock tomorrow instead")
+    assert talk.start("s1.2") == NINE.replace(hour=11) + timedelta(days=1)
+
+
+def test_what_names_some_things_of_a_line_drops_no_others() -> None:
+    talk = talk_of("call mum at ten, call dad at eleven and feed the cat at noon")
+    assert "which one" in talk.say("cancel the calls")
+    assert len(starts(talk)) == len(("mum", "dad", "cat"))
+
+
+def test_what_one_got_done_of_something_is_nothing_to_do() -> None:
+    assert "says nothing to do" in talk_of("mark the essays at ten").say("I only got through half the essays")
