@@ -70,7 +70,8 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     closed = lexicon.closed
     if first in closed.first_person | closed.second_person:
         # "I've got some"; but "I've fed the cat" tells what was done
-        return past and not operation.stated and reported(reading, lexicon) is None
+        spoken = first in closed.first_person or not operation.stated
+        return past and spoken and reported(reading, lexicon) is None
     # No order begins with "she" or "that".
     return first in closed.third_person_singular | closed.singular_anaphors and not owed
 

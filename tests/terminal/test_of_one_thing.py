@@ -167,3 +167,49 @@ def test_what_is_running_may_be_the_same() -> None:
     talk = talk_of("make the soup")
     talk.wait(minutes=1)
     assert "beside s1 make the soup (running), which stays" in talk.say("soup at five")
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "the gym isn't happening",
+        "I don't need to do the gym any more",
+        "we don't need the gym",
+        "no need for the gym",
+    ],
+)
+def test_what_is_not_needed_is_not_done(said: str) -> None:
+    talk = talk_of("gym at ten", "feed the cat at two")
+    talk.say(said)
+    assert starts(talk) == {"feed the cat": NINE.replace(hour=14)}
+
+
+def test_what_is_not_needed_and_not_planned_is_pointed_at() -> None:
+    talk = talk_of("feed the cat at two")
+    assert "not to be done" in talk.say("we don't need to hurry")
+    assert talk.entries == ["feed the cat at two"]
+
+
+def test_a_time_that_is_not_another_is_the_new_one_of_a_thing() -> None:
+    talk = talk_of("gym at ten", "feed the cat at two")
+    talk.say("the gym at four, not ten")
+    assert starts(talk)["gym"] == FOUR
+
+
+def test_what_names_one_of_several_things_in_another_form_is_of_that() -> None:
+    talk = talk_of("count the till at ten, restock the shelves at eleven and ring the supplier at noon")
+    talk.say("supplier rang us, so no need to")
+    assert talk.entries == ["count the till at ten, restock the shelves at eleven"]
+    assert "if they are one: drop count the till" in talk.say("count the till with Jo")
+    talk.say("restock tomorrow instead")
+    assert talk.start("s1.2") == NINE.replace(hour=11) + timedelta(days=1)
+
+
+def test_what_names_some_things_of_a_line_drops_no_others() -> None:
+    talk = talk_of("call mum at ten, call dad at eleven and feed the cat at noon")
+    assert "which one" in talk.say("cancel the calls")
+    assert len(starts(talk)) == len(("mum", "dad", "cat"))
+
+
+def test_what_one_got_done_of_something_is_nothing_to_do() -> None:
+    assert "says nothing to do" in talk_of("mark the essays at ten").say("I only got through half the essays")

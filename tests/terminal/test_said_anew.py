@@ -50,7 +50,7 @@ def test_a_part_of_the_day_is_a_new_time() -> None:
     [
         ("feed the dog at six pm", "no, feed the dog at half past six", "feed the dog at half past six"),
         ("feed the dog at six pm", "actually feed the dog at seven pm", "feed the dog at seven pm"),
-        ("feed the dog at six pm", "Feed the dog at seven pm instead.", "Feed the dog at seven pm"),
+        ("feed the dog at six pm", "Feed the dog at seven pm instead.", "feed the dog at seven pm"),
         ("put the bins out at six pm", "no, put them out at seven pm", "put the bins out at seven pm"),
         ("call mum every day at six pm", "sorry, call mum every day at noon", "call mum every day at noon"),
         # What it says no more of stays.

@@ -217,7 +217,9 @@ def part_meant(scene: Scene, number: int, names: frozenset[str]) -> str | None:
     begun = {one.identifier: one.name for one in scene.conversation.running(scene.now)}
     parts = begun | {one.identifier: one.skill.name for _, one in waiting(scene, number)}
     mine = {key: name for key, name in parts.items() if number_of(key) == number}
-    named = [key for key, name in mine.items() if names <= content_words(name)]
+    # "He rang", of "ring the supplier"
+    verbs = {name: verb_forms(name.partition(" ")[0].lower(), scene.lexicon) for name in mine.values()}
+    named = [key for key, name in mine.items() if names <= content_words(name) | verbs[name]]
     return named[0] if names and len(named) == 1 and len(set(mine.values())) > 1 else None
 
 

@@ -121,4 +121,4 @@ def _without_courtesies(said: Said) -> Said:
             break
         place += len(form)
     # "Cancel the gym too"
-    return said.behind(place).without_thanks().without_end(said.table("closing"))
+    return said.behind(place).without_thanks().without_end(said.table("closing") | said.table("no more"))

@@ -67,8 +67,8 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     place = opening_correction(whole)
     said = whole.behind(place).without_exclamations() if place else whole
     # "The soup at four instead"
-    told, said = said, said.without_end(said.table("instead") - lexicon.connectives.keys())
-    place += told != said
+    told = said.without_end(said.table("instead") - lexicon.connectives.keys())
+    said, place = told, place + (told != said)
     naming = whole.after("naming anew") or whole.after("meaning")
     if naming is not None and naming.words:
         said, place = naming, 1
@@ -88,7 +88,6 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         return later
     thing, time = said.parted(bare=True)
     if not thing or said.places:
-        # "The first one" is no hour.
         return None
     if time and (one := _one_of(Said(thing, now, lexicon))) is not None:
         return replace(one, time=time, corrects=place > 0)
@@ -185,9 +184,11 @@ def _instead(said: Said) -> About | None:
         old, new = said.behind(place).after("in its place of") or said, said.until(place)
     else:
         return None
-    if new.as_time() and old.as_time():
-        # "At three, not two"
-        return About(kind=AboutKind.MOVE, time=new.as_time(), corrects=True, certain=True)
+    thing, time = ("", new.as_time()) if new.as_time() else new.parted()
+    if time and old.as_time():
+        # "At three, not two", "the gym at four, not ten"
+        of = replace(new, text=thing).names
+        return About(kind=AboutKind.MOVE, names=of, time=time, corrects=not of, certain=True)
     if new.is_in("other"):
         return About(kind=AboutKind.OTHER, certain=True)
     if not (new.names and (old.names or old.is_in("last"))) or COMMA in new.forms:

@@ -11,6 +11,7 @@ from fuzzytime_cli.repl.conversation import exactly
 from fuzzytime_cli.repl.naming import (
     called,
     entry_of,
+    label_meant,
     part_meant,
     running_one,
     starts_of_entry,
@@ -135,6 +136,10 @@ def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
         name = next(one.skill.name for one in scene.plan.everything if one.identifier == part)
         anew = without_part(scene, meant[0], name)
         return f":edit {numbers} {anew}" if anew else f":done {part}"
+    left = {one.skill.name for entry in meant for _, one in waiting(scene, entry.number)}
+    told = [name for name in left if about.names <= content_words(name)]
+    if len(meant) == 1 and not label_meant(scene, about.names) and 0 < len(told) < len(left):
+        raise FuzzytimeError(f"which one: {' or '.join(sorted(told))}?")
     rest = without_thing(scene, meant[0], about.names) if len(meant) == 1 else ""
     if len(meant) == 1 and not rest and not about.names <= words_of_entry(scene, meant[0]):
         # The eggs, of which nothing became, of "milk, eggs and bread"

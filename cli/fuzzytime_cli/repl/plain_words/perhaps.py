@@ -77,7 +77,11 @@ def second_lines(
         return ()
     ((identifier, name, when),) = told
     first = f"{identifier} {name}{f' ({when})' if when else ''}"
-    return (Text(plain(f"beside {first}, which stays; if they are one: drop s{number_of(identifier)}")),)
+    # "Drop s1" is of its whole line.
+    line = {one.skill.name for one in made.everything if number_of(one.identifier) == number_of(identifier)}
+    one_of_several = len(line) > 1 and "." not in identifier
+    dropped = name if one_of_several else identifier
+    return (Text(plain(f"beside {first}, which stays; if they are one: drop {dropped}")),)
 
 
 def _day(one: Interpreted, now: datetime) -> date | None:
@@ -100,10 +104,11 @@ def _is_same(one: Interpreted, other: Interpreted, lexicon: Lexicon) -> bool:
     if things and things == content_words(behind.object or behind.verb) and (operation.particle or begins):
         # "Rice at ten", beside "cook the rice at nine"
         return operation.particle == behind.particle
-    alone = operation.lemma == behind.lemma and not (behind.object or behind.place)
-    if alone and behind.lemma not in lexicon.needing_nothing:
-        # "Bake at eleven", beside "bake the loaves at ten"
-        return True
+    alone = not (behind.object or behind.place) and behind.lemma not in lexicon.needing_nothing
+    alike = bool(things) and things == content_words(behind.object) and not (operation.place and behind.place)
+    if operation.lemma == behind.lemma and (alone or alike):
+        # "Bake at eleven", "bake the loaves with Jo", beside "bake the loaves at ten"
+        return operation.particle == behind.particle
     told = behind.stated or behind.lemma == BE or behind.due == MUST_BE
     if told and not (things | content_words(operation.place)).isdisjoint(
         content_words(behind.object) - timed

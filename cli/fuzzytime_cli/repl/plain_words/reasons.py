@@ -74,8 +74,9 @@ def _of_what_is_told(scene: Scene, told: str, about: About) -> About:
     if not _names_nothing(about):
         return about
     named = {word: entry_of(scene, frozenset({word})) for word in content_words(told)}
-    meant = {entry.number: frozenset({word}) for word, entry in named.items() if entry is not None}
-    return replace(about, names=next(iter(meant.values()))) if len(meant) == 1 else about
+    meant = {entry.number for entry in named.values() if entry is not None}
+    names = frozenset(word for word, entry in named.items() if entry is not None)
+    return replace(about, names=names) if len(meant) == 1 else about
 
 
 def _asks(scene: Scene, reading: Reading) -> bool:

@@ -55,7 +55,8 @@ def same_anew(scene: Scene, anew: str) -> str | None:
     own = old.instruction.requirements if old.instruction is not None else ()
     named = (operation.object or "").lower() in anew.lower() and bool(content_words(operation.object))
     before = frozenset[str]() if old.operation is None else content_words(old.operation.name)
-    says_more = len(times) > 1 or not content_words(operation.name) <= before
+    whole = len(times) > 1 or times[0].constraint is Constraint.EVERY
+    says_more = whole or not content_words(operation.name) <= before
     if several or not named or len(own) > len(times) or not says_more:
         # The rest of its words stays, and where it stands "them" is nothing: "no, put them out at seven".
         moved = About(kind=AboutKind.MOVE, time=times[0].text)
