@@ -154,9 +154,7 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     # "Bin anything old"
     pronouns = closed.it_or_them | (closed.behind_verbs - closed.noun_openers - lexicon.particles.keys())
     bare = node.tag in known and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
-    if bare and (
-        behind in pronouns or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)
-    ):
+    if bare and (behind in pronouns or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)):
         # "Leave it for an hour and pat it dry", "move the sofa, vacuum behind it"
         return True
     return node.relation == "conj" and before in {"and", "&"} and behind in closed.noun_openers
