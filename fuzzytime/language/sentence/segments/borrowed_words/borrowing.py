@@ -7,6 +7,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.borrowed_words.frames import (
+    DONE,
     acts_too,
     is_asked_too,
     is_done_too,
@@ -42,6 +43,8 @@ KINDS: tuple[Kind, ...] = (
 )
 IN_FRONT: tuple[Kind, ...] = (is_reminded_then, is_done_elsewhere)
 """What a wish may be that has its time in front, or stands apart."""
+DONE_TOO: tuple[Kind, ...] = (lets_too, is_done_too)
+"""What a wish may be that no time stands before: "I want the table laid and the candles lit"."""
 
 
 def wishes_beside(one: Waiting, part: Part, lexicon: Lexicon) -> dict[int, tuple[Borrowed, ...]]:
@@ -53,7 +56,8 @@ def wishes_beside(one: Waiting, part: Part, lexicon: Lexicon) -> dict[int, tuple
         ends = (p for p in behind if p in timed or (tree.nodes[p].lower,) in lexicon.clauses)
         end = next(ends, len(tree.nodes))
         wish = Wish(tree, start, end, timed, lexicon)
-        borrowed = _borrowed(wish, IN_FRONT if start in timed else KINDS, part.offset)
+        kinds = KINDS if _is_behind_time(tree, start, timed) else DONE_TOO
+        borrowed = _borrowed(wish, IN_FRONT if start in timed else kinds, part.offset)
         if borrowed is not None:
             found[tree.nodes[start].start + part.offset] = borrowed
     return found
@@ -115,15 +119,26 @@ def _behind(source: Source, ordered: Part, part: Part, lexicon: Lexicon) -> tupl
 
 
 def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[int]:
-    """Give the places behind a joint that stands behind a time."""
+    """Give the places behind a joint that stands behind a time, or behind what is done with something."""
     for place in range(2, len(tree.nodes)):
-        before = place - 1
-        if place in timed or tree.nodes[before].lower not in JOINTS:
+        if place in timed or tree.nodes[place - 1].lower not in JOINTS:
             continue
-        while before and tree.nodes[before].lower in JOINTS:
-            before -= 1
-        if before in timed:
+        before = tree.nodes[_before_joint(tree, place)]
+        if _is_behind_time(tree, place, timed) or before.tag in DONE:
             yield place
+
+
+def _is_behind_time(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
+    """Whether a time stands in front of a joint, or at a place."""
+    return place in timed or _before_joint(tree, place) in timed
+
+
+def _before_joint(tree: Tree, place: int) -> int:
+    """Give the last word before the joints in front of a place."""
+    before = place - 1
+    while before and tree.nodes[before].lower in JOINTS:
+        before -= 1
+    return before
 
 
 def _other_times(tree: Tree, timed: AbstractSet[int]) -> Iterator[int]:
