@@ -51,13 +51,12 @@ def wishes_beside(one: Waiting, part: Part, lexicon: Lexicon) -> dict[int, tuple
     """Give where further wishes begin that borrow words, with these."""
     tree, timed = part.tree, one.timed(part.tree)
     found: dict[int, tuple[Borrowed, ...]] = {}
-    for start in (*_starts(tree, timed), *_other_times(tree, timed)):
+    for start, kinds in (*_starts(tree, timed), *_other_times(tree, timed)):
         behind = range(start, len(tree.nodes))
         ends = (p for p in behind if p in timed or (tree.nodes[p].lower,) in lexicon.clauses)
         end = next(ends, len(tree.nodes))
         wish = Wish(tree, start, end, timed, lexicon)
-        kinds = KINDS if _is_behind_time(tree, start, timed) else DONE_TOO
-        borrowed = _borrowed(wish, IN_FRONT if start in timed else kinds, part.offset)
+        borrowed = _borrowed(wish, kinds, part.offset)
         if borrowed is not None:
             found[tree.nodes[start].start + part.offset] = borrowed
     return found
@@ -118,32 +117,21 @@ def _behind(source: Source, ordered: Part, part: Part, lexicon: Lexicon) -> tupl
     return _borrowed(Wish(both, shift, len(nodes), timed, lexicon, apart=True), IN_FRONT, 0)
 
 
-def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[int]:
+def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[tuple[int, Sequence[Kind]]]:
     """Give the places behind a joint that stands behind a time, or behind what is done with something."""
     for place in range(2, len(tree.nodes)):
-        if place in timed or tree.nodes[place - 1].lower not in JOINTS:
+        before = place - 1
+        if place in timed or tree.nodes[before].lower not in JOINTS:
             continue
-        before = tree.nodes[_before_joint(tree, place)]
-        if _is_behind_time(tree, place, timed) or before.tag in DONE:
-            yield place
+        while before and tree.nodes[before].lower in JOINTS:
+            before -= 1
+        if before in timed or tree.nodes[before].tag in DONE:
+            yield place, KINDS if before in timed else DONE_TOO
 
 
-def _is_behind_time(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
-    """Whether a time stands in front of a joint, or at a place."""
-    return place in timed or _before_joint(tree, place) in timed
-
-
-def _before_joint(tree: Tree, place: int) -> int:
-    """Give the last word before the joints in front of a place."""
-    before = place - 1
-    while before and tree.nodes[before].lower in JOINTS:
-        before -= 1
-    return before
-
-
-def _other_times(tree: Tree, timed: AbstractSet[int]) -> Iterator[int]:
+def _other_times(tree: Tree, timed: AbstractSet[int]) -> Iterator[tuple[int, Sequence[Kind]]]:
     """Give the places of times between a joint and what is to be done: "and | in two hours to call dad"."""
     for place in range(2, len(tree.nodes) - 1):
         if place not in timed or place - 1 in timed or tree.nodes[place - 1].lower not in JOINTS:
             continue
-        yield place
+        yield place, IN_FRONT

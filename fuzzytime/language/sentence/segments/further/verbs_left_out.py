@@ -11,7 +11,7 @@ from fuzzytime.language.meaning.expressions import Phrase, TimeWord
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.named import is_of_its_own
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint
@@ -165,6 +165,10 @@ def _has_own_verb(tree: Tree, before: str, lexicon: Lexicon) -> bool:
     called = lexicon.persons | lexicon.names_like_words | lexicon.animals
     if not (verb.is_verb and verb.may_act) or verb.lower != verb.lemma or verb.lower in called:
         return False
+    tags = [node.tag for node in tree.nodes[1:3]]
+    if tags[:1] and (tags[0] in DETERMINERS or tags == ["IN", "CD"]):
+        # "Water the basil at six", "spin at 300 g for 5 min"
+        return True
     things = [tree.reach(thing) for thing in tree.children(0, "dobj")]
     named = [tree.text[: tree.nodes[end - 1].end] for first, end in things if first == 1]
     listed = before in done or any(is_of_its_own(name, lexicon) for name in named)
