@@ -81,6 +81,7 @@ def fronts_of(
         asks = is_order(order) or bool(order.nodes and _is_wish(order, 0, lexicon))
         # "If it rains | hoover the hall"
         governs = order.root == 0 and any(node.tag in DETERMINERS for node in order.nodes[1:2])
+        governs = governs and bool(order.children(0, "dobj", "pobj"))
         asks = asks or (governs and order.nodes[0].lower not in lexicon.places | lexicon.particles.keys())
         if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and asks:
             led[attempt.one] = attempt.front
