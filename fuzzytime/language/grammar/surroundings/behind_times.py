@@ -32,7 +32,7 @@ class BehindTimes(LookedUp):
         return known or self._is_in_front(piece) or self._is_before_order(piece)
 
     def _says_how(self, place: int) -> bool:
-        """Whether a word says how something is done, and of no thing: "at six quietly", "at six asking for it".
+        """Whether a word says how it is done, and of no thing: "at six quietly", "at six asking for it".
 
         But "at six friendly shops", "at six meeting points".
         """

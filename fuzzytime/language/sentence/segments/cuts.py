@@ -15,7 +15,7 @@ from fuzzytime.language.sentence.segments.orders_beside_times import is_order_be
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.named import takes_verb
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
 from fuzzytime.language.sentence.verbs.statements.called import person_due
 from fuzzytime.language.sentence.verbs.statements.statements import second_statement
@@ -91,8 +91,8 @@ def other_things(one: Waiting, part: Part) -> list[Segment]:
     for start in sorted(_gaps(one, part)) if part.tree.nodes else ():
         pieces = _around(one, part, start)
         if pieces:
-            whole = _begins_order(part, start) or _is_told(one, part, start)
-            whole = whole or _is_back(one, part, start) or not _takes_verb(one, part, start)
+            whole = _is_told(one, part, start) or _is_back(one, part, start)
+            whole = whole or not _takes_verb(one, part, start)
             return [pieces[0], replace(pieces[1], verbless=not whole)]
     return []
 
@@ -137,21 +137,6 @@ def _due_too(part: Part, start: int) -> str | None:
     node = part.tree.nodes[place]
     joined = node.relation == "conj" and node.head == action.place and node.tag == "VB"
     return person_due(part.tree, action.place) if joined else None
-
-
-def _begins_order(part: Part, start: int) -> bool:
-    """Whether what was taken for another thing is to be done: "thaw it for 2 min, spin at 300 g for 5".
-
-    So is what has an article behind it: "can you hang the curtains after lunch and water the basil at six".
-    """
-    place = next(part.at((start, start + 1)), None)
-    if place is None or place + 1 >= len(part.tree.nodes):
-        return False
-    node, behind, *further = part.tree.nodes[place : place + 4]
-    counted = behind.tag == "IN" and bool(further) and further[0].tag == "CD"
-    measured = counted and len(further) > 1 and not node.tag.startswith("NNP")
-    led = behind.tag in DETERMINERS or measured
-    return node.may_act and node.lower == node.lemma and led
 
 
 def _takes_verb(one: Waiting, part: Part, start: int) -> bool:

@@ -79,7 +79,11 @@ def fronts_of(
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
         order = carried.without_carrier(CARRIER, attempt.order, 0)
         asks = is_order(order) or bool(order.nodes and _is_wish(order, 0))
-        asks = asks or (order.root == 0 and _governs(order))
+        # "If it rains | hoover the hall"
+        governs = order.root == 0 and any(node.tag in DETERMINERS for node in order.nodes[1:2])
+        governs = governs and bool(order.children(0, "dobj", "pobj"))
+        beside = order.lexicon.places | order.lexicon.particles.keys()
+        asks = asks or (governs and order.nodes[0].lower not in beside)
         if attempt.one not in led and _is_clause(clause, attempt.kind) and asks:
             led[attempt.one] = attempt.front
     return led
@@ -147,14 +151,6 @@ def may_be_done(tree: Tree, place: int) -> bool:
     becomes = node.tag in {"JJ", "RB"} and tree.nodes[place - 1].lemma in lexicon.doing.being
     becomes = becomes and not (led and node.lower in lexicon.orders)
     return (node.may_act or led) and is_bare(node, lexicon) and not becomes
-
-
-def _governs(tree: Tree) -> bool:
-    """Whether a first word that is no verb in its tree governs: "if it rains | hoover the hall"."""
-    lexicon = tree.lexicon
-    beside = lexicon.places | lexicon.particles.keys() | lexicon.function_words
-    led = any(node.tag in DETERMINERS for node in tree.nodes[1:2])
-    return led and tree.nodes[0].may_act and tree.nodes[0].lower not in beside
 
 
 def _is_wish(tree: Tree, place: int) -> bool:

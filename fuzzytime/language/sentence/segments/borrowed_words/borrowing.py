@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.borrowed_words.frames import (
+    DONE,
     acts_too,
     is_asked_too,
     is_done_too,
@@ -38,18 +39,20 @@ KINDS: tuple[Kind, ...] = (
 )
 IN_FRONT: tuple[Kind, ...] = (is_reminded_then, is_done_elsewhere)
 """What a wish may be that has its time in front, or stands apart."""
+DONE_TOO: tuple[Kind, ...] = (lets_too, is_done_too)
+"""What a wish may be that no time stands before: "I want the table laid and the candles lit"."""
 
 
 def wishes_beside(one: Waiting, part: Part) -> dict[int, tuple[Borrowed, ...]]:
     """Give where further wishes begin that borrow words, with these."""
     tree, timed = part.tree, one.timed(part.tree)
     found: dict[int, tuple[Borrowed, ...]] = {}
-    for start in (*_starts(tree, timed), *_other_times(tree, timed)):
+    for start, kinds in (*_starts(tree, timed), *_other_times(tree, timed)):
         behind = range(start, len(tree.nodes))
         ends = (p for p in behind if p in timed or (tree.nodes[p].lower,) in part.lexicon.clauses)
         end = next(ends, len(tree.nodes))
         wish = Wish(tree, start, end, timed, part.lexicon)
-        borrowed = _borrowed(wish, IN_FRONT if start in timed else KINDS, part.offset)
+        borrowed = _borrowed(wish, kinds, part.offset)
         if borrowed is not None:
             found[tree.nodes[start].start + part.offset] = borrowed
     return found
@@ -108,21 +111,21 @@ def _behind(source: Source, ordered: Part, part: Part) -> tuple[Borrowed, ...] |
     return _borrowed(Wish(both, shift, len(nodes), timed, ordered.lexicon, apart=True), IN_FRONT, 0)
 
 
-def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[int]:
-    """Give the places behind a joint that stands behind a time."""
+def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[tuple[int, Sequence[Kind]]]:
+    """Give the places behind a joint that stands behind a time, or behind what is done with something."""
     for place in range(2, len(tree.nodes)):
         before = place - 1
         if place in timed or tree.nodes[before].lower not in JOINTS:
             continue
         while before and tree.nodes[before].lower in JOINTS:
             before -= 1
-        if before in timed:
-            yield place
+        if before in timed or tree.nodes[before].tag in DONE:
+            yield place, KINDS if before in timed else DONE_TOO
 
 
-def _other_times(tree: Tree, timed: AbstractSet[int]) -> Iterator[int]:
+def _other_times(tree: Tree, timed: AbstractSet[int]) -> Iterator[tuple[int, Sequence[Kind]]]:
     """Give the places of times between a joint and what is to be done: "and | in two hours to call dad"."""
     for place in range(2, len(tree.nodes) - 1):
         if place not in timed or place - 1 in timed or tree.nodes[place - 1].lower not in JOINTS:
             continue
-        yield place
+        yield place, IN_FRONT

@@ -11,7 +11,7 @@ from fuzzytime.language.meaning.expressions import Phrase, TimeWord
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.named import is_of_its_own
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint
@@ -164,6 +164,10 @@ def _has_own_verb(tree: Tree, before: str) -> bool:
     called = verb.lower in lexicon.people or verb.lower in lexicon.animals
     if not (verb.is_verb and verb.may_act) or verb.lower != verb.lemma or called:
         return False
+    tags = [node.tag for node in tree.nodes[1:3]]
+    if tags[:1] and (tags[0] in DETERMINERS or tags == ["IN", "CD"]):
+        # "Water the basil at six", "spin at 300 g for 5 min"
+        return True
     done = lexicon.ordering | lexicon.doing.errands | lexicon.doing.of_events
     things = [tree.reach(thing) for thing in tree.children(0, "dobj")]
     named = [tree.text[: tree.nodes[end - 1].end] for first, end in things if first == 1]

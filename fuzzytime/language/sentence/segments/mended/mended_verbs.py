@@ -22,7 +22,7 @@ NOUNS = frozenset({"NN", "NNS", "NNP"})
 def with_verb(tree: Tree) -> Tree | None:
     """Give an order whose tree has another word for its verb that verb; None where it has none."""
     orders = (
-        *(_orders_verb, _does_event, _does_led, _does_owned, _calls_person, _lists_order, _does_compound),
+        *(_orders_verb, _does_led, _does_owned, _calls_person, _lists_order, _does_compound),
         *(_goes_to_do, _has_done, _does_that, _is_asked, _is_to_be_done),
     )
     return next((mended for does in orders if (mended := does(tree)) is not None), None)
@@ -64,25 +64,6 @@ def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:
     return bare and several and timed.isdisjoint({things.lower, things.lemma})
 
 
-def _does_event(tree: Tree) -> Tree | None:
-    """Give "schedule a team call" its verb, where what happens was taken for what the first word does."""
-    lexicon = tree.lexicon
-    root = tree.root
-    if root < LEAST_DONE - 1 or tree.children(root, "aux"):
-        return None
-    first, led, event = tree.nodes[0], tree.nodes[1], tree.nodes[root]
-    names = lexicon.happening | lexicon.taken | lexicon.events | lexicon.lasting
-    bare = first.tag == "VB" and first.relation == "nsubj" and first.head == root
-    if (
-        not bare
-        or led.tag != "DT"
-        or event.lower not in names
-        or tree.nodes[root - 1].tag not in {"NN", "JJ"}
-    ):
-        return None
-    return with_thing_done(tree, root).hung(range(1, root), root).changed(root - 1, relation="compound")
-
-
 def _does_led(tree: Tree) -> Tree | None:
     """Give "thaw the cells", "hoover the stairs" its verb: no noun or adverb is followed by an article."""
     lexicon = tree.lexicon
@@ -90,9 +71,13 @@ def _does_led(tree: Tree) -> Tree | None:
     if len(tree.nodes) < LEAST_DONE:
         return None
     first, led = tree.nodes[:LET]
-    bare = first.may_act and first.lower == first.lemma and not first.is_verb and led.tag in DETERMINERS
+    bare = first.may_act and first.lower == first.lemma and led.tag in DETERMINERS
+    if bare and first.tag == "VB" and first.relation == "nsubj" and root >= LEAST_DONE:
+        # "Schedule a team call": no verb is who does another.
+        event = with_thing_done(tree, root).hung(range(1, root), root)
+        return event.changed(root - 1, relation="compound")
     beside = lexicon.entries.keys() | lexicon.places | lexicon.particles.keys() | lexicon.function_words
-    if not bare or first.lower in beside:
+    if not bare or first.is_verb or first.lower in beside:
         return None
     if root == 0 and led.head in tree.children(0, "dobj", "pobj", "nsubj"):
         return with_thing_done(tree, led.head)

@@ -72,15 +72,14 @@ def order_behind_statement(tree: Tree, root: int, timed: AbstractSet[int]) -> in
 def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | None:
     """Give where begins what is told beside something with a time: "doors open at nine, they come at ten".
 
-    ``place`` is that of its verb, behind which a time of its own stands.
+    ``place`` is that of its verb, behind which a time of its own stands, or which is what somebody else does.
     """
     closed = tree.lexicon.closed
     start = _start_of_statement(tree, place)
-    if (
-        start is None
-        or tree.nodes[start].lower in closed.second_person_or_relative
-        or not (any(p > place for p in timed) or _is_so_now(tree, place))
-    ):
+    if start is None or tree.nodes[start].lower in closed.second_person_or_relative:
+        return None
+    does = _does_beside(tree, place, start)
+    if not (does or any(p > place for p in timed) or _is_so_now(tree, place)):
         return None
     if _is_purpose(tree, place, start):
         return None
@@ -94,7 +93,7 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
         and tree.nodes[joint].lower in closed.joints_of_consequence
     )
     apart = tree.nodes[joint].text == "," and joint < start - 1 and _is_apart(tree, place)
-    told = joint - 1 in timed or speaks or apart or _is_told_so(tree, joint)
+    told = joint - 1 in timed or speaks or apart or does or _is_told_so(tree, joint)
     # "Pick up the mulch, garden centre shuts at four"
     sure = _is_sure(tree, place, timed) or _is_why(tree, place)
     told = told or (tree.nodes[joint].text == "," and sure)
@@ -116,6 +115,19 @@ def _is_so_now(tree: Tree, place: int) -> bool:
     helping = tree.said(tree.children(place, "aux"))
     described = tree.nodes[place].lower in be and bool(tree.children(place, "acomp"))
     return described or (tree.nodes[place].tag == "VBG" and bool(helping) and helping <= be)
+
+
+def _does_beside(tree: Tree, place: int, start: int) -> bool:
+    """Whether somebody named does it while another order is done: "walk the dog and Bob feeds the cat"."""
+    root, node, who = tree.root, tree.nodes[place], tree.nodes[start]
+    ordered = root < start and tree.nodes[root].is_bare
+    # "Tell Ann that I cook and Bob washes up"
+    ordered = ordered and not tree.children(root, *GRAMMATICAL_SUBJECTS, "ccomp", "xcomp")
+    named = who.tag == "NNP" or who.lower in tree.lexicon.people
+    joined = (
+        node.relation == "conj" and node.head == root and tree.nodes[start - 1].lower in {"and", "&", "but"}
+    )
+    return ordered and joined and named and (node.tag == "VBZ" or bool(tree.children(place, "aux")))
 
 
 def _is_sure(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
@@ -167,7 +179,8 @@ def _start_of_statement(tree: Tree, place: int) -> int | None:
     node = tree.nodes[place]
     subjects = subjects_before(tree, place)
     helping = tree.said(tree.children(place, "aux"))
-    coming = node.tag == "VB" and bool(helping) and helping <= closed.future
+    # "Dad does breakfast": a tree may have that for a verb.
+    coming = node.tag == "VB" and bool(helping) and helping <= closed.future | {"does"}
     if (node.tag in FINITE - {"VBG"} or coming or _is_so_now(tree, place)) and subjects:
         return min(tree.below(subjects[-1]))
     if place > 0 and (node.lower in doing.timed or f"{node.lower}s" in doing.timed):
