@@ -97,12 +97,6 @@ def thirds(number: Integer) -> float | None:
     return number.value / 3 if number.value < 3 else None
 
 
-@grammar.rule("quantity", "<fraction>")
-def fraction_alone(fraction: float) -> Quantity:
-    """Half, 1/2."""
-    return Quantity(fraction)
-
-
 @grammar.rule("quantity", "<integer> and? <fraction>")
 def mixed(number: Integer, fraction: float) -> Quantity:
     """Two and a half, one and three quarters, 1 1/2."""
