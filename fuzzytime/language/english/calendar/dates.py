@@ -105,6 +105,14 @@ def short_year(number: Integer) -> int | None:
     return century(number.value, number.digits) if len(number.digits) == 2 else None
 
 
+@grammar.rule("date", "<date> ,? of|in? <year>", "<date> - <year>", weight=0.2)
+def with_year(date: Calendar, number: int) -> Fields | None:
+    """March 3 2015, April 14, 2015, fourth of july 1995."""
+    if not isinstance(date, Fields) or _is_late_hour(number):
+        return None
+    return date.joined(Fields(year=number))
+
+
 @grammar.rule("date", "<date> ,? <integer> zero|oh|o <integer>", weight=2.2)
 def with_spoken_year(date: Calendar, centuries: Integer, number: Integer) -> Fields | None:
     """September 10, nineteen zero one; june 5, twenty oh nine."""

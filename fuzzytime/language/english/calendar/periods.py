@@ -117,6 +117,12 @@ def day_of_the_month(day: int) -> Calendar:
     return Fields(day=day)
 
 
+@grammar.rule("date", "<month day> of <days>", weight=0.2)
+def day_of_month(day: int, month: Calendar) -> Calendar | None:
+    """20th of next month."""
+    return Nth(day, Cycle(Unit.DAY), month) if month.grain is Unit.MONTH else None
+
+
 @grammar.rule("date", "calendar? week|wk <integer> of? <whole>?", weight=0.1)
 def numbered_week(number: Integer, outer: Calendar | None) -> Calendar | None:
     """Week 27 of last year."""
