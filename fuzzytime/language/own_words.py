@@ -59,7 +59,9 @@ def with_words(
     markers = {form_of(name): kind for name, kind in (clauses or {}).items()}
     if not new and markers.keys() <= language.lexicon.clauses.keys():
         return language
-    lexicon = replace(language.lexicon, entries=more, clauses=Forms({**markers, **language.lexicon.clauses}))
+    old = language.lexicon
+    fillers = old.fillers - {entry.words[0] for entry in new if entry.words}
+    lexicon = replace(old, entries=more, clauses=Forms({**markers, **old.clauses}), fillers=fillers)
     return replace(language, lexicon=lexicon)
 
 

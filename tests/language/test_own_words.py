@@ -43,7 +43,7 @@ def test_a_word_of_ones_own_wins_over_what_the_language_makes_of_it(words: str) 
     assert longer.word is None
 
 
-@pytest.mark.parametrize("hedge", ["pretty much", "dead on", "say", "just gone"])
+@pytest.mark.parametrize("hedge", ["pretty much", "dead on", "say", "just gone", "definitely"])
 def test_a_hedge_of_ones_own_wins_over_the_one_that_it_stands_for(hedge: str) -> None:
     table = f"fuzzytime: 1\nhedges: {{time: {{{hedge}: {{widen: 7}}}}}}\n"
     shipped = Interpreter.shipped()

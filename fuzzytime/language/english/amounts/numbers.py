@@ -49,13 +49,13 @@ def spoken_decimal(number: Integer | None, decimals: str) -> Quantity:
 DOZEN = 12
 
 
-@grammar.rule("quantity", "a dozen", weight=0.1)
+@grammar.rule("quantity", "a? dozen", weight=0.1)
 def dozen() -> Quantity:
     """A dozen (minutes)."""
     return Quantity(DOZEN)
 
 
-@grammar.rule("quantity", "half a dozen", weight=0.2)
+@grammar.rule("quantity", "half a? dozen", weight=0.2)
 def half_a_dozen() -> Quantity:
     """Half a dozen (times)."""
     return Quantity(DOZEN / 2)
@@ -95,12 +95,6 @@ def quarters(number: Integer) -> float | None:
 def thirds(number: Integer) -> float | None:
     """Two thirds."""
     return number.value / 3 if number.value < 3 else None
-
-
-@grammar.rule("quantity", "<fraction>")
-def fraction_alone(fraction: float) -> Quantity:
-    """Half, 1/2."""
-    return Quantity(fraction)
 
 
 @grammar.rule("quantity", "<integer> and? <fraction>")

@@ -120,14 +120,6 @@ def at_hedged_clock(first: str | Clock, second: Clock | str) -> Said | None:
     return Said(Wall(clock=replace(clock, bare=False, pair=False)), None, "at", (hedge,))
 
 
-@grammar.rule(
-    "said", "on|at the stroke|dot of <clock>", "on|at the stroke|dot of <clock> <days>", weight=0.35
-)
-def on_the_stroke(clock: Clock, days: Calendar | None = None) -> Said:
-    """On the stroke of noon, at the dot of six tomorrow."""
-    return Said(Wall(days, clock=replace(clock, bare=False, pair=False)), None, "at", ("exactly",))
-
-
 @grammar.rule("said", "at <clock>|<clock behind at> on|of the? <wall>", weight=0.8)
 @grammar.rule("said", "at <clock>|<clock behind at> , on the? <wall>", weight=0.8)
 def at_clock_on(clock: Clock, wall: Wall) -> Said | None:

@@ -52,12 +52,6 @@ def quarter(fraction: float) -> float | None:
     return fraction * 60 if fraction in {0.25, 0.5, 0.75} else None
 
 
-@grammar.rule("clock", "the stroke of <clock>", weight=-0.3)
-def stroke(clock: Clock) -> Clock:
-    """(before) the stroke of ten."""
-    return replace(clock, bare=False)
-
-
 @grammar.rule(
     "clock", "<minutes of clock> past <clock>", "<bare minutes of clock> past|after <clock>", weight=0.2
 )

@@ -36,11 +36,11 @@ def _is_month(wall: Wall) -> bool:
 def _one_day(first: Calendar, second: Calendar) -> Calendar | None:
     """Give what two days mean together: a day said again is taken at its word, the date."""
     if isinstance(first, Away) and isinstance(second, Fields) and second.weekly:
+        if isinstance(first.anchor, Feast):
+            # "The day after easter monday", "two weeks after easter monday"
+            return None
         if first.unit is not Unit.DAY:
             return weekday_at(first, second)
-        if isinstance(first.anchor, Feast):
-            # "The day after easter monday"
-            return None
     if same_day(first, second):
         return _told_by(second, first)
     return _told_by(first, second) if same_day(second, first) else narrowed(first, second)

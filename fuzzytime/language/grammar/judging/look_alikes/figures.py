@@ -56,7 +56,8 @@ class Figures(Standing):
             return False
         digits = any(self.words[place].is_digits for place in range(piece.start, piece.end))
         marked = any(":" in text or "." in text for text in self.texts[piece.start : piece.end])
-        if not (digits and marked) or wall.days is not None:
+        led = {"to", "from"}.isdisjoint((self.texts[piece.start], self.around.before(piece)))
+        if not (digits and marked) or (wall.days is not None and led):
             return False
         if self.around.follower(piece) in kinds.scales:
             return True

@@ -1,1 +1,1 @@
-"""What is said better at once: ``corrections`` of times, and ``corrected_things``."""
+"""What is said better at once: ``corrections`` of times, with ``new_times``, and ``corrected_things``."""

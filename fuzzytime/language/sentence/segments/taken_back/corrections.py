@@ -1,7 +1,6 @@
 """Taken back: in "at five, no, six" and "in ten minutes, I mean twenty" the later words count."""
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import longest_match
@@ -11,20 +10,16 @@ from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.meaning.calendar import is_weekday
 from fuzzytime.language.meaning.expressions import (
     Duration,
-    HourMark,
-    Offset,
     Phrase,
-    Quantity,
     Range,
     Repeat,
     Said,
     Time,
     Wall,
 )
-from fuzzytime.language.meaning.joined.beside import in_hour_of
 from fuzzytime.language.meaning.joined.weekdays_left_out import weekdays_in
-from fuzzytime.language.meaning.times_of_day import Clock, Half
-from fuzzytime.requirement import MOMENTS, Constraint, Unit
+from fuzzytime.language.sentence.segments.taken_back.new_times import near_old, replaced
+from fuzzytime.requirement import Constraint, Unit
 
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
 
@@ -175,9 +170,9 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int]) -> Ph
             if lets_be and not _is_bare(scanned, piece.end):
                 # "Call Ann at five. Scratch that. At six call Bob"
                 continue
-            said = _replaced(phrase.said, piece.value)
+            said = replaced(phrase.said, piece.value)
             if said is not None:
-                said = _near_old(phrase.said, said, scanned)
+                said = near_old(phrase.said, said, scanned)
                 span = (scanned.words[piece.start].start, scanned.words[piece.end - 1].end)
                 return Phrase(said, piece.start, piece.end, span, "correction")
     return None
@@ -216,86 +211,3 @@ def _behind_pauses(scanned: Scanned, place: int) -> int:
     while place < len(scanned.words) and scanned.words[place].text in PAUSES:
         place += 1
     return place
-
-
-def _replaced(old: Said, new: object) -> Said | None:
-    """Give what was said with a new time in it: bound as before, where the new words do not bind anew."""
-    if isinstance(new, Said) and isinstance(new.time, HourMark) and isinstance(old.time, Wall):
-        # "At five, or rather half past"
-        whole = in_hour_of(new.time, old.time)
-        new = (
-            new if whole is None else replace(new, time=whole, preposition=new.preposition or old.preposition)
-        )
-    if isinstance(new, Said):
-        bare = isinstance(new.time, Duration) or (isinstance(new.time, Wall) and new.time.bare)
-        counted = isinstance(old.time, (Duration, Offset)) and isinstance(new.time, Wall) and new.time.clock
-        if bare and counted:
-            # "Within ten minutes, no, within twenty"
-            return _counted(old, Quantity(counted.hour))
-        if new.preposition is None and bare:
-            return _replaced(old, new.time)
-        if isinstance(new.time, Wall) and new.time == Wall(clock=new.time.clock):
-            # "On monday at nine, no, at six"
-            placed = _replaced(old, new.time)
-            new = new if placed is None else replace(new, time=placed.time)
-        alike = type(old.time) is type(new.time) and new.constraint in MOMENTS
-        # "After lunch, actually next week" is no bound.
-        alike = alike and (old.wall.clock is None) == (new.wall.clock is None)
-        alike = alike and (old.wall.days is None) == (new.wall.days is None)
-        # "By five pm, no, six pm"
-        return replace(old, time=new.time, hedges=new.hedges) if alike and not new.preposition else new
-    if isinstance(new, Wall) and isinstance(old.time, Wall):
-        clock = new.clock
-        if clock is not None and old.time.clock is not None:
-            return replace(
-                old,
-                time=replace(old.time, clock=_in_half(clock, old.time.clock), part=new.part or old.time.part),
-            )
-        return replace(old, time=new)
-    if isinstance(new, Duration):
-        if isinstance(old.time, Repeat) and isinstance(old.time.every, Duration):
-            return replace(old, time=replace(old.time, every=new))
-        return replace(old, time=new) if isinstance(old.time, Duration) else None
-    if isinstance(new, Clock):
-        return _replaced(old, Wall(clock=new)) if old.wall.clock is not None else None
-    if isinstance(new, Quantity) and not new.indefinite:
-        return _counted(old, new)
-    return None
-
-
-def _near_old(old: Said, new: Said, scanned: Scanned) -> Said:
-    """Give a new hour of a named day in the half nearer to the old one: "tomorrow at five, no, six".
-
-    What is done at usual hours is so then: "wake me tomorrow at five, no, six".
-    """
-    lexicon, words = scanned.lexicon, scanned.words
-    first, second = old.wall.clock, new.wall.clock
-    if old.wall.days is None or first is None or second is None or not isinstance(new.time, Wall):
-        return new
-    if old.wall.part is not None or new.time.part is not None:
-        return new
-    usual = any(longest_match(words, place, lexicon.usual_hours) for place in range(len(words)))
-    if usual or not first.is_open or not second.is_open:
-        return new
-    hour = first.first_from(lexicon.policy.ahead_from)
-    halves = (replace(second, half=half) for half in (Half.AM, Half.PM))
-    nearest = min(halves, key=lambda clock: abs(clock.candidates()[0] - hour))
-    return replace(new, time=replace(new.time, clock=nearest))
-
-
-def _counted(old: Said, new: Quantity) -> Said | None:
-    """Give another number of the same unit."""
-    time = old.time.every if isinstance(old.time, Repeat) else old.time
-    time = time.duration if isinstance(time, Offset) else time
-    if not isinstance(time, Duration) or len(time.terms) != 1:
-        return None
-    duration = replace(time, terms=((new.value, time.terms[0][1]),), until=None)
-    return _replaced(old, duration)
-
-
-def _in_half(clock: Clock, old: Clock) -> Clock:
-    return (
-        replace(clock, half=old.half, bare=False)
-        if clock.is_open and old.half is not None
-        else replace(clock, bare=False)
-    )
