@@ -60,8 +60,8 @@ def test_bullets_and_dashes_beside_hours_are_no_words() -> None:
         ("beef in 10.45 - 20 min", ("beef in", "10:45")),
         ("bread, 2.15", ("bread", "14:15")),
         ("bread - 2.15", ("bread", "14:15")),
-        ("Bread: 2.15", ("Bread", "14:15")),
-        ("choir 1415 upstairs", ("choir", "14:15")),
+        ("Bread: 2.15", ("bread", "14:15")),
+        ("choir 1415 upstairs", ("choir upstairs", "14:15")),
         ("lunch 1 in the hall", ("lunch in the hall", "13:00")),
     ],
 )
