@@ -90,14 +90,6 @@ def hours_behind(halves: frozenset[str]) -> re.Pattern[str]:
     )
 
 
-@cache
-def _states(states: frozenset[str]) -> re.Pattern[str]:
-    """Give what finds two states of one thing, each with an hour."""
-    state = rf"(?:{'|'.join(sorted(states))})(?:\s(?:the\s)?[^\W\d]+)?"
-    hour = r"(?:2[0-3]|[01]?\d)(?:[.:][0-5]\d)?"
-    return re.compile(rf"\w\s{state}(\s){hour},\s{state}(\s){hour}(?={ENDS})", re.IGNORECASE)
-
-
 def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozenset[int]:
     """Give where in a line of a list of times a space stands before an hour, or a point in the first of it.
 
@@ -109,8 +101,7 @@ def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozense
     """
     if not timed:
         return frozenset()
-    behind = (*_behind_things(text, lexicon, timed), *_behind_states(text, lexicon, timed))
-    return frozenset((*behind, *_in_front(text, lexicon, timed)))
+    return frozenset((*_behind_things(text, lexicon, timed), *_in_front(text, lexicon, timed)))
 
 
 def without_colons(text: str, hours: AbstractSet[int]) -> str:
@@ -163,15 +154,9 @@ def _names(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon, timed
         return False
     if found["until"] is not None and _goes_on(before, lexicon):
         return True
-    named = _is_thing(before[-1], lexicon) if typed else _is_timed(before, lexicon, timed)
+    sure = timed >= Timed.MOST and found["minutes"] is not None
+    named = _is_thing(before[-1], lexicon, sure=sure) if typed else _is_timed(before, lexicon, timed)
     return named or ((typed or timed >= Timed.MOST) and _has_state(before, lexicon))
-
-
-def _behind_states(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
-    """Give where hours follow what becomes of a thing: "rolls in 4.15, out 4.35"."""
-    for found in _states(lexicon.beside.states).finditer(text):
-        if timed >= Timed.MOST or DECIMAL.search(found[0]):
-            yield from (found.start(1), found.start(2))
 
 
 def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
@@ -231,7 +216,7 @@ def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:
 
 
 def _has_state(before: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether a word says in front of an hour where a thing is then: "oven on 10.15", "van in 8".
+    """Whether a word says in front of an hour where a thing is then: "oven on 10.15", "rolls in 4, out 4.35".
 
     No thing is called by the number behind such a word, or set to it; but "flip it in 8", "back in 8".
     """
@@ -240,7 +225,8 @@ def _has_state(before: Sequence[Word], lexicon: Lexicon) -> bool:
     first = _entry_of(before)[-1:]
     ordered = any(word.text in lexicon.orders - lexicon.particles[IN] for word in first)
     from_now = state.text == IN and (ordered or thing.text in lexicon.beside.states)
-    return there and thing.is_letters and thing.text not in lexicon.function_words and not from_now
+    named = thing.is_letters and thing.text not in lexicon.function_words
+    return there and (named or thing.text in SEPARATORS) and not from_now
 
 
 def _entry_of(before: Sequence[Word]) -> list[Word]:
@@ -248,10 +234,14 @@ def _entry_of(before: Sequence[Word]) -> list[Word]:
     return [*takewhile(lambda word: word.text not in SEPARATORS, reversed(before))]
 
 
-def _is_thing(word: Word, lexicon: Lexicon) -> bool:
-    """Whether a word names something that may have an hour, and is no preposition, hedge or day of one."""
+def _is_thing(word: Word, lexicon: Lexicon, *, sure: bool = False) -> bool:
+    """Whether a word names something that may have an hour, and is no preposition, hedge or day of one.
+
+    Where the hour is ``sure`` by its minutes, only what may have such a number has none: "stage 2.15".
+    """
     kinds = lexicon.no_times
-    numbered = lexicon.measure_nouns | lexicon.amount_nouns | kinds.numbered_in_two | kinds.set_to
+    numbered = kinds.numbered_in_two | kinds.set_to | lexicon.amount_nouns
+    numbered |= frozenset() if sure else lexicon.measure_nouns
     known = has_time(word.text, lexicon)
     named = known or word.text not in numbered
     # "Mum arriving 6.40"
