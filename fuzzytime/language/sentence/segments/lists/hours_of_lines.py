@@ -11,7 +11,7 @@ from enum import IntEnum
 from functools import cache
 from itertools import takewhile
 
-from fuzzytime.english import PARTICIPLE, looks_plural, singular
+from fuzzytime.english import looks_plural, singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.timetables import SEPARATORS, counts_nothing, has_time
 from fuzzytime.language.grammar.words import Word, words_of
@@ -33,6 +33,9 @@ ALONE = re.compile(r"\s*(?P<hour>1[0-2]|[1-9])\s+(?P<dash>[-–—]\s+)?(?=[^\W\
 """A number alone in front of a line."""
 
 IN = "in"
+
+PLACED = 3
+"""Words of a thing that is in some place at least: "joint in the oven"."""
 
 BESIDE_HOURS = (
     "hedge",
@@ -152,8 +155,6 @@ def _names(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon, timed
     if not typed and _takes(before, lexicon):
         # "Simmer 10"
         return False
-    if found["until"] is not None and _goes_on(before, lexicon):
-        return True
     sure = timed >= Timed.MOST and found["minutes"] is not None
     named = _is_thing(before[-1], lexicon, sure=sure) if typed else _is_timed(before, lexicon, timed)
     return named or ((typed or timed >= Timed.MOST) and _has_state(before, lexicon))
@@ -187,6 +188,9 @@ def _may_end(
         return True
     typed = found["minutes"] or found["last"] or found["digits"]
     placed = not lexicon.closed.prepositions_of_times_taken.isdisjoint(word.text for word in behind)
+    if found["digits"] and any(_is_counted(word, lexicon) for word in behind):
+        # "Order 1200 bricks"
+        return False
     if timed >= Timed.MOST:
         return bool(typed or found["until"]) or (placed and not _is_counted(before[-1], lexicon))
     beside = all(word.text in lexicon.function_words for word in behind)
@@ -195,7 +199,8 @@ def _may_end(
 
 def _is_counted(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word names several things that do not happen: "guests"."""
-    return looks_plural(word.text) and singular(word.text) not in lexicon.happening | lexicon.taken
+    others = lexicon.happening | lexicon.taken | lexicon.beside.states
+    return looks_plural(word.text) and {word.text, singular(word.text)}.isdisjoint(others)
 
 
 def _is_amount(behind: Sequence[Word], lexicon: Lexicon) -> bool:
@@ -220,6 +225,9 @@ def _has_state(before: Sequence[Word], lexicon: Lexicon) -> bool:
 
     No thing is called by the number behind such a word, or set to it; but "flip it in 8", "back in 8".
     """
+    # "Joint in the oven 11"
+    placed = [word.text in lexicon.closed.noun_openers for word in before[-2:-1]] == [True]
+    before = before[:-2] if placed and len(before) > PLACED else before
     thing, state = before[-2:] if len(before) > 1 else (before[-1], before[-1])
     there = state.text in lexicon.beside.states - lexicon.closed.prepositions_of_points
     first = _entry_of(before)[-1:]
@@ -262,13 +270,6 @@ def _is_timed(before: Sequence[Word], lexicon: Lexicon, timed: Timed) -> bool:
     has_hour = has_time(word.text, lexicon) or (timed >= Timed.MOST and _is_thing(word, lexicon))
     has_hour = has_hour and word.text not in lexicon.beside.no_event
     return has_hour and word.is_letters and not lettered and not _is_called(word, lexicon)
-
-
-def _goes_on(entry: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether one word that opens a line names what goes on, or several such: "trading", "interviews"."""
-    first = entry[-1]
-    alone = len(entry) == 1 and not _is_called(first, lexicon)
-    return alone and (first.text.endswith(PARTICIPLE) or has_time(singular(first.text), lexicon))
 
 
 def _is_called(word: Word, lexicon: Lexicon) -> bool:
