@@ -12,6 +12,9 @@ pytestmark = pytest.mark.model
 NOW = datetime(2026, 3, 4, 7)  # noqa: DTZ001 - a moment of no zone; a Wednesday
 EVENING = NOW.replace(hour=20)
 
+FEW = 5
+"""Lines of a list."""
+
 
 def _told(*lines: str) -> list[tuple[str, str]]:
     """Give what is done, and when it begins."""
@@ -59,14 +62,26 @@ def test_bullets_and_dashes_beside_hours_are_no_words() -> None:
         ("Mr Singh 8.00 - 30 mins", ("Mr Singh", "08:00")),
         ("beef in 10.45 - 20 min", ("beef in", "10:45")),
         ("bread, 2.15", ("bread", "14:15")),
+        ("heating 2.15", ("heating", "14:15")),
         ("bread - 2.15", ("bread", "14:15")),
-        ("Bread: 2.15", ("Bread", "14:15")),
-        ("choir 1415 upstairs", ("choir", "14:15")),
+        ("Bread: 2.15", ("bread", "14:15")),
+        ("choir 1415 upstairs", ("choir upstairs", "14:15")),
         ("lunch 1 in the hall", ("lunch in the hall", "13:00")),
     ],
 )
 def test_what_is_beside_an_hour_is_what_happens_then(line: str, wanted: tuple[str, str]) -> None:
     assert wanted in _told("van 9.15", line, "call Ann at 2", "tea 3.10", "wash 4.45")
+
+
+@pytest.mark.parametrize("line", ["room 3.15", "Radio 3", "version 2.15", "eggs, 2"])
+def test_what_is_called_or_counted_by_a_number_has_no_hour(line: str) -> None:
+    assert len(_told("van 9.15", line, "call Ann at 2", "tea 3.10", "wash 4.45")) == FEW - 1
+
+
+def test_what_happens_at_any_minute_makes_a_list_of_times() -> None:
+    lines = ("bus 8.02", "train 8.41", "lunch 12.33", "wash 4.17", "room 3.14")
+    assert [when for _, when in _told(*lines)] == ["08:02", "08:41", "12:33", "16:17"]
+    assert _told("milk 1.29", "bread 1.42", "soap 2.19", "butter 2.48") == []
 
 
 def test_a_number_of_minutes_from_now_is_no_hour_of_a_line() -> None:

@@ -11,7 +11,7 @@ from enum import IntEnum
 from functools import cache
 from itertools import takewhile
 
-from fuzzytime.english import PARTICIPLE, looks_plural, singular
+from fuzzytime.english import looks_plural, singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.timetables import SEPARATORS, counts_nothing, has_time
 from fuzzytime.language.grammar.words import Word, words_of
@@ -33,6 +33,9 @@ ALONE = re.compile(r"\s*(?P<hour>1[0-2]|[1-9])\s+(?P<dash>[-–—]\s+)?(?=[^\W\
 """A number alone in front of a line."""
 
 IN = "in"
+
+PLACED = 3
+"""Words of a thing that is in some place at least: "joint in the oven"."""
 
 BESIDE_HOURS = (
     "hedge", "hedge_after", "preposition_at", "preposition_before", "preposition_after", "forward", "within",
@@ -80,14 +83,6 @@ def hours_behind(halves: frozenset[str]) -> re.Pattern[str]:
     )
 
 
-@cache
-def _states(states: frozenset[str]) -> re.Pattern[str]:
-    """Give what finds two states of one thing, each with an hour."""
-    state = rf"(?:{'|'.join(sorted(states))})(?:\s(?:the\s)?[^\W\d]+)?"
-    hour = r"(?:2[0-3]|[01]?\d)(?:[.:][0-5]\d)?"
-    return re.compile(rf"\w\s{state}(\s){hour},\s{state}(\s){hour}(?={ENDS})", re.IGNORECASE)
-
-
 def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozenset[int]:
     """Give where in a line of a list of times a space stands before an hour, or a point in the first of it.
 
@@ -99,8 +94,7 @@ def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozense
     """
     if not timed:
         return frozenset()
-    behind = (*_behind_things(text, lexicon, timed), *_behind_states(text, lexicon, timed))
-    return frozenset((*behind, *_in_front(text, lexicon, timed)))
+    return frozenset((*_behind_things(text, lexicon, timed), *_in_front(text, lexicon, timed)))
 
 
 def without_colons(text: str, hours: AbstractSet[int]) -> str:
@@ -151,17 +145,9 @@ def _names(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon, timed
     if not typed and _takes(before, lexicon):
         # "Simmer 10"
         return False
-    if found["until"] is not None and _goes_on(before, lexicon):
-        return True
-    named = _is_thing(before[-1], lexicon) if typed else _is_timed(before, lexicon, timed)
+    sure = timed >= Timed.MOST and found["minutes"] is not None
+    named = _is_thing(before[-1], lexicon, sure=sure) if typed else _is_timed(before, lexicon, timed)
     return named or ((typed or timed >= Timed.MOST) and _has_state(before, lexicon))
-
-
-def _behind_states(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
-    """Give where hours follow what becomes of a thing: "rolls in 4.15, out 4.35"."""
-    for found in _states(lexicon.beside.states).finditer(text):
-        if timed >= Timed.MOST or DECIMAL.search(found[0]):
-            yield from (found.start(1), found.start(2))
 
 
 def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
@@ -192,6 +178,9 @@ def _may_end(
         return True
     typed = found["minutes"] or found["last"] or found["digits"]
     placed = not lexicon.closed.prepositions_of_times_taken.isdisjoint(word.text for word in behind)
+    if found["digits"] and any(_is_counted(word, lexicon) for word in behind):
+        # "Order 1200 bricks"
+        return False
     if timed >= Timed.MOST:
         return bool(typed or found["until"]) or (placed and not _is_counted(before[-1], lexicon))
     beside = all(word.text in lexicon.function_words for word in behind)
@@ -200,7 +189,8 @@ def _may_end(
 
 def _is_counted(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word names several things that do not happen: "guests"."""
-    return looks_plural(word.text) and singular(word.text) not in lexicon.happening | lexicon.taken
+    others = lexicon.happening | lexicon.taken | lexicon.beside.states
+    return looks_plural(word.text) and {word.text, singular(word.text)}.isdisjoint(others)
 
 
 def _is_amount(behind: Sequence[Word], lexicon: Lexicon) -> bool:
@@ -221,16 +211,20 @@ def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:
 
 
 def _has_state(before: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether a word says in front of an hour where a thing is then: "oven on 10.15", "van in 8".
+    """Whether a word says in front of an hour where a thing is then: "oven on 10.15", "rolls in 4, out 4.35".
 
     No thing is called by the number behind such a word, or set to it; but "flip it in 8", "back in 8".
     """
+    # "Joint in the oven 11"
+    placed = [word.text in lexicon.closed.noun_openers for word in before[-2:-1]] == [True]
+    before = before[:-2] if placed and len(before) > PLACED else before
     thing, state = before[-2:] if len(before) > 1 else (before[-1], before[-1])
     there = state.text in lexicon.beside.states - lexicon.closed.prepositions_of_points
     first = _entry_of(before)[-1:]
     ordered = any(word.text in lexicon.orders - lexicon.particles[IN] for word in first)
     from_now = state.text == IN and (ordered or thing.text in lexicon.beside.states)
-    return there and thing.is_letters and thing.text not in lexicon.function_words and not from_now
+    named = thing.is_letters and thing.text not in lexicon.function_words
+    return there and (named or thing.text in SEPARATORS) and not from_now
 
 
 def _entry_of(before: Sequence[Word]) -> list[Word]:
@@ -238,10 +232,14 @@ def _entry_of(before: Sequence[Word]) -> list[Word]:
     return [*takewhile(lambda word: word.text not in SEPARATORS, reversed(before))]
 
 
-def _is_thing(word: Word, lexicon: Lexicon) -> bool:
-    """Whether a word names something that may have an hour, and is no preposition, hedge or day of one."""
+def _is_thing(word: Word, lexicon: Lexicon, *, sure: bool = False) -> bool:
+    """Whether a word names something that may have an hour, and is no preposition, hedge or day of one.
+
+    Where the hour is ``sure`` by its minutes, only what may have such a number has none: "stage 2.15".
+    """
     kinds = lexicon.no_times
-    numbered = lexicon.measure_nouns | lexicon.amount_nouns | kinds.numbered_in_two | kinds.set_to
+    numbered = kinds.numbered_in_two | kinds.set_to | lexicon.amount_nouns
+    numbered |= frozenset() if sure else lexicon.measure_nouns
     known = has_time(word.text, lexicon)
     named = known or word.text not in numbered
     # "Mum arriving 6.40"
@@ -262,13 +260,6 @@ def _is_timed(before: Sequence[Word], lexicon: Lexicon, timed: Timed) -> bool:
     has_hour = has_time(word.text, lexicon) or (timed >= Timed.MOST and _is_thing(word, lexicon))
     has_hour = has_hour and word.text not in lexicon.beside.no_event
     return has_hour and word.is_letters and not lettered and not _is_called(word, lexicon)
-
-
-def _goes_on(entry: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether one word that opens a line names what goes on, or several such: "trading", "interviews"."""
-    first = entry[-1]
-    alone = len(entry) == 1 and not _is_called(first, lexicon)
-    return alone and (first.text.endswith(PARTICIPLE) or has_time(singular(first.text), lexicon))
 
 
 def _is_called(word: Word, lexicon: Lexicon) -> bool:

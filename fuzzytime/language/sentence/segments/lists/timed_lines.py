@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from functools import cache
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.timetables import MINUTES, has_time
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.sentence.segments.lists.dividers import LINE
 from fuzzytime.language.sentence.segments.lists.hours_of_lines import (
     ALONE,
@@ -57,14 +59,21 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
     typed = [
         LEADING.match(line) is not None
-        or any(found["minutes"] or found["digits"] for found in halves.finditer(line))
+        or any(found["minutes"] or found["digits"] or found["last"] for found in halves.finditer(line))
         for line in lines
     ]
+    happens = sum(
+        found["minutes"] is not None and has_time(words_of(line[: found.start()])[-1].text, lexicon)
+        for line in lines
+        for found in halves.finditer(line)
+    )
     digits = [[found["digits"] for found in halves.finditer(line) if found["digits"]] for line in lines]
     if any(number.startswith("0") for numbers in digits for number in numbers):
         sure = [one or bool(numbers) for one, numbers in zip(sure, digits, strict=True)]
-    odd = sum(digits >= 60 or digits % FIVES != 0 for digits in decimals)
-    planned = len(decimals) >= TYPED and len(decimals) >= FEW_ODD * odd
+    odd = sum(digits >= MINUTES or digits % FIVES != 0 for digits in decimals)
+    # "Bus 8.02": what happens has any minutes, but no price.
+    happen = happens >= TYPED and max(decimals) < MINUTES
+    planned = len(decimals) >= TYPED and (len(decimals) >= FEW_ODD * odd or happen)
     if sum(sure) < SURELY and not (planned and sum(typed) >= TYPED):
         return Timed.NO
     surest = [one or other for one, other in zip(sure, typed, strict=True)]
@@ -77,4 +86,4 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     if timed < MOST or FEWEST * timed < len(lines) or MOST * most < len(lines):
         return Timed.SOME
     leading = sum(surely.match(line.strip()) is not None or LEADING.match(line) is not None for line in lines)
-    return Timed.LEAD if leading >= MOST and 2 * leading >= timed else Timed.MOST
+    return Timed.LEAD if leading >= MOST and MOST * leading >= timed else Timed.MOST

@@ -23,7 +23,7 @@ AT_END = re.compile(
 )
 """A number that may be an hour behind the thing that ends what is said."""
 
-TYPED = re.compile(r"(?<=\s)(?:0?[1-9]|1\d|2[0-3])\.[0-5][05](?=\s|$|[,;)])")
+TYPED = re.compile(r"(?<=[\s(])(?:0?[1-9]|1\d|2[0-3])\.[0-5][05](?=\s|$|[,;)])")
 """A number that may be an hour with its minutes, by which people plan."""
 
 
