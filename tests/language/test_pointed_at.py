@@ -125,6 +125,7 @@ def test_a_distance_before_nothing_is_said() -> None:
         ("what should I do next?", "what should I do next"),
         ("when does the soup start?", "when does the soup start"),
         ("is the soup ready?", "is the soup ready"),
+        ("water the plants in between", "in between"),
         ("Koche die Suppe", "Koche die Suppe"),
         ("stelle den Topf auf den Herd", "stelle den Topf auf den Herd"),
     ],
@@ -142,6 +143,7 @@ def test_words_that_look_like_time_and_are_none_are_pointed_at(text: str, words:
         "iron the Sunday dress",
         "visit the 24-hour shop",
         "sort the bills by month",
+        "put the notes in between the pages",
     ],
 )
 def test_words_that_belong_to_a_name_or_a_noun_are_not_pointed_at(text: str) -> None:

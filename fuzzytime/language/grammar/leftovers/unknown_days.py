@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from fuzzytime.language.grammar.spans import Scanned
 
-WEEKEND, IN = "weekend", "in"
+WEEKEND, IN, BETWEEN = "weekend", "in", "between"
 
 LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
@@ -92,6 +92,9 @@ def _untold(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
         near = range(first - 1, max(-1, first - LONGEST_MOMENT), -1)
         led = next((p for p in near if texts[p] in binding), -1)
         behind = "".join(texts[place + 1 : place + 2])
+        if word.text == BETWEEN and behind[:1].isalnum():
+            # "Put the notes in between the pages"; but "have a snack in between"
+            continue
         more = behind.isalpha() and behind not in around.lexicon.function_words
         if led < 0 or (more and not around.opens(led)) or (led == first - 1 and word.text == HOLIDAY):
             # "Write it on my birthday card"; "book a week on holiday"
