@@ -144,7 +144,9 @@ def test_of_two_repetitions_the_second_is_said_not_to_be_used() -> None:
 def test_what_is_done_even_so_waits_for_nothing() -> None:
     reading = language().read("Call me even if it's the middle of the night", now=NOW)
     assert reading.instructions[0].requirements == ()
-    assert [remark.message.endswith("all the same") for remark in reading.remarks] == [True]
+    (remark,) = reading.remarks
+    assert remark.kind is RemarkKind.POLICY
+    assert remark.message.endswith("all the same")
 
 
 @pytest.mark.parametrize("text", ["when does the shop open", "when is the next bus"])

@@ -62,7 +62,7 @@ def said_of_time(draft: Draft, part: Part, phrases: Sequence[Phrase]) -> SaidOfT
     clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
     coarse = [u for u in draft.unfinished if any(u[0] < clause.span[0] < u[1] for clause in clauses)]
     left_out = [_left_out(draft, clause, phrases) for clause in clauses if clause.excepted]
-    excepted = [Remark(RemarkKind.NOT_UNDERSTOOD, span, _not_planned(draft, span)) for span in left_out]
+    excepted = [_not_planned(draft.text, span) for span in left_out]
     # "The night before we fly"
     excepted += [Remark(RemarkKind.NOT_UNDERSTOOD, span, not_understood(draft.text, span)) for span in coarse]
     kept = [
@@ -134,10 +134,12 @@ def _left_out(draft: Draft, clause: Clause, phrases: Sequence[Phrase]) -> Span:
     return first, end
 
 
-def _not_planned(draft: Draft, span: Span) -> str:
-    if draft.text[: span[0]].rstrip().lower().endswith("even"):
-        return f"{draft.text[slice(*span)]!r} is not used: it is done all the same"
-    return f"{draft.text[slice(*span)]!r} is not used: when not to do something is not planned"
+def _not_planned(text: str, span: Span) -> Remark:
+    """Say why a stretch is not used that says when something is not done, or done even so."""
+    if text[: span[0]].rstrip().lower().endswith("even"):
+        return Remark.noted(text, span, "is not used: it is done all the same")
+    message = f"{text[slice(*span)]!r} is not used: when not to do something is not planned"
+    return Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
 
 
 def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
