@@ -12,7 +12,7 @@ from fuzzytime.interpreter.in_other_words.why_nothing import why_nothing
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.notes import beside_news, by_how_much, ending_with, too_few
-from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
+from fuzzytime.interpreter.remarks import is_spoiled, is_told, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
 from fuzzytime.interpreter.told_anew import asks_beside_another, meant, on_its_day, told_anew
 from fuzzytime.interpreter.turns.behind import Behind, behind_of
@@ -184,7 +184,7 @@ class Gathering:
         beside: OfEach | None,
     ) -> list[Interpreted]:
         """Make an instruction's skills; where there is none to make, say why."""
-        if is_spoiled(instruction, reading, remarks_of(reading, wish)):
+        if is_told(instruction, reading) or is_spoiled(instruction, reading, remarks_of(reading, wish)):
             return []
         why_none = why_nothing(instruction, reading, self.skills, self.maker.lexicon)
         if why_none is None:

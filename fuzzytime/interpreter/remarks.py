@@ -10,6 +10,7 @@ _KINDS = {
     RemarkKind.UNRESOLVED: ProblemKind.UNRESOLVED,
     RemarkKind.POLICY: ProblemKind.NOTE,
     RemarkKind.CORRECTED: ProblemKind.NOTE,
+    RemarkKind.TOLD: ProblemKind.NOTE,
 }
 
 
@@ -45,6 +46,12 @@ def is_spoiled(instruction: Instruction, reading: Reading, problems: list[Proble
         if not owners or instruction in owners:
             return True
     return False
+
+
+def is_told(instruction: Instruction, reading: Reading) -> bool:
+    """Say whether an instruction only tells how things are: that is noted, and asks for nothing."""
+    told = (remark.span for remark in reading.remarks if remark.kind is RemarkKind.TOLD)
+    return instruction.operation is None and any(overlap(instruction.span, span) for span in told)
 
 
 def notes_of(interpreted: Interpreted) -> list[Problem]:

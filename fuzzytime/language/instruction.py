@@ -175,6 +175,7 @@ class RemarkKind(StrEnum):
     UNRESOLVED = "unresolved reference"
     POLICY = "decided by policy"
     CORRECTED = "corrected by later words"
+    TOLD = "told beside what is asked for"
 
 
 @dataclass(frozen=True, slots=True)

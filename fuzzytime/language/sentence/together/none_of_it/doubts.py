@@ -34,10 +34,11 @@ def doubts_of(text: str, span: Span, words: Sequence[Word], sketch: Sketch) -> I
     what = _does(said, behind, sketch)
     before, after = (any(map(str.isalnum, part)) for part in (text[: span[0]], text[span[1] :]))
     beside = before or (after and sketch.operation is None)
-    if what is None and beside and tells_how_things_are(sketch):
-        what = "tells how things are, and says nothing to do"
     if what is not None:
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} {what}")
+    elif beside and tells_how_things_are(sketch):
+        message = f"{text[slice(*span)]!r} tells how things are, and says nothing to do"
+        yield Remark(RemarkKind.TOLD, span, message)
 
 
 def _does(said: Sequence[Word], behind: str, sketch: Sketch) -> str | None:
