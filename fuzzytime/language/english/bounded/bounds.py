@@ -187,7 +187,8 @@ def from_then_on(goal: Goal) -> Said | None:
     "<said> ,? or|and before that",
     "<said> ,? if not before|earlier|sooner",
     "<said> ,? no|not later than that",
-    "<said> ,? and|but? no|not later",
+    "<said> ,? no later",
+    "<said> ,? and|but no|not later",
     weight=0.5,
 )
 @grammar.rule("said", "before|by it gets|is|turns <said> at the very? latest", weight=1.2)
@@ -207,7 +208,8 @@ def latest(said: Said) -> Said | None:
     "<said> onwards|onward",
     "<said> ,? or any|some time after|later",
     "<said> ,? or anytime|sometime after|later",
-    "<said> ,? and|but? no|not before|earlier|sooner",
+    "<said> ,? and|but no|not before|earlier|sooner",
+    "<said> ,? no earlier|sooner",
     weight=0.5,
 )
 def earliest(said: Said) -> Said | None:

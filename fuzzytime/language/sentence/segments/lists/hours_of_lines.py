@@ -87,8 +87,8 @@ def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozense
     """Give where in a line of a list of times a space stands before an hour, or a point in the first of it.
 
     >>> from fuzzytime.language import shipped_lexicon
-    >>> hours_in("Panel 11.30", shipped_lexicon())
-    frozenset({5})
+    >>> sorted(hours_in("Panel 11.30", shipped_lexicon()))
+    [5, 8]
     >>> hours_in("Wrap 7", shipped_lexicon()), hours_in("Wrap 7", shipped_lexicon(), Timed.MOST)
     (frozenset(), frozenset({4}))
     """
@@ -177,7 +177,10 @@ def _may_end(
     if found["ends"] is not None:
         return True
     typed = found["minutes"] or found["last"] or found["digits"]
-    placed = not lexicon.closed.prepositions_of_times_taken.isdisjoint(word.text for word in behind)
+    joint, *led = [word.text for word in words_of(found.string[found.end() :])[:PLACED]] or [""]
+    # "Lunch 1 in the hall"; but "water plant 1 at 7"
+    placed = joint in lexicon.closed.prepositions_of_times_taken
+    placed = placed and not any(text.isdecimal() or text in lexicon.numbers for text in led)
     if found["digits"] and any(_is_counted(word, lexicon) for word in behind):
         # "Order 1200 bricks"
         return False

@@ -34,7 +34,7 @@ def tells_what_was(sketch: Sketch) -> bool:
     # "Dad has dug the bed"; but "they have arrived at six"
     has = node.tag == "VBN" and bool(helping) and helping <= closed.have and not sketch.phrases
     # "Have the hall swept" asks for it.
-    has = has and (not subjects or subjects[0] < min(tree.children(root, "aux")))
+    has = has and (not subjects or subjects[0] < min(tree.children(root, "aux", "auxpass")))
     # "School finished early yesterday": a tree takes it for what must be done.
     ended = node.tag == "VBN" and not helping and bool(subjects) and _names_past(sketch)
     # "In no time the tent was up"
