@@ -2,7 +2,7 @@
 
 from fuzzytime.language.meaning.expressions import Phrase, TimeWord
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.verbs.statements.statements import subjects_before
+from fuzzytime.language.sentence.verbs.statements.beside_orders import subjects_before
 
 PRESENT = frozenset({"now", "then", "beforehand"})
 """Time words of when things are so: now, when what is asked for is done, or until then."""

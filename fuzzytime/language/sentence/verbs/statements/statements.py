@@ -2,22 +2,20 @@
 
 from collections.abc import Set as AbstractSet
 
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, IMPERATIVE, SINGULAR
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
-
-BEFORE_ORDER = ("ccomp", "advcl", "parataxis", "dep", "nsubj", "csubj")
-"""How trees join a statement to an order behind it."""
+from fuzzytime.language.sentence.verbs.statements.beside_orders import (
+    BEFORE_ORDER,
+    does_beside,
+    is_so_now,
+    is_why,
+    subjects_before,
+)
 
 FINITE = frozenset({"VBZ", "VBP", "VBD", "VBG"})
 
 
 NOUNS = frozenset({"NN", "NNP", "NNS"})
-
-
-def subjects_before(tree: Tree, verb: int) -> list[int]:
-    """Give the subjects in front of a verb; "it" of "it's raining" may hang on "is" in a tree."""
-    over = (verb, *tree.children(verb, "aux"))
-    return [p for one in over for p in tree.children(one, *GRAMMATICAL_SUBJECTS) if p < verb]
 
 
 def behind_particles(tree: Tree, verb: int) -> int:
@@ -78,8 +76,8 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     start = _start_of_statement(tree, place)
     if start is None or tree.nodes[start].lower in closed.second_person_or_relative:
         return None
-    does = _does_beside(tree, place, start)
-    if not (does or any(p > place for p in timed) or _is_so_now(tree, place)):
+    does = does_beside(tree, place, start)
+    if not (does or any(p > place for p in timed) or is_so_now(tree, place)):
         return None
     if _is_purpose(tree, place, start):
         return None
@@ -95,39 +93,9 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     apart = tree.nodes[joint].text == "," and joint < start - 1 and _is_apart(tree, place)
     told = joint - 1 in timed or speaks or apart or does or _is_told_so(tree, joint)
     # "Pick up the mulch, garden centre shuts at four"
-    sure = _is_sure(tree, place, timed) or _is_why(tree, place)
+    sure = _is_sure(tree, place, timed) or is_why(tree, place)
     told = told or (tree.nodes[joint].text == "," and sure)
     return start if joined and told else None
-
-
-def _is_why(tree: Tree, place: int) -> bool:
-    """Whether it says why there is an order in front of it: "don't touch the pan, it's hot"."""
-    over = (place, *tree.children(place, "aux"))
-    before = [p for one in over for p in tree.children(one, *BEFORE_ORDER) if p < place]
-    asked = [p for p in before if tree.nodes[p].tag in IMPERATIVE]
-    alone = any(not tree.children(p, *GRAMMATICAL_SUBJECTS, "mark") for p in asked)
-    return place == tree.root and alone and _is_so_now(tree, place)
-
-
-def _is_so_now(tree: Tree, place: int) -> bool:
-    """Whether something is being done, or is so, which needs no time: "…, she's sleeping", "…, it's hot"."""
-    be = tree.lexicon.closed.present_be
-    helping = tree.said(tree.children(place, "aux"))
-    described = tree.nodes[place].lower in be and bool(tree.children(place, "acomp"))
-    return described or (tree.nodes[place].tag == "VBG" and bool(helping) and helping <= be)
-
-
-def _does_beside(tree: Tree, place: int, start: int) -> bool:
-    """Whether somebody named does it while another order is done: "walk the dog and Bob feeds the cat"."""
-    root, node, who = tree.root, tree.nodes[place], tree.nodes[start]
-    ordered = root < start and tree.nodes[root].is_bare
-    # "Tell Ann that I cook and Bob washes up"
-    ordered = ordered and not tree.children(root, *GRAMMATICAL_SUBJECTS, "ccomp", "xcomp")
-    named = who.tag == "NNP" or who.lower in tree.lexicon.people
-    joined = (
-        node.relation == "conj" and node.head == root and tree.nodes[start - 1].lower in {"and", "&", "but"}
-    )
-    return ordered and joined and named and (node.tag == "VBZ" or bool(tree.children(place, "aux")))
 
 
 def _is_sure(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
@@ -181,7 +149,7 @@ def _start_of_statement(tree: Tree, place: int) -> int | None:
     helping = tree.said(tree.children(place, "aux"))
     # "Dad does breakfast": a tree may have that for a verb.
     coming = node.tag == "VB" and bool(helping) and helping <= closed.future | {"does"}
-    if (node.tag in FINITE - {"VBG"} or coming or _is_so_now(tree, place)) and subjects:
+    if (node.tag in FINITE - {"VBG"} or coming or is_so_now(tree, place)) and subjects:
         return min(tree.below(subjects[-1]))
     if place > 0 and (node.lower in doing.timed or f"{node.lower}s" in doing.timed):
         # "The last bus leaves", "doors open"
