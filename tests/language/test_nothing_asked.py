@@ -230,6 +230,11 @@ def test_a_number_that_may_be_the_hour_is_said_to_count(text: str, said: list[st
         ("set the ratio to 1.25 for ten minutes", []),
         ("stir 1.50 cups of flour in for 10 minutes", []),
         ("meet in room 3.15 for an hour", []),
+        ("call mum at six dressed warmly", ["at six"]),
+        ("stop at six meeting points", []),
+        ("raise it by ten percent", []),
+        ("draw a 10 by 12 rectangle", []),
+        ("wait at 10 Downing Street", []),
     ],
 )
 def test_an_hour_behind_a_thing_is_said_to_be_none(text: str, said: list[str]) -> None:

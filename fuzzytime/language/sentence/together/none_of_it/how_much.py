@@ -18,6 +18,12 @@ HOURS = 12
 
 FOR = "for"
 
+BINDING = frozenset({"at", "by", "before", "after"})
+"""Prepositions before an hour."""
+
+ONES = frozenset({"one", "1"})
+"""The number that counts a single thing: "at one table"."""
+
 AT_END = re.compile(
     r"\b(?P<noun>[^\W\d]+) (?P<number>(?:1[0-2]|[1-9])(?:\.[0-5]\d)?|(?:[01]\d|2[0-3])[0-5]\d)\W*$"
 )
@@ -41,6 +47,8 @@ def counted(text: str, sketch: Sketch, words: Sequence[Word]) -> Iterator[Remark
         yield Remark(
             RemarkKind.POLICY, span, f"{number!r} is not taken as a time: say 'at {number}' if it is"
         )
+    if not joint and (bound := _bound_inside(sketch, said)) is not None:
+        yield Remark.noted(text, bound, "is not taken as a time: say it with 'o'clock' if it is")
     if not joint or sketch.phrases or (joint == 1 and said[joint].text == FOR):
         # "Table for seven"
         return
@@ -95,6 +103,22 @@ def _typed_inside(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | Non
         counts = counts or not kinds.measured_in.isdisjoint(behind)
         if before and called.isdisjoint(before) and not covered and not counts:
             return found.span()
+    return None
+
+
+def _bound_inside(sketch: Sketch, said: Sequence[Word]) -> Span | None:
+    """Give where an hour is bound in front of a word that it does not count: "call mum at six dressed"."""
+    lexicon, measured = sketch.lexicon, sketch.lexicon.no_times.measured_in
+    for place in range(1, len(said) - 2):
+        before, bound, number, *behind = said[place - 1 : place + 4]
+        span = (bound.start, number.end)
+        hour = bound.text in BINDING and _is_hour(number, lexicon) and number.text not in ONES
+        # "A 10 by 12 frame", "at six meeting points", "by ten percent"
+        counts = _is_hour(before, lexicon) or any(looks_plural(word.text) for word in behind)
+        counts = counts or behind[0].text in measured or lexicon.means(behind[0].text, "unit")
+        covered = any(overlap(phrase.span, span) for phrase in sketch.phrases)
+        if hour and not counts and not covered and behind[0].is_letters and not behind[0].capital:
+            return span
     return None
 
 

@@ -1,4 +1,4 @@
-"""What is told beside an order: why it is asked for, "…, it's hot", or what another does, "… and Bob cooks"."""
+"""What is told beside an order: why it is asked for, "…, it's hot", what another does, "… and Bob cooks"."""
 
 from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS, IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Tree
