@@ -40,6 +40,9 @@ from fuzzytime.language.meaning.expressions import Phrase
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
 
+COMMA = -0.05
+"""What a comma inside a piece is worth, where a word is worth 1: of two ways to join, it is the looser."""
+
 
 ROUNDS = 6
 """How often the best pieces are chosen anew because the judge refused some of them."""
@@ -120,7 +123,7 @@ def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
     called += [piece for piece in scanned.pieces("so many each") if judge.lengths.counts_each(piece)]
     instead = {(piece.start, piece.end) for piece in called}
     said = [piece for piece in scanned.pieces("said") if (piece.start, piece.end) not in instead]
-    chosen = _best_of(called, said, len(scanned.words), judge)
+    chosen = _best_of(called, said, judge)
     chosen += [piece for one in chosen for piece in judge.further.continued(one, scanned.cells, chosen)]
     chosen += [piece for one in chosen for piece in judge.further.before(one, scanned.cells, chosen)]
     read = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
@@ -146,26 +149,29 @@ def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
     return tuple(found)
 
 
-def _best_of(called: Sequence[Piece], said: Sequence[Piece], length: int, judge: Judge) -> list[Piece]:
+def _best_of(called: Sequence[Piece], said: Sequence[Piece], judge: Judge) -> list[Piece]:
     """Give the best pieces of those that are called and those said that the judge accepts.
 
     To judge costs more than to choose, and most pieces lie inside better ones: the best of all are chosen,
     and only those are judged, until none of them is refused. Where that goes on, all are judged.
     """
-    left, accepted = list(said), set(map(id, called))
+    words, left, accepted = judge.around.words, list(said), set(map(id, called))
     for _ in range(ROUNDS):
-        chosen = _best([*called, *left], length)
+        chosen = _best([*called, *left], words)
         refused = {id(piece) for piece in chosen if id(piece) not in accepted and not judge.accepts(piece)}
         if not refused:
             return chosen
         accepted |= {id(piece) for piece in chosen if id(piece) not in refused}
         left = [piece for piece in left if id(piece) not in refused]
     kept = (piece for piece in left if id(piece) in accepted or judge.accepts(piece))
-    return _best([*called, *kept], length)
+    return _best([*called, *kept], words)
 
 
-def _best(pieces: Sequence[Piece], length: int) -> list[Piece]:
+def _best(pieces: Sequence[Piece], words: Sequence[Word]) -> list[Piece]:
     """Give the pieces that do not overlap and together have the highest worth."""
+    length, upto = len(words), [0.0]
+    for word in words:
+        upto.append(upto[-1] + (COMMA if word.text == "," else 1.0))
     starting: dict[int, list[Piece]] = {}
     for piece in pieces:
         starting.setdefault(piece.start, []).append(piece)
@@ -174,7 +180,7 @@ def _best(pieces: Sequence[Piece], length: int) -> list[Piece]:
     for start in range(length - 1, -1, -1):
         worth[start] = worth[start + 1]
         for piece in starting.get(start, ()):
-            value = (piece.end - piece.start) - WIDTH + 0.1 * piece.weight + worth[piece.end]
+            value = upto[piece.end] - upto[piece.start] - WIDTH + 0.1 * piece.weight + worth[piece.end]
             if value > worth[start]:
                 worth[start], chosen[start] = value, piece
     found, at = [], 0

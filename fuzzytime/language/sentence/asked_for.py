@@ -50,7 +50,7 @@ def asked_of(
         else:
             remarks += unused_orders(draft.text, sketch.part, operation, sketch.heard)
             remarks += things_or_orders(draft.text, sketch.part)
-            remarks += counted(draft.text, sketch, draft.scanned.words)
+            remarks += counted(draft, sketch)
             anchors = Anchors(first + len(found), first, operations, mentions)
             thing = thing_of_clause_in_front(sketch, operation, anchors)
             thing = thing or _behind_denials(sketch, operation, operations, mentions, first)

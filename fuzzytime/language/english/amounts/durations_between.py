@@ -88,6 +88,14 @@ def at_least_and_at_most(shorter: Duration, hedge: str, longer: Quantity | Durat
     return replace(shorter, hedges=(), until=longer)
 
 
+@grammar.rule("duration", "<duration> ,|or <quantity>|<duration>", weight=0.6)
+def so_long_or_longer(usual: Duration, longest: Quantity | Duration) -> Duration | None:
+    """Ten minutes, fifteen at most."""
+    if longest.hedges != ("at most",) or usual.hedges:
+        return None
+    return at_least_and_at_most(usual.hedged("at least"), "at most", replace(longest, hedges=()))
+
+
 @grammar.rule("duration", "<quantity> ,? and|but <duration>", weight=0.4)
 def at_least_and_no_more(shorter: Quantity, longer: Duration) -> Duration | None:
     """At least two but no more than six hours."""

@@ -43,7 +43,11 @@ def until_it_is_over(days: Calendar) -> Said:
 
 @grammar.rule("said", "<preposition_before> the? <goal>", weight=0.2)
 def deadline(preposition: Preposition, goal: Goal) -> Said | None:
-    """By noon, no later than six, before tomorrow."""
+    """By noon, no later than six, before tomorrow; but "talk it through over lunch" is at lunch."""
+    if preposition.name == "through" and (
+        goal.hedges or (goal.wall.part is not None and goal.wall.part.meal)
+    ):
+        return None
     if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
         return None
     if isinstance(goal.time, Coming):
@@ -93,7 +97,9 @@ def release(preposition: Preposition, goal: Goal) -> Said | None:
 
 @grammar.rule("said", "<preposition_before>|<preposition_after> <preposition_at> the? <goal>", weight=0.2)
 def bound_at(preposition: Preposition, at: Preposition, goal: Goal) -> Said | None:
-    """By sometime friday, no later than at six; but "up to around six" is a hedge."""
+    """By sometime friday, no later than at six; not "up to around six", nor (read it) "through at six"."""
+    if preposition.name == "through":
+        return None
     side = deadline if preposition.constraint is Constraint.BEFORE else release
     return side(preposition, goal) if at.name in {"at", "on", "sometime"} else None
 

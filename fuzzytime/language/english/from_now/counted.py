@@ -89,6 +89,13 @@ def after_duration(first: str | Duration, second: Duration | None = None) -> Sai
     return said_length(duration.hedged(*hedges), Constraint.BEFORE if bounded else Constraint.AFTER, "after")
 
 
+@grammar.rule("said", "after another <integer>", "after <integer> more", weight=0.3)
+def after_another(number: Integer) -> Said:
+    """(flip it after two minutes and again) after another two: of the unit that was said before."""
+    minutes = replace(minutes_of(Quantity(number.value)), bare_end=True)
+    return said_length(minutes, Constraint.AFTER, "after")
+
+
 @grammar.rule(
     "said",
     "before|within|in <hedge>? the? next <duration>",

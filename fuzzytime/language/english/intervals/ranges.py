@@ -231,9 +231,14 @@ def hours_of_date(wall: Wall, first: Integer, last: Integer) -> Said | None:
 
 @grammar.rule("said", "the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def then_until(first: Goal, last: Goal) -> Said | None:
-    """9:30 until 11; but who is "at work until five" is somewhere."""
-    part = first.wall.part
-    return None if part is not None and part.place else range_of(first, last)
+    """9:30 until 11, over lunch until two; but who is "at work until five" is somewhere."""
+    wall, part = first.wall, first.wall.part
+    if part is not None and part.place:
+        return None
+    if part is not None and part.meal and not wall.weak:
+        # Behind its preposition a meal is a part of the time; "lunch until two" is what follows it.
+        first = replace(first, time=replace(wall, part=replace(part, meal=False)))
+    return range_of(first, last)
 
 
 @grammar.rule("said", "from? the? <goal> until|till|til|to|- <days> at? <clock>", weight=1.5)

@@ -107,9 +107,10 @@ def all_day(days: Calendar) -> Wall | None:
 
 
 @grammar.rule("wall", "at|during|over the? <meal>")
+@grammar.rule("wall", "all|right? through|throughout the? <meal>", weight=0.3)
 @grammar.rule("wall", "for <meal>", weight=0.1)
 def at_meal(found: Part) -> Wall | None:
-    """At lunch, during dinner, (meet Sam) for lunch; "at school" is where."""
+    """At lunch, during dinner, right through supper, (meet Sam) for lunch; "at school" is where."""
     return None if found.place else Wall(part=found)
 
 

@@ -72,6 +72,7 @@ class Borders(Around):
             or self._counts_another(piece)
             or any(map(self.doses.count, range(piece.start, piece.end)))
             or self.dining.is_purpose(piece)
+            or self.dining.is_covered(piece)
             or self.dining.is_subject(piece)
             or self._offers_more(piece)
             or self._begins_order(piece)

@@ -57,6 +57,7 @@ class Doing:
     before_messages: Words
     sure: Words
     unwanted: Words
+    covering: Words
     eating: Words
     keeping: Words
     getting: Words

@@ -25,6 +25,9 @@ FEW_HOURS = 8
 
 AFTER = "after"
 
+FROM_NOW = frozenset({"in", AFTER})
+"""The prepositions of a length that begins now."""
+
 NOON = 12 * 3600
 
 
@@ -42,8 +45,8 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
     if not isinstance(length.time, Duration):
         return phrase
     unit = length.time.terms[-1][1]
-    if "in" == said.preposition == length.preposition and isinstance(said.time, Duration):
-        # "Feed the cat in an hour and the dog in two"
+    if {said.preposition, length.preposition} <= FROM_NOW and isinstance(said.time, Duration):
+        # "Feed the cat in an hour and the dog in two", "flip it after a minute, then after another two"
         near = not _ends_between(before, phrase, words)
         alone = said.time.bare_end and said.time.until is None and len(said.time.terms) == 1
         hours = near and alone and said.time.terms[0][0] <= DAY_HOURS

@@ -13,6 +13,8 @@ BETWEEN = 6
 
 FOR = "for"
 
+OVER = "over"
+
 
 class Dining(Around):
     """The meals of a text for which something is done."""
@@ -32,6 +34,11 @@ class Dining(Around):
             return False
         # "Come over for dinner"
         return timed or led == piece.start + 1 or not self._dines(led)
+
+    def is_covered(self, piece: Piece) -> bool:
+        """Whether something is put on a meal: "pour the water over the tea"."""
+        over = self.texts[piece.start] == OVER and self.around.is_meal(piece.end - 1)
+        return over and not self.lexicon.doing.covering.isdisjoint(self.texts[: piece.start])
 
     def is_subject(self, piece: Piece) -> bool:
         """Whether it ends in a meal of which a clause says how it is: "before lunch | is served"."""

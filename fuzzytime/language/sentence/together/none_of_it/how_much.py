@@ -10,6 +10,7 @@ from fuzzytime.language.grammar.surroundings.measuring import AMOUNTED
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
@@ -33,10 +34,10 @@ TYPED = re.compile(r"(?<=[\s(])(?:0?[1-9]|1\d|2[0-3])\.[0-5][05](?=\s|$|[,;)])")
 """A number that may be an hour with its minutes, by which people plan."""
 
 
-def counted(text: str, sketch: Sketch, words: Sequence[Word]) -> Iterator[Remark]:
+def counted(draft: Draft, sketch: Sketch) -> Iterator[Remark]:
     """Say how the last numbers of an order without a time are taken: they may be meant as its hours."""
-    first, end = sketch.part.segment.span
-    said = [word for word in words if first <= word.start < end and word.text.isalnum()]
+    text, (first, end) = draft.text, sketch.part.segment.span
+    said = [word for word in draft.scanned.words if first <= word.start < end and word.text.isalnum()]
     lengths = all(isinstance(phrase.said.time, Duration) for phrase in sketch.phrases)
     if sketch.clauses or not lengths:
         return
@@ -47,8 +48,9 @@ def counted(text: str, sketch: Sketch, words: Sequence[Word]) -> Iterator[Remark
         yield Remark(
             RemarkKind.POLICY, span, f"{number!r} is not taken as a time: say 'at {number}' if it is"
         )
-    if not joint and (bound := _bound_inside(sketch, said)) is not None:
-        yield Remark.noted(text, bound, "is not taken as a time: say it with 'o'clock' if it is")
+    if not joint and (bound := _bound_inside(draft, said)) is not None:
+        hour = f"{text[slice(*bound)]} o'clock"
+        yield Remark.noted(text, bound, f"is not taken as a time: say {hour!r} if it is")
     if not joint or sketch.phrases or (joint == 1 and said[joint].text == FOR):
         # "Table for seven"
         return
@@ -106,9 +108,9 @@ def _typed_inside(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | Non
     return None
 
 
-def _bound_inside(sketch: Sketch, said: Sequence[Word]) -> Span | None:
+def _bound_inside(draft: Draft, said: Sequence[Word]) -> Span | None:
     """Give where an hour is bound in front of a word that it does not count: "call mum at six dressed"."""
-    lexicon, measured = sketch.lexicon, sketch.lexicon.no_times.measured_in
+    lexicon, measured = draft.lexicon, draft.lexicon.no_times.measured_in
     for place in range(1, len(said) - 2):
         before, bound, number, *behind = said[place - 1 : place + 4]
         span = (bound.start, number.end)
@@ -116,7 +118,8 @@ def _bound_inside(sketch: Sketch, said: Sequence[Word]) -> Span | None:
         # "A 10 by 12 frame", "at six meeting points", "by ten percent"
         counts = _is_hour(before, lexicon) or any(looks_plural(word.text) for word in behind)
         counts = counts or behind[0].text in measured or lexicon.means(behind[0].text, "unit")
-        covered = any(overlap(phrase.span, span) for phrase in sketch.phrases)
+        # What is done again may be another part, with times of its own.
+        covered = any(overlap(phrase.span, span) for phrase in draft.phrases)
         if hour and not counts and not covered and behind[0].is_letters and not behind[0].capital:
             return span
     return None
