@@ -61,11 +61,16 @@ def for_the_first(duration: Duration) -> Said:
     return replace(over_the_next(duration), preposition="for")
 
 
-@grammar.rule("said", "for the? first <unit>", "for the? first <unit> and a? <fraction>", weight=0.5)
+@grammar.rule(
+    "said",
+    "for|during|in|within the? first <unit>",
+    "for|during|in|within the? first <unit> and a? <fraction>",
+    weight=0.5,
+)
 def for_the_first_one(unit: UnitWord, fraction: float = 0.0) -> Said | None:
-    """For the first hour, for the first hour and a half; but "for the first quarter" is of a year."""
+    """For the first hour, in the first hour and a half; but "for the first quarter" is of a year."""
     length = Duration(((unit.count * (1 + fraction), unit.unit),))
-    return for_the_first(length) if len(unit.form) > 1 and unit.unit is not Unit.QUARTER else None
+    return for_the_first(length) if len(unit.form) > 1 and unit.unit in SUB_DAY else None
 
 
 @grammar.rule("said", "for the? <stretch>", weight=0.45)

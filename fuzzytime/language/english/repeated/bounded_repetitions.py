@@ -6,8 +6,18 @@ from fuzzytime.language.english.repeated.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Cycle, is_weekday
-from fuzzytime.language.meaning.expressions import Goal, HourMark, Range, Repeat, Said, SameTime, Wall
-from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat, is_of_day
+from fuzzytime.language.meaning.expressions import (
+    Goal,
+    HourMark,
+    Offset,
+    Range,
+    Repeat,
+    Said,
+    SameTime,
+    TimeWord,
+    Wall,
+)
+from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat, from_now, is_of_day
 from fuzzytime.language.meaning.joined.first_times import ending_with
 from fuzzytime.language.meaning.joined.intervals_on_days import on_days
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
@@ -102,10 +112,17 @@ def to_last_time(repeat: Repeat, said: Said) -> Repeat | None:
     return None if moment is None or bounded else ending_with(repeat, moment)
 
 
-def _moment_of(repeat: Repeat, said: Said) -> Wall | None:
+def _moment_of(repeat: Repeat, said: Said) -> Wall | TimeWord | Offset | None:
     """Give the moment that an interval may begin or end at; None for other times, and other repetitions."""
-    is_moment = said.constraint in MOMENTS and bool(repeat.every)
-    return said.time if isinstance(said.time, Wall) and is_moment else None
+    time = said.time
+    if repeat.every is None:
+        return None
+    if isinstance(time, Wall):
+        return time if said.constraint in MOMENTS else None
+    if isinstance(time, TimeWord):
+        # "Every six hours, the first one now"
+        return time if time.constraint is Constraint.AT else None
+    return from_now(said)
 
 
 @grammar.rule(

@@ -57,6 +57,8 @@ class Doing:
     before_messages: Words
     sure: Words
     unwanted: Words
+    holding_true: Words
+    requiring: Words
     covering: Words
     eating: Words
     keeping: Words

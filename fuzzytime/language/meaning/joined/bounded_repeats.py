@@ -48,11 +48,7 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     if repeat.starting is not None or repeat.until is not None or isinstance(time, Repeat):
         return _ended(repeat, said)
     if isinstance(time, Duration):
-        # "Twice a day for two minutes" says how long each lasts.
-        step = repeat.every.seconds if repeat.every is not None else _apart(repeat)
-        lasting = said.constraint is Constraint.FOR and time.seconds >= step
-        bound = lasting or said.constraint is Constraint.BEFORE
-        return replace(repeat, until=Offset(time)) if bound else None
+        return _for_so_long(repeat, said, time)
     if (closing := closing_of(said)) is not None:
         return in_the_end(repeat, closing)
     if isinstance(time, (Coming, Rest)):
@@ -75,6 +71,23 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
             return None
         return replace(repeat, starting=time.first, until=_of_night(time.last, time.first))
     return None
+
+
+def _for_so_long(repeat: Repeat, said: Said, time: Duration) -> Repeat | None:
+    """Give a repetition that begins, or is over, so long from now: "every six hours, starting in an hour"."""
+    begins = from_now(said)
+    if begins is not None and repeat.every is not None:
+        return replace(repeat, starting=begins)
+    # "Twice a day for two minutes" says how long each lasts.
+    step = repeat.every.seconds if repeat.every is not None else _apart(repeat)
+    lasting = said.constraint is Constraint.FOR and time.seconds >= step
+    return replace(repeat, until=Offset(time)) if lasting or said.constraint is Constraint.BEFORE else None
+
+
+def from_now(said: Said) -> Offset | None:
+    """Give a moment that is so long from now: "in an hour"."""
+    counts = isinstance(said.time, Duration) and said.constraint is Constraint.AT and said.preposition == "in"
+    return Offset(said.time) if isinstance(said.time, Duration) and counts else None
 
 
 def _until(repeat: Repeat, said: Said, end: Time) -> Repeat | None:

@@ -14,6 +14,7 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Edge, TimeRequirement
 
 AT = "at"
+NEXT = "next"
 LONGEST = 4
 """Words of the name of an event at most: "the first tea break"."""
 
@@ -58,8 +59,11 @@ def events_in(sketch: Sketch, words: Sequence[Word]) -> Iterator[tuple[Span, boo
         for last in behind:
             texts = [words[p].text for p in range(place + 1, last + 1)]
             over = last == places[-1] or words[last + 1].text in lexicon.function_words | {",", ";", ")"}
+            happens = texts[-1] in lexicon.happening | lexicon.taken | lexicon.events
+            # "Change the oil at the next service"
             moment = any(tuple(texts[-len(form) :]) == form for form in lexicon.moments)
-            if over and (moment or texts[-1] in lexicon.happening | lexicon.taken):
+            moment = moment or (happens and texts[-2:-1] == [NEXT])
+            if over and (moment or happens):
                 yield (words[place].start, words[last].end), moment
                 break
 

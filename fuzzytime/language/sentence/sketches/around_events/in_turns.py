@@ -29,7 +29,7 @@ def in_turns(sketch: Sketch, anchors: Anchors, draft: Draft) -> tuple[list[TimeR
         return [], []
     required: list[TimeRequirement] = []
     remarks: list[Remark] = []
-    for span, name in _between(sketch, anchors, draft):
+    for span, name in _between(sketch, operation, anchors, draft):
         said = draft.text[slice(*span)]
         targets = _turns(name, anchors)
         if targets and operation.lemma not in anchors.lexicon.doing.putting:
@@ -42,13 +42,17 @@ def in_turns(sketch: Sketch, anchors: Anchors, draft: Draft) -> tuple[list[TimeR
     return required, remarks
 
 
-def _between(sketch: Sketch, anchors: Anchors, draft: Draft) -> Iterator[tuple[Span, str]]:
+def _between(
+    sketch: Sketch, operation: Operation, anchors: Anchors, draft: Draft
+) -> Iterator[tuple[Span, str]]:
     """Give the stretches of "between" and one noun for several, and that noun: "between the dives"."""
     first, end = sketch.part.segment.span
     words = [word for word in draft.scanned.words if first <= word.start < end]
     for place, word in enumerate(words):
         if word.text == BETWEEN and not any(overlap((word.start, word.end), span) for span in sketch.heard):
-            name = _several(words[place + 1 :], anchors)
+            # "Between patients wash your hands"
+            behind = [one for one in words[place + 1 :] if not word.start < operation.span[0] <= one.start]
+            name = _several(behind, anchors)
             if name:
                 yield (word.start, name[-1].end), draft.text[name[0].start : name[-1].end]
 
