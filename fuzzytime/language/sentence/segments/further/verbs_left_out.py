@@ -73,14 +73,30 @@ def verbs_left_out(one: Waiting, part: Part) -> list[int]:
             continue
         if [word.text for word in between[:2]] in ([",", "and"], [",", "then"], ["and", "then"]):
             between = between[1:]
-        elif not between or between[0].text not in {"and", ",", "or"}:
+        elif not between or between[0].text not in {"and", "&", ",", "or"}:
             continue
         if len(between) >= SHORTEST_GAP and (
             _names_another(one, part, between, old, new)
             or _is_elsewhere(words, between, part.lexicon, old, new)
         ):
             found.append(between[1].start)
-    return found + _behind_first(one, part, own)
+    return found + _on_other_days(one, part, own) + _behind_first(one, part, own)
+
+
+def _on_other_days(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int]:
+    """Give where what happens on another day begins: "monday gym at six and tuesday choir at seven"."""
+    words, lexicon = one.source.scanned.words, part.lexicon
+    days = [phrase for phrase in own if phrase.said.is_day]
+    if not days or days[0] is not own[0] or part.tree.nodes[part.tree.root].tag not in NAMES:
+        return []
+    found = []
+    for before, day in pairwise(days):
+        behind = words[day.end].text if day.end < len(words) else ""
+        # "Monday and tuesday gym" is the same on both.
+        led = words[day.first - 1].text in {"and", "&"} and before.end < day.first - 1
+        if led and behind.isalpha() and behind not in lexicon.function_words:
+            found.append(day.span[0])
+    return found
 
 
 def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int]:
@@ -113,13 +129,17 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     nodes = part.at((between[1].start, between[-1].end))
     others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
     happens = not part.lexicon.happening.isdisjoint(word.text for word in between)
-    listed = part.tree.nodes[root].tag in NAMES and between[0].text == ","
+    # "Lunch at one and dinner at seven", "yoga is at six and judo at eight"
+    verb, takes_time = part.tree.nodes[root], part.lexicon.happening | part.lexicon.taken
+    is_then = verb.lower in part.lexicon.closed.present_be and bool(part.tree.children(root, *SUBJECTS))
+    happening = verb.tag in NAMES or (verb.tag == "VBG" and verb.lower in takes_time) or is_then
+    listed = happening and between[0].text in {",", "and", "&"}
     if listed and not happens:
         # "Story at seven, lights out by half past": one word says what becomes of the thing.
         return all(tag == "RP" for tag in others[1:])
     opened = between[1].text in part.lexicon.closed.noun_openers
     lasting = opened and bool(objects) and Constraint.FOR in {old.said.constraint, new.said.constraint}
-    if not (lasting or _binds_alike(old, new, happens=happens)):
+    if not (lasting or _binds_alike(old, new, happens=happens and not listed)):
         # "An alarm for seven and a timer for ten minutes"
         return False
     places = part.tree.children(root, "prep")
@@ -127,7 +147,9 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     prepositions = set() if objects else part.tree.said(places)
     led = between[1].text in prepositions
     has_object = one.segment.verbless or bool(part.tree.children(root, "dobj", "oprd", "intj"))
-    named = led or opened or (has_object and between[0].text in {"and", ",", "or"})
+    # "Call with Ann at six and gym at eight"
+    own = len(between) == SHORTEST_GAP and between[1].text in takes_time
+    named = led or opened or listed or own or (has_object and between[0].text in {"and", ",", "or"})
     return named and not others
 
 
