@@ -36,8 +36,6 @@ ENDS = ".?! "
 FOR = "for "
 AT = "at "
 FROM = "from "
-THE = "the"
-LAST = "last"
 
 
 def one_time(text: str, now: datetime, lexicon: Lexicon) -> TimeRequirement | None:
@@ -179,7 +177,7 @@ class Said:
     @cached_property
     def places(self) -> tuple[int, ...]:
         """Which ones of a list it is: of "the second one", "the last two"; none where it is no such thing."""
-        forms = self.forms[1:] if self.forms[:1] == (THE,) else self.forms
+        forms = self.forms[1:] if self.forms[:1] == ("the",) else self.forms
         count, forms = self._counted(forms)
         named = not forms or forms in self.table("listed")
         return count if named and len(self.forms) > 1 else ()
@@ -187,7 +185,7 @@ class Said:
     def _counted(self, forms: Form) -> tuple[tuple[int, ...], Form]:
         """Give the places that words begin with, and the rest: of "last two ones", -2, -1 and "ones"."""
         numbers = self.lexicon.numbers
-        last = forms[:1] == (LAST,)
+        last = forms[:1] == ("last",)
         first = forms[:1] and self.lexicon.ordinals.get(forms[0])
         count = numbers.get(forms[1], 0) if len(forms) > 1 else 0
         if count > 1 and (last or first == 1):

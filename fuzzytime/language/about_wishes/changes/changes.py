@@ -16,15 +16,10 @@ from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.requirement import Unit
 
 SEVERAL = ("both", "everything")
-FIRST = "first"
-FOR = "for"
-EVERY = "every"
 
 OWNER = re.compile(r"(?<=\w)['\u2019]s\b")
 """What tells whose something is."""
 
-DOING = "do"
-MAKING = "make"
 LEAVE, OUT = "leave", "out"
 
 
@@ -116,16 +111,16 @@ def _appointment(said: Said) -> frozenset[str]:
 
 def _ordered(said: Said) -> About | None:
     """Read what is wished to come first, or beside another: "do the soup first", "do it after the call"."""
-    if said.forms[:1] not in {(DOING,), (MAKING,)} or len(said.words) < 3:
+    if said.forms[:1] not in {("do",), ("make",)} or len(said.words) < 3:
         return None
     verb = said.forms[0]
-    if verb == MAKING and said.without("more")[1]:
+    if verb == "make" and said.without("more")[1]:
         # "Make the lesson an hour longer"
         return None
     for place in range(2, len(said.words)):
         thing, rest = said.until(place).behind(1), said.behind(place)
         if rest.is_in("first"):
-            time = AT_FIRST if rest.forms == (FIRST,) else AT_ONCE
+            time = AT_FIRST if rest.forms == ("first",) else AT_ONCE
             return replace(about_thing(AboutKind.MOVE, thing), time=time)
         new = rest.without("instead")[0]
         undirected, directions = new.without(*DIRECTIONS)
@@ -135,7 +130,7 @@ def _ordered(said: Said) -> About | None:
         if (later := later_by(new)) is not None and not later[1].words:
             about = about_thing(AboutKind.DELAY, thing)
             return replace(about, by=later[0].by, text=later[0].text, earlier=later[0].earlier)
-        if verb == MAKING and (is_last(thing) or new.as_time() == new.text):
+        if verb == "make" and (is_last(thing) or new.as_time() == new.text):
             # "Make the bed at six", "make dinner for six"
             return None
         if days := days_on(new):
@@ -179,9 +174,9 @@ def _corrected(said: Said) -> About | None:
         return About(kind=AboutKind.MOVE, time=time, bare=bare, corrects=True, certain=True)
     if place == 0 or not rest.words:
         return None
-    if rest.forms[:1] == (EVERY,) and (number := rest.behind(1).as_number()):
+    if rest.forms[:1] == ("every",) and (number := rest.behind(1).as_number()):
         # "No, every ten"
-        time = f"{EVERY} {number} {Unit.MINUTE}s"
+        time = f"every {number} {Unit.MINUTE}s"
         return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
     longer, more = rest.without("more")
     found = longer.length() or rest.length() if more else None

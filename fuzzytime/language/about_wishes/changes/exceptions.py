@@ -5,8 +5,6 @@ from fuzzytime.language.about_wishes.said import Said, one_time
 from fuzzytime.requirement import Constraint
 
 OF = ("'s", "’s", "'", "’")
-NO = "no"
-COMMA = ","
 FOR = "for "
 
 STRETCHES = frozenset({Constraint.BETWEEN, Constraint.BEFORE, Constraint.AFTER})
@@ -40,8 +38,8 @@ def exception(said: Said) -> About | None:
         return None
     time, thing = _day_and_thing(rest)
     # "Not on friday" and "no swimming today", but "no, today"
-    corrects = said.forms[0] == NO and not thing.words
-    if not time or rest.forms[0] == COMMA or corrects:
+    corrects = said.forms[0] == "no" and not thing.words
+    if not time or rest.forms[0] == "," or corrects:
         return None
     names = frozenset() if thing.is_in("last") else thing.names
     # "Cancel the gym on friday" may be to be done then, and "skip rope" is.

@@ -4,7 +4,6 @@ from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import CLOCKED, Said, one_time
 from fuzzytime.requirement import Constraint
 
-FOR = "for"
 UNTIL = frozenset({"until", "till"})
 
 
@@ -14,7 +13,7 @@ def kept_free(said: Said) -> About | None:
     if away is not None:
         return _kept(away, away.behind(len(away.words)))
     if blocked is not None:
-        place = (*blocked.forms, FOR).index(FOR)
+        place = (*blocked.forms, "for").index("for")
         return _kept(blocked.until(place), blocked.behind(place))
     for place in range(1, len(kept.words) if kept is not None else 0):
         behind = None if kept is None else kept.behind(place).after("kept free")
@@ -25,7 +24,7 @@ def kept_free(said: Said) -> About | None:
 
 def _kept(stretch: Said, behind: Said) -> About | None:
     """Give what is said of a stretch of time, or of a length, that is kept for a thing."""
-    thing = behind.behind(1).text if behind.forms[:1] == (FOR,) else ""
+    thing = behind.behind(1).text if behind.forms[:1] == ("for",) else ""
     time = stretch.text if stretch.one_time() else stretch.as_time() if stretch.words else ""
     read = one_time(time, stretch.now, stretch.lexicon) if time else None
     if read is None or read.recurrence is not None:

@@ -12,7 +12,6 @@ from fuzzytime.requirement import Constraint, TimeRequirement
 
 CONTRACTED = re.compile(r"(?<=\w)['\u2019](s|re)\b")
 BEING = {"s": " is", "re": " are"}
-NOW = "now"
 SUBJECTS = frozenset({"nsubj", "nsubj:pass"})
 HELPING = frozenset({"aux", "aux:pass"})
 VERBAL = ("V", "M")
@@ -117,5 +116,5 @@ def done_at_once(text: str, part: TimeRequirement) -> str:
     """Give the words of an instruction with now in place of what it waited for."""
     first, end = part.span
     beside = part.anchor is not None and part.anchor.text != part.text
-    time = part.text.replace(part.anchor.text, NOW) if part.anchor is not None and beside else AT_FIRST
+    time = part.text.replace(part.anchor.text, "now") if part.anchor is not None and beside else AT_FIRST
     return f"{text[:first]}{time}{text[end:]}"

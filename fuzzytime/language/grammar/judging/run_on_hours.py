@@ -8,7 +8,6 @@ from fuzzytime.language.grammar.surroundings.surroundings import Around
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.times_of_day import Clock
 
-LAST = "and"
 HOURS = 12
 FEWEST_MINUTES = 10
 MINUTES = 60
@@ -35,7 +34,7 @@ class RunOnHours(Around):
     def _rest(self, place: int, first: int, before: int) -> list[Stretch]:
         """Give the clock times from a place on, each so many minutes after the first, and after the last."""
         place += self.texts[place : place + 1] == [","]
-        last = self.texts[place : place + 1] == [LAST]
+        last = self.texts[place : place + 1] == ["and"]
         for end, minutes in self._clocks(place + last):
             behind = (minutes - first) % (HOURS * MINUTES)
             if behind <= before:

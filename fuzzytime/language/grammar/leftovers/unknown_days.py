@@ -15,8 +15,6 @@ SHORTEST_MOMENT, LONGEST_MOMENT = 3, 4
 DAY = "day"
 """What words of days end in: "holidays", "match days", "birthday"."""
 
-HOLIDAY = "holiday"
-
 
 def unknown_days(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
     """Give the places of words of such days that were not understood."""
@@ -96,7 +94,7 @@ def _untold(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
             # "Put the notes in between the pages"; but "have a snack in between"
             continue
         more = behind.isalpha() and behind not in around.lexicon.function_words
-        if led < 0 or (more and not around.opens(led)) or (led == first - 1 and word.text == HOLIDAY):
+        if led < 0 or (more and not around.opens(led)) or (led == first - 1 and word.text == "holiday"):
             # "Write it on my birthday card"; "book a week on holiday"
             continue
         if led == first - 1 or texts[led + 1] in around.closed.noun_openers:

@@ -7,9 +7,6 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import Word
 
-AT = "at"
-BETWEEN = "between"
-
 NEARLY = frozenset({"around", "about"})
 
 NEAR = 8
@@ -48,7 +45,7 @@ class Compared:
         if verb in SIGNS or verb in self.closed.stative_verbs:
             # "Two hours before the fight, which is at eight"
             stated = self.lexicon.clauses.get(marker) in STATED and "," not in self.texts[begin:place]
-            return (untimed and stated) or self.texts[piece.start] != AT
+            return (untimed and stated) or self.texts[piece.start] != "at"
         return untimed and self._compares(piece, verb)
 
     def _compares(self, piece: Piece, verb: str) -> bool:
@@ -57,7 +54,7 @@ class Compared:
         What is open past 12, or on, is so by the clock.
         """
         form = longest_match(self.words, piece.start, self.lexicon.comparisons)
-        if form is None or form in {(AT,), (BETWEEN,)}:
-            return self.texts[piece.start] in {*NEARLY, BETWEEN} and verb in self.beside.kept_at
+        if form is None or form in {("at",), ("between",)}:
+            return self.texts[piece.start] in {*NEARLY, "between"} and verb in self.beside.kept_at
         state = self.lexicon.standing | self.lexicon.particles.keys() | self.lexicon.doing.hours
         return verb.isalpha() and (verb == "up" or verb not in state)

@@ -9,10 +9,8 @@ from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
-WITHIN = "within"
 ORDERING = frozenset({"then", "meanwhile"})
 
-NEXT = "next"
 NAMED = frozenset({"DT", "PRP", "PRP$", "NNPS", "EX", "NNS"})
 """Tags of who does something that begins with no bare noun."""
 
@@ -70,7 +68,7 @@ def within_after(requirements: Sequence[TimeRequirement]) -> list[TimeRequiremen
 
     "Then mount the cover within five minutes" counts from what was done before.
     """
-    within = [part for part in requirements if part.preposition == WITHIN and part.anchor is None]
+    within = [part for part in requirements if part.preposition == "within" and part.anchor is None]
     after = [part for part in requirements if _is_after(part)]
     if len(within) != 1 or len(after) != 1:
         return list(requirements)
@@ -92,7 +90,7 @@ def next_one(one: Waiting, part: Part) -> list[Segment]:
     """Give a segment with the "next" in front, where that describes what does it: "next bus leaves"."""
     segment, tree, root = one.segment, part.tree, part.tree.root
     said = one.source.scanned.text[slice(*segment.connective_span)].lower()
-    if said != NEXT or tree.nodes[root].tag != "VBZ":
+    if said != "next" or tree.nodes[root].tag != "VBZ":
         return []
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
     if not subjects or tree.reach(subjects[0])[0] != 0:

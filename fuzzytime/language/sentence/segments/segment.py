@@ -28,8 +28,6 @@ ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 JOINED = frozenset({"", "and"})
 """Connectives behind which nothing else says when."""
 
-MEANWHILE = "meanwhile"
-
 
 @dataclass(frozen=True, slots=True)
 class Segment:
@@ -124,7 +122,7 @@ def _connective_at(
         # "Do it when you're done": nothing follows.
         return None
     each, name = lexicon.closed.distributives, lexicon.connectives[found]
-    if name == MEANWHILE and words[end].text in each:
+    if name == "meanwhile" and words[end].text in each:
         # "At the same time every evening"
         return None
     if words[place].text in each and not _is_order(words, end, lexicon):

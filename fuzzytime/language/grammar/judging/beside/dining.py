@@ -11,8 +11,6 @@ from fuzzytime.language.meaning.expressions import Wall
 BETWEEN = 6
 """Words from what is done at a meal to "for", at most: "meet Sam at the cafe for lunch"."""
 
-FOR = "for"
-
 
 class Dining(Around):
     """The meals of a text for which something is done."""
@@ -46,7 +44,7 @@ class Dining(Around):
         return any(part.category == "day_part" and part.end == piece.end for part in said)
 
     def _leads(self, place: int) -> bool:
-        return self.texts[place] == FOR and place + 1 < len(self.texts) and self.around.is_meal(place + 1)
+        return self.texts[place] == "for" and place + 1 < len(self.texts) and self.around.is_meal(place + 1)
 
     def _ends_preposition(self, start: int, led: int) -> bool:
         """Whether "for" is the end of a longer preposition: "in time for dinner"."""

@@ -4,14 +4,10 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.meaning.expressions import Said, Wall
 
-ASKED = "what"
-"""The word that asks for a meaning."""
-
 TOPICAL = frozenset({"about", "of"})
 """Prepositions before what is spoken of."""
 
 SAY, ABOUT, TO = "say", "about", "to"
-CONVERT = "convert"
 
 RECKONED = frozenset({("what", "is"), ("what's",), ("how", "much", "is"), ("how", "long", "is")})
 """Beginnings of questions that a number answers."""
@@ -98,12 +94,12 @@ def _is_translated(piece: Piece, around: Surroundings) -> bool:
     # "Find the word for tomorrow" may be when.
     sure = around.texts[joint] == "of" or not around.is_day_from_now(joint + 1)
     led = not around.closed.articles.isdisjoint(around.texts[max(0, joint - 3) : joint - 1])
-    return around.texts[joint] in {"for", "of"} and known and led and (sure or ASKED in around.texts)
+    return around.texts[joint] in {"for", "of"} and known and led and (sure or "what" in around.texts)
 
 
 def _has_meaning(piece: Piece, around: Surroundings) -> bool:
     """Whether its meaning is asked for: "what does noon mean", "explain what tomorrow means"."""
-    asked = ASKED in around.texts[max(0, piece.start - FAR) : piece.start]
+    asked = "what" in around.texts[max(0, piece.start - FAR) : piece.start]
     return asked and around.follower(piece) in around.lexicon.no_times.meaning
 
 
@@ -145,4 +141,4 @@ def is_converted(place: int, around: Surroundings) -> bool:
     """Whether a unit at a place is one of two: "convert 3 hours to minutes", "what is 1 hour in seconds"."""
     before = around.texts[place - 1] if place else ""
     asked = any(tuple(around.texts[: len(form)]) == form for form in RECKONED)
-    return CONVERT in around.texts[:place] or (asked and before == "in")
+    return "convert" in around.texts[:place] or (asked and before == "in")

@@ -6,8 +6,6 @@ from fuzzytime.language.meaning.calendar import Fields, is_weekday
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.requirement import Unit
 
-ABOUT = "about"
-
 NAMING = frozenset({"on", "to", "for", "of"})
 """Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
 
@@ -43,7 +41,7 @@ class Naming(Standing):
         # "Turn on the ten o'clock news", "the slides for the Monday meeting"
         owned = bool(self.closed.noun_openers & set(self.texts[piece.start + 1 : piece.end][:1]))
         inside = said.preposition == "in" and is_weekday(wall.days)
-        about = self.texts[piece.start] == ABOUT
+        about = self.texts[piece.start] == "about"
         if (said.preposition in NAMING or inside or about) and owned and not self.around.may_end(piece):
             return True
         # "My day planner"

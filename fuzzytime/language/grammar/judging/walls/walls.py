@@ -28,9 +28,6 @@ BOUND = 2
 LEADING = frozenset({"to", "on", "at", "by"})
 """Prepositions of a place, or of a verb, that stand before a noun, too: "to christmas island"."""
 
-ONE = "one"
-"""What stands for a thing behind a word for which: "a new one"."""
-
 
 class Walls(Standing):
     """What stands around days and clock times, and whether it makes one doubtful."""
@@ -94,7 +91,7 @@ class Walls(Standing):
 
     def _is_one(self, piece: Piece, wall: Wall) -> bool:
         """Whether it begins with one of some things, and a day: "order a new one | fri"."""
-        if not piece.start or wall.days is None or wall.clock is None or self.texts[piece.start] != ONE:
+        if not piece.start or wall.days is None or wall.clock is None or self.texts[piece.start] != "one":
             return False
         hour = (
             self.measures.is_number(piece.start + 1) or self.texts[piece.start + 1] in self.beside.of_clocks

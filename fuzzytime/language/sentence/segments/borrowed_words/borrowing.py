@@ -23,8 +23,6 @@ from fuzzytime.language.sentence.trees.tree import Tree
 
 JOINTS = frozenset({"and", "&", ",", ";", "but"})
 
-THEN = "then"
-
 Kind = Callable[[Wish], list[Stretch] | None]
 
 KINDS: tuple[Kind, ...] = (
@@ -93,7 +91,7 @@ def wishes_behind(source: Source, parts: Mapping[int, Part]) -> Iterator[Part]:
 
 def _joins(said: str) -> bool:
     """Whether what stands between two parts lets the second be as the first is: ", and then"."""
-    return bool(said.strip()) and ENDS.isdisjoint(said) and JOINTS.union({THEN}).issuperset(said.split())
+    return bool(said.strip()) and ENDS.isdisjoint(said) and JOINTS.union({"then"}).issuperset(said.split())
 
 
 def _behind(source: Source, ordered: Part, part: Part) -> tuple[Borrowed, ...] | None:

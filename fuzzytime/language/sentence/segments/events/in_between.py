@@ -9,8 +9,6 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.sentence.segments.events.event_edges import LONGEST_EVENT, is_event
 
-BETWEEN = "between"
-AND = "and"
 AFTER, BY = "after  ", "by "
 """What is said instead, as long as "between" and "and" are."""
 
@@ -28,10 +26,10 @@ def _betweens(scanned: Scanned) -> Iterator[tuple[tuple[int, int], tuple[int, in
     """Give the places of "between" and its "and", where one of them is an event and both have a time."""
     words = scanned.words
     for place, word in enumerate(words):
-        if word.text != BETWEEN:
+        if word.text != "between":
             continue
         behind = range(place + 2, min(place + 2 + LONGEST_EVENT, len(words) - 1))
-        joint = next((p for p in behind if words[p].text == AND), None)
+        joint = next((p for p in behind if words[p].text == "and"), None)
         if joint is None:
             continue
         ends = range(joint + 2, min(joint + 2 + LONGEST_EVENT, len(words) + 1))

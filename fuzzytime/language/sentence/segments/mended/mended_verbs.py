@@ -10,8 +10,6 @@ LEAST_DONE = 3
 LET = 2
 """Words of "press start"."""
 
-THAT = "that"
-
 OF_VERBS = frozenset({"dobj", "prep", "npadvmod", "advmod", "prt", "tmod"})
 """Relations of words to the verb in front of them."""
 
@@ -110,7 +108,7 @@ def _has_done(tree: Tree) -> Tree | None:
 def _does_that(tree: Tree) -> Tree | None:
     """Give "check that oven at six" its thing, which a tree takes for where, or for what that does."""
     lexicon = tree.lexicon
-    if tree.root not in {0, LET} or len(tree.nodes) <= LET or tree.nodes[1].lower != THAT:
+    if tree.root not in {0, LET} or len(tree.nodes) <= LET or tree.nodes[1].lower != "that":
         return None
     verb, that, thing = tree.nodes[: LET + 1]
     taken = that.relation in {"dobj", "nsubj", "mark", "det"} and thing.relation != "dobj"

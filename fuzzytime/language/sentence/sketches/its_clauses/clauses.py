@@ -14,7 +14,6 @@ from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_contents import Contents
 from fuzzytime.language.sentence.clauses.clause_sides import BEHIND, at_most_after, sided
-from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.clauses.times_of_events import dates, happens, is_apart
 from fuzzytime.language.sentence.segments.events.event_edges import BY, OF_EDGES, is_length
 from fuzzytime.language.sentence.sketches.its_clauses.ends import ClauseEnds
@@ -22,13 +21,12 @@ from fuzzytime.language.sentence.sketches.its_clauses.markers import ClauseMarke
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Constraint, Edge, Unit
 
-BEFORE = "before"
 BY_THEN = "by the time"
 EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
 AFTER = ("after",)
-DAYS_APART = ((BEFORE,), AFTER)
+DAYS_APART = (("before",), AFTER)
 """Markers before which a part of a day is that of a day before or after: "the evening before the trip"."""
 
 A_DAY = Duration(((1, Unit.DAY),))
@@ -38,8 +36,6 @@ WITHIN = (("of",), ("after",))
 
 OFF = (("before",), ("after",))
 """Markers of what a distance counts from."""
-
-EVEN = "even"
 
 
 def clauses_of(
@@ -113,7 +109,7 @@ class _Clauses:
     def _kind(self, form: tuple[str, ...], bound: Phrase | None, edge: Edge | None) -> str:
         """Give the kind of the clause that a marker begins."""
         inverted = form[0] in self.lexicon.closed.conditional_inversion
-        kind = self.lexicon.clauses.get(form, IF if inverted else "until")
+        kind = self.lexicon.clauses.get(form, "if" if inverted else "until")
         if edge is not None:
             return OF_EDGES.get(form[0], {}).get(edge, kind)
         if bound is not None:
@@ -179,7 +175,7 @@ class _Clauses:
             span=(start, content[1]),
             content=content,
             distance=duration,
-            beside=self._beside(form) if (kind,) in {(BEFORE,), AFTER} else None,
+            beside=self._beside(form) if (kind,) in {("before",), AFTER} else None,
             edge=edge,
             side=side,
             day_part=day_part,
@@ -257,7 +253,7 @@ class _Clauses:
         excepted = self.lexicon.beside.excepting & {*before[-1:]} or before == ["except", "for"]
         if clause is None or not excepted:
             return clause
-        if clause.condition is None or clause.kind not in {"when", "if", "while"} or before[-1:] == [EVEN]:
+        if clause.condition is None or clause.kind not in {"when", "if", "while"} or before[-1:] == ["even"]:
             return replace(clause, excepted=True)
         condition = replace(clause.condition, negated=not clause.condition.negated)
         return replace(

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
-from fuzzytime.language.sentence.clauses.conditions import IF, is_wish
+from fuzzytime.language.sentence.clauses.conditions import is_wish
 from fuzzytime.language.sentence.segments.events.event_edges import BY, OF_EDGES, edge_of, is_event
 from fuzzytime.language.sentence.sketches.its_clauses.ends import ASKED, ClauseEnds
 from fuzzytime.requirement import Edge
@@ -62,7 +62,7 @@ class ClauseMarkers:
 
     def _inquires(self, place: int, form: tuple[str, ...]) -> bool:
         """Whether "if" begins what is asked or found out: "ask Tom if he's free", "see if it's dry"."""
-        if form not in {(IF,), (WHEN,)}:
+        if form not in {("if",), (WHEN,)}:
             return False
         before = [word.text for p, word in enumerate(self.words[:place]) if p not in self.covered]
         found = " ".join(before[-2:]) in self.lexicon.doing.finding_out
@@ -98,7 +98,7 @@ class ClauseMarkers:
     def _inverted(self, place: int) -> tuple[str, ...] | None:
         """Give the "should" of "should the bell ring, …", which has a tree of its own, as what begins it."""
         word, node = self.words[place], next(iter(self.tree.nodes), None)
-        leads = place == 0 and node is not None and node.lower == IF != word.text
+        leads = place == 0 and node is not None and node.lower == "if" != word.text
         return (word.text,) if leads and word.text in self.lexicon.closed.conditional_inversion else None
 
     def _edged(self, place: int) -> tuple[str, ...] | None:

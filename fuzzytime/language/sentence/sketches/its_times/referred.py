@@ -18,8 +18,6 @@ from fuzzytime.language.sentence.verbs.meant.actions import Action
 from fuzzytime.language.sentence.verbs.meant.small_clauses import reference_of
 from fuzzytime.requirement import Reference
 
-LEAVE = "leave"
-
 
 def referred(
     part: Part, times: OwnTimes, action: Action, operation: Operation
@@ -49,7 +47,7 @@ def referred(
 
 def _is_gone(operation: Operation, lexicon: Lexicon) -> bool:
     """Whether "leave" is to go: "leave the house between seven and eight" is no "leave the lamp on"."""
-    if operation.phrase != LEAVE or operation.complement is not None:
+    if operation.phrase != "leave" or operation.complement is not None:
         return False
     if operation.object is None:
         return operation.place is not None and operation.place.lower().startswith(("for ", "to "))

@@ -10,8 +10,6 @@ from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.times_of_events import AHEAD
 from fuzzytime.requirement import MOMENTS, Constraint
 
-UNTIL = "until"
-
 
 def by_that_day(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
     """Bind what is to be done before an event by the end of its day: "before the show on Saturday"."""
@@ -39,7 +37,7 @@ def is_there(operation: Operation, lexicon: Lexicon) -> bool:
 def put_off(phrase: Phrase) -> Phrase:
     """Take until when something is put off as when it is: "postpone the demo until thursday"."""
     said = phrase.said
-    if said.preposition != UNTIL or said.constraint is not Constraint.BEFORE:
+    if said.preposition != "until" or said.constraint is not Constraint.BEFORE:
         return phrase
     return replace(phrase, said=replace(said, constraint=None, edge=Edge.START))
 

@@ -13,8 +13,6 @@ from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import BE, MUST, MUST_BE
 from fuzzytime.requirement import Constraint
 
-DO = "do"
-
 
 def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | None:
     """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
@@ -147,5 +145,5 @@ def _particle_alone(before: Operation, text: str, lexicon: Lexicon) -> str | Non
 
 def _is_it_after_all(before: Operation, operation: Operation, lexicon: Lexicon) -> bool:
     """Whether "do it" asks for what was not to be done before."""
-    does = operation.lemma == DO and (operation.object or "").lower() in lexicon.closed.singular_anaphors
+    does = operation.lemma == "do" and (operation.object or "").lower() in lexicon.closed.singular_anaphors
     return does and before.negated and not operation.negated and not before.stated

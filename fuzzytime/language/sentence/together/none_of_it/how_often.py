@@ -5,8 +5,6 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.segments.waiting import Part
 
-BETWEEN = "between"
-
 
 def unknown_moments(text: str, part: Part, heard: Sequence[Span]) -> Iterator[Remark]:
     """Point at what is repeated as often as something that is not known, and at what lies between events."""
@@ -35,6 +33,6 @@ def _unknown(part: Part) -> Iterator[int]:
             yield place
         over = tree.nodes[node.head]
         several = node.tag == "NNS" and not events.isdisjoint({node.lower, node.lemma})
-        lies_between = node.relation == "pobj" and over.lower == BETWEEN
+        lies_between = node.relation == "pobj" and over.lower == "between"
         if several and lies_between and not tree.children(place, "conj"):
             yield node.head

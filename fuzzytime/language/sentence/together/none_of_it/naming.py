@@ -9,9 +9,6 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 MODIFYING = frozenset({"compound", "amod", "nmod", "poss"})
 """How a word hangs on the noun behind it that it describes."""
 
-NOUNS = "NN"
-"""How the tags of nouns begin."""
-
 
 def naming_none(remarks: Iterable[Remark], sketches: Sequence[Sketch]) -> list[Remark]:
     """Leave out what is said of leftover words that describe a thing, or name somebody who is spoken to."""
@@ -53,7 +50,7 @@ def _describes(span: Span, part: Part) -> bool:
     last = places[-1]
     head = tree.nodes[last].head
     between = tree.nodes[last + 1 : head + 1]
-    named = head > last and all(node.tag.startswith(NOUNS) for node in between)
+    named = head > last and all(node.tag.startswith("NN") for node in between)
     texts = (tree.nodes[place].text for place in places)
     if any(text[0].isalpha() and text[-1].isdecimal() for text in texts):
         # "T+10 open the valve"

@@ -9,8 +9,6 @@ from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
-DO = "do"
-
 
 def told_again(before: Sketch, sketch: Sketch, draft: Draft) -> tuple[Sketch, Remark | None] | None:
     """Give an order with the time that is said of it anew, and what to say of its old one; None elsewhere.
@@ -46,7 +44,7 @@ def _is_again(before: Sketch, sketch: Sketch, draft: Draft) -> bool:
     if any((new.particle, new.place, new.complement, new.manner, new.order, new.addressee)):
         return False
     thing = (new.object or "").lower()
-    if new.lemma == DO and old.lemma != DO:
+    if new.lemma == "do" and old.lemma != "do":
         return thing in draft.lexicon.closed.singular_anaphors
     same = new.lemma == old.lemma and old.object is not None and thing in draft.lexicon.closed.all_anaphors
     return same and _is_correction(before, sketch, draft)
@@ -65,7 +63,7 @@ def is_about_orders(operation: Operation | None, lexicon: Lexicon) -> bool:
     if operation is None or operation.stated or operation.object is None:
         return False
     drops = (operation.lemma,) in lexicon.conversation["dropping"]
-    if not drops and not (operation.lemma == DO and operation.order is not None):
+    if not drops and not (operation.lemma == "do" and operation.order is not None):
         return False
     closed = lexicon.closed
     words = {word.text for word in words_of(operation.object)}

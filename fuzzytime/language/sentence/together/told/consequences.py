@@ -10,7 +10,6 @@ from fuzzytime.language.instruction import Instruction, Span
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
-SO = "so"
 DUE = frozenset({Constraint.AT, Constraint.BEFORE})
 
 
@@ -18,7 +17,7 @@ def leads_to_consequence(before: Sketch, sketch: Sketch, text: str) -> bool:
     """Whether "so" stands between two orders, or in front of the second."""
     between = text_between(before, sketch, text).strip(" ,;").lower()
     first = text[slice(*sketch.part.segment.span)].partition(" ")[0].lower()
-    return SO in {between, first}
+    return "so" in {between, first}
 
 
 def behind_consequences(
@@ -56,5 +55,5 @@ def _is_why(why: Instruction, consequence: Instruction) -> bool:
 
 def _so(text: str, end: int, consequence: Instruction) -> Span:
     """Give where "so" stands behind a character, or what it leads to."""
-    place = text.lower().find(SO, end)
-    return (place, place + len(SO)) if place >= 0 else consequence.span
+    place = text.lower().find("so", end)
+    return (place, place + len("so")) if place >= 0 else consequence.span

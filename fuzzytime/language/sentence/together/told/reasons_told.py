@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.meaning.expressions import Phrase, Wall
-from fuzzytime.language.sentence.references.mentions import BE, comes
+from fuzzytime.language.sentence.references.mentions import comes
 from fuzzytime.language.sentence.segments.told.asides_of_hours import bounding
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.told.opening_hours import is_errand
@@ -65,7 +65,7 @@ def _begins(sketch: Sketch) -> bool:
     doers = tree.children(root, *SUBJECTS)
     # "We fly at nine, so pack the bags"
     ours = any(tree.nodes[place].lower in lexicon.closed.first_person for place in doers)
-    return operation.lemma in begins or becomes or ours or (operation.lemma == BE and happens)
+    return operation.lemma in begins or becomes or ours or (operation.lemma == "be" and happens)
 
 
 def _is_done_with(order: Sketch, told: Sketch) -> bool:

@@ -8,8 +8,6 @@ from fuzzytime.language.sentence.verbs.meant.actions import FINITE
 from fuzzytime.language.sentence.verbs.meant.small_clauses import SmallClause
 from fuzzytime.language.sentence.verbs.operations.verb_words import VerbWords
 
-AFTER = "after"
-
 
 @dataclass(frozen=True, slots=True)
 class Particles(VerbWords):
@@ -40,7 +38,7 @@ class Particles(VerbWords):
             return None
         for place in range(verb + 1, len(self.tree.nodes)):
             text = self.tree.nodes[place].lower
-            verbs = self.lexicon.doing.taking_care if text == AFTER else self.lexicon.particles.get(text)
+            verbs = self.lexicon.doing.taking_care if text == "after" else self.lexicon.particles.get(text)
             if self.tree.nodes[place - 1].tag == "CC" or self._is_between(place):
                 # "To the gate and back", "with a rest in between"
                 continue
@@ -54,7 +52,7 @@ class Particles(VerbWords):
                 continue
             stands_before = place == verb + 1 and self.tree.nodes[verb].lemma in verbs
             bare = not self.tree.children(verb, "dobj") or not self.tree.children(place)
-            if (self._governs_nothing(place) and text != AFTER) or (stands_before and bare):
+            if (self._governs_nothing(place) and text != "after") or (stands_before and bare):
                 return place
         return None
 

@@ -24,8 +24,6 @@ INSIDE = (*FIRST, "DT", "PRP$", "PDT", "VBN", "POS", "IN", "TO", "CC", "RB", "RP
 MARKS = frozenset({",", ";", "(", "–", "+"})
 """What ends a name before it."""
 
-DENYING = "no"
-
 
 def named_alone(tree: Tree, heard: Collection[int]) -> Operation | None:
     """Give what is named beside times and clauses, whose places are ``heard``; None for what is no name."""
@@ -82,9 +80,7 @@ def _is_where(tree: Tree, nodes: Sequence[Node]) -> bool:
 def _denies(tree: Tree, nodes: Sequence[Node]) -> bool:
     """Whether words say what is not to be."""
     closed = tree.lexicon.closed
-    return not (closed.negators | closed.negative_pronouns | {DENYING}).isdisjoint(
-        node.lower for node in nodes
-    )
+    return not (closed.negators | closed.negative_pronouns | {"no"}).isdisjoint(node.lower for node in nodes)
 
 
 def _text(tree: Tree, places: Sequence[int]) -> str:

@@ -6,7 +6,6 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree
 
-PUT = "put"
 PLACES = frozenset({"in", "on"})
 """Where things are put that are only named: "lights out" and "doors open" happen."""
 
@@ -38,4 +37,4 @@ def put_there(tree: Tree, timed: Sequence[int]) -> Operation | None:
     said = tree.text[nodes[0].start : thing.end]
     span = (nodes[place].start, nodes[place].end)
     lowered = said[:1].lower() + said[1:] if nodes[0].text[1:].islower() else said
-    return Operation(verb=PUT, lemma=PUT, span=span, object=lowered, particle=nodes[place].lower)
+    return Operation(verb="put", lemma="put", span=span, object=lowered, particle=nodes[place].lower)
