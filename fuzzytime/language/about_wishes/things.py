@@ -10,7 +10,6 @@ from fuzzytime.language.about_wishes.lengths import later_by
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import Lexicon
 
-SOONER = frozenset({("earlier",), ("sooner",)})
 SHORTEST = 3
 """Words of one thing, and of the one that it is not."""
 
@@ -120,7 +119,11 @@ def _later(said: Said) -> About | None:
         # "Start the salad ten minutes earlier", which was to be made
         names = later[1].names - said.lexicon.doing.beginning or later[1].names
         return replace(later[0], names=names, certain=True)
-    names = said.until(len(said.words) - 1).names if said.forms[-1:] in SOONER else frozenset()
+    names = (
+        said.until(len(said.words) - 1).names
+        if said.forms[-1:] in {("earlier",), ("sooner",)}
+        else frozenset()
+    )
     # By how much is not said.
     return About(kind=AboutKind.DELAY, names=names, earlier=True, certain=True) if names else None
 

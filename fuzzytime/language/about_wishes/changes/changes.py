@@ -20,8 +20,6 @@ SEVERAL = ("both", "everything")
 OWNER = re.compile(r"(?<=\w)['\u2019]s\b")
 """What tells whose something is."""
 
-LEAVE, OUT = "leave", "out"
-
 
 def change(said: Said) -> About | None:
     """Read an order about wishes; None where it may be a wish itself."""
@@ -82,7 +80,7 @@ def _dropped(said: Said) -> About | None:
     dropped = said.after("dropping") or rest
     if dropped is not None and (kept := all_but(dropped)) is not None:
         return About(kind=AboutKind.DROP, names=named_in(kept), everything=True, certain=True)
-    if said.forms[:1] == (LEAVE,) and said.forms[-1:] == (OUT,) and len(said.words) > 2:
+    if said.forms[:1] == ("leave",) and said.forms[-1:] == ("out",) and len(said.words) > 2:
         # "Leave the soup out"
         return about_thing(AboutKind.DROP, said.until(len(said.words) - 1).behind(1))
     rest = said.after("dropping")

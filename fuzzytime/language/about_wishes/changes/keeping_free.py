@@ -4,8 +4,6 @@ from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import CLOCKED, Said, one_time
 from fuzzytime.requirement import Constraint
 
-UNTIL = frozenset({"until", "till"})
-
 
 def kept_free(said: Said) -> About | None:
     """Read for what time is kept; None where a thing is: "set the dough aside", "keep the door free"."""
@@ -30,7 +28,7 @@ def _kept(stretch: Said, behind: Said) -> About | None:
     if read is None or read.recurrence is not None:
         return None
     lasts = read.constraint is Constraint.FOR and bool(thing)
-    until = read.preposition in UNTIL and not thing
+    until = read.preposition in {"until", "till"} and not thing
     if not (lasts or until or read.constraint is Constraint.BETWEEN):
         return None
     # What a part of a day is kept for may be anywhere in that.

@@ -13,7 +13,6 @@ from fuzzytime.requirement import Constraint, TimeRequirement
 CONTRACTED = re.compile(r"(?<=\w)['\u2019](s|re)\b")
 BEING = {"s": " is", "re": " are"}
 SUBJECTS = frozenset({"nsubj", "nsubj:pass"})
-HELPING = frozenset({"aux", "aux:pass"})
 VERBAL = ("V", "M")
 """How the tags of verbs begin."""
 
@@ -96,7 +95,7 @@ def _named(tokens: Sequence[Token], lexicon: Lexicon) -> Iterator[str]:
         word, verb = token.text.lower(), token.tag.startswith(VERBAL)
         left_out = pronouns if verb else pronouns | small
         named = word[:1].isalnum() and word not in left_out and content_words(word)
-        if named and token.relation not in HELPING:
+        if named and token.relation not in {"aux", "aux:pass"}:
             yield token.lemma
 
 

@@ -14,7 +14,6 @@ MINUTES = 60
 LEAST = 2
 """Clock times behind the first of such a list, at least."""
 
-OPENING = frozenset({"at", "@"})
 JOINTS = frozenset({"and", "or", "&"})
 
 Stretch = tuple[int, int]
@@ -74,7 +73,7 @@ class RunOnHours(Around):
 def typed_apart(words: Sequence[Word]) -> list[Word]:
     """Give the words of a list of hours that was typed without spaces as if it had some: "at 1,2 or 3"."""
     found = list(words)
-    for place in (p + 1 for p, word in enumerate(words) if word.text in OPENING):
+    for place in (p + 1 for p, word in enumerate(words) if word.text in {"at", "@"}):
         end = place
         while _is_hour(words, end) and [word.text for word in words[end + 1 : end + 2]] == [","]:
             end += 2

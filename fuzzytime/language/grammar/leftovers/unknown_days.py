@@ -4,8 +4,6 @@ from collections.abc import Iterator
 
 from fuzzytime.language.grammar.spans import Scanned
 
-WEEKEND, IN, BETWEEN = "weekend", "in", "between"
-
 LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
 
@@ -27,7 +25,7 @@ def _weekends(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
     around = scanned.around
     binding, openers = around.beside.before_weekends, around.closed.noun_openers
     for place, word in enumerate(scanned.words):
-        if word.text != WEEKEND or place in known:
+        if word.text != "weekend" or place in known:
             continue
         near = range(place - 2, max(-1, place - LONGEST_WEEKEND), -1)
         led = next((p for p in near if around.texts[p] in binding and around.texts[p + 1] in openers), None)
@@ -77,7 +75,7 @@ def _untold(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
     """Give the places of days of which nobody said when they are: "on his birthday", "over half term"."""
     around = scanned.around
     beside, texts = around.beside, around.texts
-    binding = beside.before_weekends - around.closed.prepositions_of_recipients | {IN}
+    binding = beside.before_weekends - around.closed.prepositions_of_recipients | {"in"}
     for place, word in enumerate(scanned.words):
         first = place - (" ".join(texts[max(0, place - 1) : place + 1]) in beside.untold_days)
         untold = " ".join(texts[first : place + 1]) in beside.untold_days
@@ -90,7 +88,7 @@ def _untold(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
         near = range(first - 1, max(-1, first - LONGEST_MOMENT), -1)
         led = next((p for p in near if texts[p] in binding), -1)
         behind = "".join(texts[place + 1 : place + 2])
-        if word.text == BETWEEN and behind[:1].isalnum():
+        if word.text == "between" and behind[:1].isalnum():
             # "Put the notes in between the pages"; but "have a snack in between"
             continue
         more = behind.isalpha() and behind not in around.lexicon.function_words

@@ -7,7 +7,6 @@ from fuzzytime.language.meaning.expressions import Said, Wall
 TOPICAL = frozenset({"about", "of"})
 """Prepositions before what is spoken of."""
 
-SAY, ABOUT, TO = "say", "about", "to"
 
 RECKONED = frozenset({("what", "is"), ("what's",), ("how", "much", "is"), ("how", "long", "is")})
 """Beginnings of questions that a number answers."""
@@ -60,13 +59,13 @@ def _is_topic(piece: Piece, around: Surroundings) -> bool:
         return True
     wall = piece.value.wall if isinstance(piece.value, Said) else Wall()
     clocked, dated = wall.clock is not None, wall.days is not None
-    verbs = kinds.speaking | (kinds.sending if dated and texts[joint] == ABOUT else frozenset())
+    verbs = kinds.speaking | (kinds.sending if dated and texts[joint] == "about" else frozenset())
     first = next((p for p in range(joint - 1, max(-1, joint - FARTHEST - 1), -1) if texts[p] in verbs), None)
-    if first is None or clocked or not (around.opens(first) or texts[first - 1] == TO):
+    if first is None or clocked or not (around.opens(first) or texts[first - 1] == "to"):
         return False
     # "Ring mum tonight about sunday", "talk to Ann about friday"; but "ask Ann to come about friday"
-    parting = around.closed.coordinators | {TO}
-    between = texts[first + 1 + (texts[first + 1] == TO) : joint]
+    parting = around.closed.coordinators | {"to"}
+    between = texts[first + 1 + (texts[first + 1] == "to") : joint]
     return parting.isdisjoint(between) and all(text.isalpha() for text in between)
 
 
@@ -106,9 +105,9 @@ def _has_meaning(piece: Piece, around: Surroundings) -> bool:
 def _is_said_how(piece: Piece, around: Surroundings) -> bool:
     """Whether it is how something is said, or rhymes: "how do you say noon", "what rhymes with june"."""
     # "Say" may be a hedge, and "with" bind it.
-    inner = around.texts[piece.start] in {"with", SAY}
+    inner = around.texts[piece.start] in {"with", "say"}
     *_, before, last = ("", "", *around.texts[: piece.start + inner])
-    how = last == SAY and before in {"you", "to", "i", "we", "they"}
+    how = last == "say" and before in {"you", "to", "i", "we", "they"}
     asked = "how" in around.texts[max(0, piece.start - FAR) : piece.start]
     return (how and asked) or before in around.lexicon.no_times.rhyming
 

@@ -8,7 +8,6 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.meaning.phrases import places_in
 
-FIRST, SECOND = "first", "second"
 LONGEST_NAME = 4
 """Words at most, and one, of the name of what has a time: "first aid course"."""
 LONGEST_MEANWHILE = 6
@@ -17,10 +16,10 @@ LONGEST_MEANWHILE = 6
 
 def counts_event(words: Sequence[Word], place: int, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     """Whether "first" is of what has a time, or of several: "first lesson at nine", "first … second coat"."""
-    if words[place].text != FIRST or place + 1 >= len(words):
+    if words[place].text != "first" or place + 1 >= len(words):
         return False
     behind = words[place + 1].text
-    if any(one.text == SECOND and other.text == behind for one, other in pairwise(words)):
+    if any(one.text == "second" and other.text == behind for one, other in pairwise(words)):
         return True
     time = next((phrase.first for phrase in phrases if phrase.first > place), place)
     named = place + 1 < time <= place + LONGEST_NAME

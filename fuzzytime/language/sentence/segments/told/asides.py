@@ -14,7 +14,6 @@ from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 
 OPENING = frozenset({",", "(", "-"})
-ENDING = frozenset({".", "!"})
 PURPOSE = 3
 """Words at most of what a length is for: "to cool down"."""
 
@@ -62,7 +61,7 @@ def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
     bracketed = words[place].text == "(" or words[place - 1].text in {"(", "-"}
     behind = (
         phrase.end == len(words)
-        or words[phrase.end].text in ENDING
+        or words[phrase.end].text in {".", "!"}
         or _becomes(words, phrase, scanned.lexicon)
     )
     if words[place].text in told["naming"] or (words[place].text in told["back"] and (bracketed or behind)):

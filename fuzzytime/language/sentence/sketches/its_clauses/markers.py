@@ -10,8 +10,6 @@ from fuzzytime.language.sentence.segments.events.event_edges import BY, OF_EDGES
 from fuzzytime.language.sentence.sketches.its_clauses.ends import ASKED, ClauseEnds
 from fuzzytime.requirement import Edge
 
-AFTER, AS, WHEN = "after", "as", "when"
-
 
 class ClauseMarkers:
     """The words of an instruction that begin clauses."""
@@ -33,7 +31,7 @@ class ClauseMarkers:
 
     def _is_of_verb(self, place: int) -> bool:
         """Whether it belongs to the verb right before it: "look after the baby"."""
-        if not place or self.words[place].text != AFTER:
+        if not place or self.words[place].text != "after":
             return False
         before = self.words[place - 1]
         lemmas = {self.tree.nodes[p].lemma for p in self.tree.at(before.start, before.end)}
@@ -62,11 +60,11 @@ class ClauseMarkers:
 
     def _inquires(self, place: int, form: tuple[str, ...]) -> bool:
         """Whether "if" begins what is asked or found out: "ask Tom if he's free", "see if it's dry"."""
-        if form not in {("if",), (WHEN,)}:
+        if form not in {("if",), ("when",)}:
             return False
         before = [word.text for p, word in enumerate(self.words[:place]) if p not in self.covered]
         found = " ".join(before[-2:]) in self.lexicon.doing.finding_out
-        if form == (WHEN,):
+        if form == ("when",):
             # "Find out when the shops close"
             return found
         found = found or bool(self.lexicon.doing.inquiring & {*before[-1:]})
@@ -81,7 +79,7 @@ class ClauseMarkers:
         while behind < len(self.words) and self.words[behind].text in self.lexicon.closed.before_states:
             behind += 1
         known = any(word.text in self.lexicon.doing.marking for word in self.words[:place])
-        if form != (AS,) or behind >= len(self.words):
+        if form != ("as",) or behind >= len(self.words):
             return False
         if not known and self.words[behind].text not in self.lexicon.closed.foreseen:
             return False

@@ -21,7 +21,6 @@ from fuzzytime.requirement import BOUNDS, MOMENTS, Constraint
 
 NAMING = ("NN", "PRP", "DT", "CD")
 """How tags begin of what a relative clause says more of: "the film that starts at eight"."""
-ARTICLES = frozenset({"a", "an", "one"})
 
 LEAST_CASE = 3
 """Words of such a case, at least, behind the first of them."""
@@ -183,7 +182,7 @@ def _of_inner(part: Part, phrases: Sequence[Phrase]) -> list[Phrase]:
         first = next(part.at(phrase.span), 0)
         led, article = ["", "", *(node.lower for node in nodes[:first])][-2:]
         inner = isinstance(phrase.said.time, Duration) and phrase.said.preposition is None
-        if inner and led == "with" and article in ARTICLES and len(phrases) > 1:
+        if inner and led == "with" and article in {"a", "an", "one"} and len(phrases) > 1:
             found.append(phrase)
     spans = any(isinstance(phrase.said.time, (Range, Duration)) for phrase in phrases if phrase not in found)
     return found if spans else []

@@ -10,7 +10,6 @@ from fuzzytime.language.meaning.joined.distances import LATER
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.named import takes_verb
 from fuzzytime.language.sentence.verbs.places import says_where
-from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import BE, MUST, MUST_BE
 from fuzzytime.requirement import Constraint
 
 
@@ -95,8 +94,8 @@ def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
         # "Stop for a brew at ten and for lunch at noon"
         return replace(before, place=rest) if [led] == (before.place or "").split()[:1] else None
     # "Kids fed by six, in bed by eight"
-    there = before.due == MUST_BE and led in lexicon.beside.states
-    return replace(before, verb=BE, lemma=BE, due=MUST, place=rest) if there else None
+    there = before.due == "must be" and led in lexicon.beside.states
+    return replace(before, verb="be", lemma="be", due="must", place=rest) if there else None
 
 
 def _is_led_later(sketch: Sketch, said: Span) -> bool:

@@ -10,8 +10,6 @@ from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
-BEFORE, AND, AFTER = "before", "and", "after"
-
 
 def on_both_sides(sketch: Sketch, words: Sequence[Word]) -> list[Sketch]:
     """Give one sketch for either side of what an instruction is to be done before and after."""
@@ -29,15 +27,15 @@ def _both(sketch: Sketch, words: Sequence[Word]) -> tuple[Span, int] | None:
     """Give the stretch of "before and", and where the time or clause behind begins; None for none."""
     starts = {span[0] for span in sketch.heard}
     for one, other, third in zip(words, words[1:], words[2:], strict=False):
-        if [one.text, other.text, third.text] == [BEFORE, AND, AFTER] and third.start in starts:
+        if [one.text, other.text, third.text] == ["before", "and", "after"] and third.start in starts:
             return (one.start, other.end), third.start
     return None
 
 
 def _before(phrase: Phrase, joint: Span) -> Phrase:
-    said = replace(phrase.said, constraint=Constraint.BEFORE, preposition=BEFORE, edge=Edge.START)
+    said = replace(phrase.said, constraint=Constraint.BEFORE, preposition="before", edge=Edge.START)
     return replace(phrase, said=said, span=(joint[0], phrase.span[1]))
 
 
 def _clause_before(clause: Clause, joint: Span) -> Clause:
-    return replace(clause, kind=BEFORE, marker=BEFORE, span=(joint[0], clause.span[1]))
+    return replace(clause, kind="before", marker="before", span=(joint[0], clause.span[1]))

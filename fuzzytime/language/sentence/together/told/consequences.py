@@ -10,8 +10,6 @@ from fuzzytime.language.instruction import Instruction, Span
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
-DUE = frozenset({Constraint.AT, Constraint.BEFORE})
-
 
 def leads_to_consequence(before: Sketch, sketch: Sketch, text: str) -> bool:
     """Whether "so" stands between two orders, or in front of the second."""
@@ -48,7 +46,10 @@ def _is_why(why: Instruction, consequence: Instruction) -> bool:
     if one is None or other is None or not (one.is_asked and other.is_asked):
         return False
     same = one.object is not None and one.object == other.object
-    due = any(part.constraint in DUE and part.anchor is None for part in consequence.requirements)
+    due = any(
+        part.constraint in {Constraint.AT, Constraint.BEFORE} and part.anchor is None
+        for part in consequence.requirements
+    )
     lengths = bool(why.requirements) and all(p.constraint is Constraint.FOR for p in why.requirements)
     return same and due and lengths
 

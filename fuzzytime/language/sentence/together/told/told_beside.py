@@ -12,7 +12,6 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Constraint
 
-AND, THEN, ONLY = "and", "then", "only"
 BREAKS = frozenset({",", "-", "–", ";"})
 """Marks between an order and what is told of it."""
 
@@ -51,7 +50,7 @@ def _may_only(before: Sketch, sketch: Sketch, text: str) -> bool:
     if not tree.nodes or not before.is_open or not _is_beside(before, sketch, text):
         return False
     subjects = tree.said(tree.children(root, *SUBJECTS))
-    only = any(node.lower == ONLY for node in tree.nodes)
+    only = any(node.lower == "only" for node in tree.nodes)
     is_so = tree.nodes[root].lemma in before.lexicon.closed.lemmas_of_be and bool(
         subjects & before.lexicon.closed.third_person
     )
@@ -71,8 +70,8 @@ def _behind(sketch: Sketch, text: str) -> Sketch:
     """Give what is told as what comes behind what is told before it, at the comma or "and" between them."""
     segment = sketch.part.segment
     before = text[: segment.span[0]].rstrip()
-    joint = len(before) - (len(AND) if before.lower().endswith(AND) else 1)
-    joined = replace(segment, connective=THEN, connective_span=(joint, len(before)))
+    joint = len(before) - (len("and") if before.lower().endswith("and") else 1)
+    joined = replace(segment, connective="then", connective_span=(joint, len(before)))
     return replace(sketch, part=replace(sketch.part, segment=joined))
 
 

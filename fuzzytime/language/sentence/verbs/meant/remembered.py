@@ -4,8 +4,6 @@ from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation
 
-FORGET, REMEMBER = "forget", "remember"
-
 
 def as_remembered(operation: Operation) -> Operation:
     """Give what "don't forget" asks for where it names a thing, and no verb: to remember it.
@@ -13,6 +11,6 @@ def as_remembered(operation: Operation) -> Operation:
     "Don't forget" alone names nothing to be done.
     """
     named = operation.object is not None or operation.place is not None
-    if operation.lemma != FORGET or not operation.negated or operation.stated or not named:
+    if operation.lemma != "forget" or not operation.negated or operation.stated or not named:
         return operation
-    return replace(operation, verb=REMEMBER, lemma=REMEMBER, negated=False)
+    return replace(operation, verb="remember", lemma="remember", negated=False)

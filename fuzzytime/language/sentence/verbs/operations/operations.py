@@ -17,8 +17,6 @@ AIMS = ("advcl", "xcomp", "acl", "relcl")
 NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
 
-IF, WHEN, FIND = "if", "when", "find"
-
 
 @dataclass(frozen=True, slots=True)
 class Reader(Particles):
@@ -174,10 +172,10 @@ class Reader(Particles):
         """Give what is found out: "check if the parcel is there", which trees take for a condition."""
         node, words = self.tree.nodes[verb], self.tree.nodes[verb : verb + 2]
         found = " ".join(word.lower for word in words) in self.lexicon.doing.finding_out
-        if not found and node.lemma not in self.lexicon.doing.inquiring | {FIND}:
+        if not found and node.lemma not in self.lexicon.doing.inquiring | {"find"}:
             return []
         # "Find out when the next bus leaves"
-        marks = {IF, WHEN} if found else {IF}
+        marks = {"if", "when"} if found else {"if"}
         asked = (
             p
             for p in self.tree.children(verb, "advcl", "ccomp")

@@ -10,8 +10,6 @@ from fuzzytime.language.sentence.verbs.statements.statements import others_do
 
 STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
 
-MUST, MUST_BE, NEEDS, NEED = "must", "must be", "needs", "need"
-
 
 @dataclass(frozen=True, slots=True)
 class Stated(Places):
@@ -58,12 +56,12 @@ class Stated(Places):
         tag = self.tree.nodes[verb].tag
         if tag == "VBG":
             # "The lawn needs mowing", "the beds need making"
-            return NEED if self.tree.nodes[self.tree.nodes[verb].head].tag == "VBP" else NEEDS
+            return "need" if self.tree.nodes[self.tree.nodes[verb].head].tag == "VBP" else "needs"
         if self.tree.nodes[verb].lemma in self.lexicon.doing.needing:
             # "The car needs fuel"
             return ""
         passive = tag == "VBN" or self.tree.children(verb, "auxpass")
-        return MUST_BE if passive else MUST
+        return "must be" if passive else "must"
 
     def _is_attended(self, verb: int) -> bool:
         """Whether it is said where somebody is, or what they have, and that takes them: "I'm out at noon"."""

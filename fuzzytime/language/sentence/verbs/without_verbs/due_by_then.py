@@ -7,8 +7,6 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
-BE, MUST, MUST_BE = "be", "must", "must be"
-
 NOUNS = frozenset({"NN", "NNS", "NNP", "NNPS"})
 NAMING = NOUNS | {"JJ", "CD", "PRP$", "POS"}
 """Tags of the words that name a thing."""
@@ -53,14 +51,14 @@ def due_by_then(
     if nodes[state].tag in PARTICIPLES:
         within = all(node.tag in NAMING | {"IN", "DT"} for node in nodes[first + 1 : state])
         lemma = nodes[state].lemma
-        return Operation(verb=said, lemma=lemma, span=span, object=thing, due=MUST_BE) if within else None
+        return Operation(verb=said, lemma=lemma, span=span, object=thing, due="must be") if within else None
     named = all(node.tag in NAMING | {"IN"} or node.tag in DETERMINERS for node in nodes[state + 1 : end])
     ordered = not first and nodes[first].may_act and nodes[first].lower == nodes[first].lemma
     ordered = ordered and nodes[first].lower not in lexicon.doing.recipients
     if not named or ordered or not _is_thing(nodes[first:state], lexicon):
         # "Report on the sales by friday" may be an order.
         return None
-    return Operation(verb=BE, lemma=BE, span=span, object=thing, place=said, due=MUST)
+    return Operation(verb="be", lemma="be", span=span, object=thing, place=said, due="must")
 
 
 def _state(nodes: Sequence[Node], lexicon: Lexicon, *, listed: bool) -> int:

@@ -10,7 +10,6 @@ from fuzzytime.english import looks_plural
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
-from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import BE
 
 NOUNS = ("NN", "VBG", "CD")
 """How the tags begin of what something is called by."""
@@ -33,7 +32,7 @@ def named_alone(tree: Tree, heard: Collection[int]) -> Operation | None:
         return None
     name, span = _lowered(_text(tree, said)), (nodes[0].start, nodes[-1].end)
     if _is_where(tree, nodes):
-        return Operation(verb=BE, lemma=BE, span=span, place=name)
+        return Operation(verb="be", lemma="be", span=span, place=name)
     heads = [node for node in nodes if node.head not in said or tree.nodes[node.head] is node]
     if nodes[0].tag in DETERMINERS:
         # "The dog at seven" goes on with the verb said last.
