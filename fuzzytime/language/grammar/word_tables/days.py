@@ -4,10 +4,10 @@ from collections.abc import Iterable, Mapping
 from datetime import time
 from typing import Any
 
-from fuzzytime.documents.nodes import Node, Scalar
+from fuzzytime.documents.nodes import Scalar
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.grammar.lexicon import Form, form_of
-from fuzzytime.language.grammar.word_tables.tables import FULL_STOP_BELOW, Tables
+from fuzzytime.language.grammar.word_tables.tables import FULL_STOP_BELOW, Row, Tables
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.days.relations import Relative, Which
 from fuzzytime.language.meaning.expressions import Edge, Ending, UnitWord
@@ -78,28 +78,23 @@ NAMED_PARTS = {
 
 def read_parts(tables: Tables) -> None:
     """Add parts of the day, and shares and edges of longer periods."""
-    reader = tables.reader
     parts: dict[str, Part] = {}
     main: list[Part] = []
 
-    def part(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        key = f"parts.{name}"
-        start, end = tables.clock(fields["from"], f"{key}.from"), tables.clock(fields["to"], f"{key}.to")
-        half = reader.choice(fields["half"], f"{key}.half", tuple(Half)) or Half.DAY
-        meal = "meal" in fields and reader.boolean(fields["meal"], f"{key}.meal")
-        place = "place" in fields and reader.boolean(fields["place"], f"{key}.place")
-        late = tables.clock(fields["late"], f"{key}.late") if "late" in fields else None
+    def part(name: str, row: Row) -> Iterable[tuple[str, Any]]:
+        start, end, half = row.clock("from"), row.clock("to"), row.choice("half", Half.DAY)
+        meal, place = row.flag("meal"), row.flag("place")
+        late = row.clock("late") if row.has("late") else None
         if late is not None and not start <= late <= end:
-            reader.mistake(fields["late"], f"{key}.late", "a part's late half must begin inside it")
-        parts[name] = Part(name, start, end + (86400 if end < start else 0), Half(half), meal, late, place)
+            tables.reader.mistake(*row.at("late"), "a part's late half must begin inside it")
+        parts[name] = Part(name, start, end + (86400 if end < start else 0), half, meal, late, place)
         if not meal and parts[name].start != parts[name].end:
-            tables.add(
-                fields["from"], key, "parts", parts[name], [(*form_of(name)[:-1], form_of(name)[-1] + "s")]
-            )
-        if "main" in fields and reader.boolean(fields["main"], f"{key}.main"):
+            plural = (*form_of(name)[:-1], form_of(name)[-1] + "s")
+            tables.add(row.fields["from"], row.key, "parts", parts[name], [plural])
+        if row.flag("main"):
             main.append(parts[name])
-        if "each" in fields:
-            tables.add(fields["each"], key, "parts", parts[name], tables.forms(fields["each"], f"{key}.each"))
+        if row.has("each"):
+            tables.add(row.fields["each"], row.key, "parts", parts[name], row.forms("each"))
         return [("meal" if meal else "part", parts[name])]
 
     tables.table(
@@ -118,18 +113,15 @@ def read_parts(tables: Tables) -> None:
 
 def _read_named_parts(tables: Tables, parts: Mapping[str, Part]) -> None:
     """Add what names a part of the day by another word: halves of days, and parts of certain days."""
-    reader = tables.reader
-
     for section, category in NAMED_PARTS.items():
         for name, node in tables.rows(section):
             key = f"{section}.{name.text}"
-            chosen = reader.choice(name, key, tuple(parts))
+            chosen = tables.reader.choice(name, key, tuple(parts))
             if chosen:
                 tables.add(node, key, category, parts[chosen], tables.forms(node, section))
 
-    def day_part(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        day = reader.whole(fields["day"], f"day_parts.{name}.day", -9, 9)
-        chosen = reader.choice(fields["part"], f"day_parts.{name}.part", tuple(parts))
+    def day_part(_: str, row: Row) -> Iterable[tuple[str, Any]]:
+        day, chosen = row.whole("day", -9, 9), row.chosen("part", tuple(parts))
         return [("day_part", (Relative(day), parts[chosen]))] if chosen else []
 
     tables.table("day_parts", {"day": True, "part": True}, day_part)
@@ -137,21 +129,17 @@ def _read_named_parts(tables: Tables, parts: Mapping[str, Part]) -> None:
 
 def _read_shares(tables: Tables) -> None:
     """Add shares and edges of periods."""
-    reader = tables.reader
+    reader, ends = tables.reader, ("start", "end")
 
-    def share(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        low = reader.number(fields["from"], f"shares.{name}.from", 0, 1)
-        return [("share", (low, reader.number(fields["to"], f"shares.{name}.to", 0, 1)))]
+    def share(_: str, row: Row) -> Iterable[tuple[str, Any]]:
+        return [("share", (row.number("from", 0, 1), row.number("to", 0, 1)))]
 
     tables.table("shares", {"from": True, "to": True}, share)
-    tables.plain(
-        "edges", lambda n: [("edge", Edge(reader.choice(n, "edges", ("start", "end")) or "end"))], named=False
-    )
+    tables.plain("edges", lambda n: [("edge", Edge(reader.choice(n, "edges", ends) or "end"))], named=False)
 
-    def edge(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        chosen = reader.choice(fields["edge"], f"abbreviated_edges.{name}.edge", ("start", "end")) or "end"
-        unit = reader.choice(fields["unit"], f"abbreviated_edges.{name}.unit", tuple(Unit)) or Unit.DAY
-        return [("ending", Ending(Edge(chosen), Cycle(Unit(unit))))]
+    def edge(_: str, row: Row) -> Iterable[tuple[str, Any]]:
+        chosen = row.choice("edge", Edge.END, Edge.START, Edge.END)
+        return [("ending", Ending(chosen, Cycle(row.choice("unit", Unit.DAY))))]
 
     tables.table("abbreviated_edges", {"edge": True, "unit": True}, edge)
 

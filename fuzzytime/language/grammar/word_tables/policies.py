@@ -2,9 +2,8 @@
 
 from datetime import time
 
-from fuzzytime.documents.nodes import Node
 from fuzzytime.language.grammar.lexicon import Form, Forms, form_of
-from fuzzytime.language.grammar.word_tables.tables import Tables, numbered
+from fuzzytime.language.grammar.word_tables.tables import Row, Tables, numbered
 from fuzzytime.language.policy import DateOrder, Hours, Midnight, Policy, SameWeekday
 
 
@@ -13,86 +12,57 @@ def read_usual_hours(tables: Tables) -> Forms[Hours]:
     found: dict[Form, Hours] = {}
     for name, node in tables.rows("usual_hours"):
         key = f"usual_hours.{name.text}"
-        fields = tables.reader.mapping(node, key, ("from", "to", "also"), ("from",))
-        if "from" not in fields:
-            continue
-        last = _time(tables, fields["to"], f"{key}.to") if "to" in fields else None
-        hours = (_time(tables, fields["from"], f"{key}.from"), last)
-        also = tables.forms(fields["also"], f"{key}.also") if "also" in fields else []
-        found.update(dict.fromkeys([form_of(name.text), *also], hours))
+        row = Row(tables, key, tables.reader.mapping(node, key, ("from", "to", "also"), ("from",)))
+        if row.has("from"):
+            hours = (_time(row, "from"), _time(row, "to") if row.has("to") else None)
+            found.update(dict.fromkeys([form_of(name.text), *row.forms("also")], hours))
     return Forms(found)
 
 
-NIGHT = ("from", "to", "hours")
-
-
-def _time(tables: Tables, node: Node, key: str) -> time:
-    seconds = tables.clock(node, key)
-    return time(seconds // 3600, seconds // 60 % 60, seconds % 60)
+NAMES = (
+    "plausible", "soon_hours", "night", "ahead_from", "hours_before", "workday_from", "same_weekday",
+    "midnight", "week_starts", "weekend", "date_order", "bare_pair_from", "planned_from",
+    "round_the_clock_hours", "kept_off", "ask",
+)  # fmt: skip
+"""What a policy says: all of it."""
 
 
 def read_policy(tables: Tables) -> Policy:
-    """Give the policy that a file says, the default one where it says none."""
-    reader = tables.reader
+    """Give the policy that a file says, the default one where it says none, or not all of it."""
     node = tables.sections.get("policy")
-    if node is None:
+    said = Row(tables, "policy", {} if node is None else tables.reader.mapping(node, "policy", NAMES, NAMES))
+    if not said.has(*NAMES):
         return Policy()
-    names = (
-        "plausible",
-        "soon_hours",
-        "night",
-        "ahead_from",
-        "hours_before",
-        "workday_from",
-        "same_weekday",
-        "midnight",
-        "week_starts",
-        "weekend",
-        "date_order",
-        "bare_pair_from",
-        "planned_from",
-        "round_the_clock_hours",
-        "kept_off",
-        "ask",
-    )
-    fields = reader.mapping(node, "policy", names, names)
-    if len(fields) < len(names):
+    plausible = said.part("plausible", "from", "to")
+    night = said.part("night", "from", "to", "hours")
+    weekend = said.part("weekend", "from", "days")
+    if not (plausible.has("from", "to") and night.has("from", "to", "hours") and weekend.has("from", "days")):
         return Policy()
     weekdays = numbered(tables, "weekdays")
-    plausible = reader.mapping(fields["plausible"], "policy.plausible", ("from", "to"), ("from", "to"))
-    night = reader.mapping(fields["night"], "policy.night", NIGHT, NIGHT)
-    weekend = reader.mapping(fields["weekend"], "policy.weekend", ("from", "days"), ("from", "days"))
-    if len(plausible) < 2 or len(weekend) < 2 or len(night) < len(NIGHT):
-        return Policy()
-
     return Policy(
-        plausible_from=_time(tables, plausible["from"], "policy.plausible.from"),
-        plausible_to=_time(tables, plausible["to"], "policy.plausible.to"),
-        soon_hours=reader.whole(fields["soon_hours"], "policy.soon_hours", 0, 12),
-        night_from=_time(tables, night["from"], "policy.night.from"),
-        night_to=_time(tables, night["to"], "policy.night.to"),
-        night_hours=reader.whole(night["hours"], "policy.night.hours", 0, 12),
-        ahead_from=_time(tables, fields["ahead_from"], "policy.ahead_from"),
-        hours_before=reader.whole(fields["hours_before"], "policy.hours_before", 0, 24),
-        workday_from=_time(tables, fields["workday_from"], "policy.workday_from"),
-        same_weekday=SameWeekday(
-            reader.choice(fields["same_weekday"], "policy.same_weekday", tuple(SameWeekday))
-            or SameWeekday.NEXT
-        ),
-        midnight=Midnight(
-            reader.choice(fields["midnight"], "policy.midnight", tuple(Midnight)) or Midnight.END
-        ),
-        week_starts=weekdays.get(reader.choice(fields["week_starts"], "policy.week_starts", weekdays), 0),
-        weekend_from=weekdays.get(reader.choice(weekend["from"], "policy.weekend.from", weekdays), 5),
-        weekend_days=reader.whole(weekend["days"], "policy.weekend.days", 1, 6),
-        date_order=DateOrder(
-            reader.choice(fields["date_order"], "policy.date_order", tuple(DateOrder)) or DateOrder.MONTH_DAY
-        ),
-        planned_from=reader.whole(fields["planned_from"], "policy.planned_from", 1, 9999),
-        bare_pair_from=reader.whole(fields["bare_pair_from"], "policy.bare_pair_from", 0, 24),
-        round_the_clock_hours=reader.whole(
-            fields["round_the_clock_hours"], "policy.round_the_clock_hours", 1, 24
-        ),
-        kept_off=reader.whole(fields["kept_off"], "policy.kept_off", 0, 720),
-        ask=reader.boolean(fields["ask"], "policy.ask"),
+        plausible_from=_time(plausible, "from"),
+        plausible_to=_time(plausible, "to"),
+        soon_hours=said.whole("soon_hours", 0, 12),
+        night_from=_time(night, "from"),
+        night_to=_time(night, "to"),
+        night_hours=night.whole("hours", 0, 12),
+        ahead_from=_time(said, "ahead_from"),
+        hours_before=said.whole("hours_before", 0, 24),
+        workday_from=_time(said, "workday_from"),
+        same_weekday=said.choice("same_weekday", SameWeekday.NEXT),
+        midnight=said.choice("midnight", Midnight.END),
+        week_starts=weekdays.get(said.chosen("week_starts", weekdays), 0),
+        weekend_from=weekdays.get(weekend.chosen("from", weekdays), 5),
+        weekend_days=weekend.whole("days", 1, 6),
+        date_order=said.choice("date_order", DateOrder.MONTH_DAY),
+        planned_from=said.whole("planned_from", 1, 9999),
+        bare_pair_from=said.whole("bare_pair_from", 0, 24),
+        round_the_clock_hours=said.whole("round_the_clock_hours", 1, 24),
+        kept_off=said.whole("kept_off", 0, 720),
+        ask=said.flag("ask"),
     )
+
+
+def _time(row: Row, name: str) -> time:
+    seconds = row.clock(name)
+    return time(seconds // 3600, seconds // 60 % 60, seconds % 60)
