@@ -28,6 +28,7 @@ from fuzzytime.language.sentence.sketches.meaning.clock_times import NOTHING, La
 from fuzzytime.language.sentence.sketches.meaning.negations import awaiting, without_denial
 from fuzzytime.language.sentence.sketches.meaning.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.days.days_apart import follows_night
 from fuzzytime.language.sentence.together.days.headings import day_above, read_heading
 from fuzzytime.language.sentence.together.days.titles import window_of
 from fuzzytime.language.sentence.together.none_of_it.denials import denied_together
@@ -37,9 +38,7 @@ from fuzzytime.language.sentence.together.none_of_it.naming import naming_none
 from fuzzytime.language.sentence.together.none_of_it.unused import unused_front, unused_words
 from fuzzytime.language.sentence.together.sketches import sketches_of
 from fuzzytime.language.sentence.together.times.for_all import said_for_all
-from fuzzytime.language.sentence.together.times.mornings import follows_night
 from fuzzytime.language.sentence.together.times.pairs import follows_on, leads_to, side_of_night
-from fuzzytime.language.sentence.together.told.consequences import behind_consequences
 from fuzzytime.language.sentence.together.told.lengths import (
     due_when_needed,
     length_of,
@@ -50,6 +49,7 @@ from fuzzytime.language.sentence.together.told.lengths import (
     unknown_length,
     waited,
 )
+from fuzzytime.language.sentence.together.told.reasons_told import behind_consequences
 from fuzzytime.language.sentence.together.told.told_beside import due_before
 from fuzzytime.language.sentence.tokens import tokens_of
 from fuzzytime.requirement import Anchor, Edge, TimeRequirement

@@ -4,8 +4,7 @@ import re
 from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_ONCE, About, AboutKind
-from fuzzytime.language.about_wishes.changes.exceptions import cleared, exception
-from fuzzytime.language.about_wishes.changes.keeping_free import kept_free
+from fuzzytime.language.about_wishes.changes.exceptions import cleared, exception, kept_free
 from fuzzytime.language.about_wishes.changes.moves import delayed, moved
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, days_on, later_by

@@ -1,6 +1,6 @@
 """Reading the word tables: YAML to a `Lexicon`, with every mistake at its line and column.
 
-``tables`` are read in ``layers``: of ``calendar.yaml`` the ``days``, ``feasts`` (with ``feast_names``)
+``tables`` are read in ``layers``: of ``calendar.yaml`` the ``days``, ``feasts``
 and ``policies``; of ``lexicon.yaml`` the ``speech`` and the ``groups``.
 """
 

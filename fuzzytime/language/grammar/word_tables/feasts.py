@@ -1,13 +1,12 @@
-"""Reading ``calendar.yaml``: feasts and seasons."""
+"""Reading ``calendar.yaml``: feasts and seasons, and how their names are written: "st. andrews day"."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from fuzzytime.documents.nodes import Node, Scalar, Sequence
 from fuzzytime.language.grammar.lexicon import Entry, Form
-from fuzzytime.language.grammar.word_tables.feast_names import otherwise
 from fuzzytime.language.grammar.word_tables.tables import Row, Tables, numbered
 from fuzzytime.language.meaning.calendars.east_asian import (
     CHINA,
@@ -46,6 +45,13 @@ PERSIAN_MONTHS = (31,) * 6 + (30,) * 5 + (29,)
 
 Read = Callable[[Node, str], Observance]
 OnDay = Callable[[int, int], Observance]
+
+POSSESSIVE = "'s"
+
+APOSTROPHE = "'"
+
+MOST = 64
+"""Ways that are given of one name, at most."""
 
 
 def read_feasts(tables: Tables) -> None:
@@ -225,3 +231,32 @@ def _month_day(
     message = f"month and day must look like 12-24, and be in every year, got {node.text!r}"
     tables.reader.mistake(node, key, message)
     return 1, 1
+
+
+def otherwise(form: Form, shortened: Mapping[str, list[Form]]) -> Iterator[Form]:
+    """Give other ways to write a name, given what its words are shortened to.
+
+    >>> list(otherwise(("ash", "wednesday"), {"wednesday": [("wed",)]}))
+    [('ash', 'wed')]
+    >>> [" ".join(way) for way in otherwise(("father's", "day"), {})]
+    ['fathers day', "fathers ' day", 'father day']
+    """
+    ways: list[Form] = [()]
+    place = 0
+    while place < len(form):
+        text, behind = form[place], form[place + 1 : place + 2]
+        owned = place + 1 < len(form) and (text.endswith(POSSESSIVE) or behind == (APOSTROPHE,))
+        here = _owners(text) if owned else [(text,), *shortened.get(text, ())]
+        ways = [(*before, *word) for before in ways for word in here][:MOST]
+        place += 2 if owned and behind == (APOSTROPHE,) else 1
+    yield from (way for way in dict.fromkeys(ways) if way != form)
+
+
+def _owners(text: str) -> list[Form]:
+    """Give the ways to write whose day it is: "father's", "fathers", "fathers'", "father"."""
+    owner = text.removesuffix(POSSESSIVE)
+    if owner != text:
+        several = owner + ("es" if owner.endswith("s") else "s")
+        return [(text,), (several,), (several, APOSTROPHE), (owner,)]
+    one = text.removesuffix("s")
+    return [(text, APOSTROPHE), (text,), (one + POSSESSIVE,)]

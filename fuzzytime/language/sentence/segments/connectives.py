@@ -1,10 +1,13 @@
-"""Orders that a connective says, and how soon after another: "then, within ten minutes"; but "next bus"."""
+"""Where orders come: behind another, by a connective ("then, within ten minutes"), first or last of all."""
 
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from fuzzytime.language.instruction import Remark, RemarkKind, Span
-from fuzzytime.language.sentence.segments.segment import Segment
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Order, Remark, RemarkKind, Span
+from fuzzytime.language.sentence.segments.segment import ENDS, Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
@@ -100,3 +103,21 @@ def next_one(one: Waiting, part: Part) -> list[Segment]:
         return []
     span = (segment.connective_span[0], segment.span[1])
     return [replace(segment, span=span, connective="", connective_span=(0, 0))]
+
+
+def order_words(
+    words: Sequence[Word], covered: AbstractSet[int], lexicon: Lexicon
+) -> Iterator[tuple[Span, Order]]:
+    """Give the words behind what is to be done that say where it comes; ``covered`` are those about time."""
+    closed = lexicon.closed
+    orders = set(Order)
+    for place in range(1, len(words)):
+        word = words[place]
+        before = words[place - 1].text
+        named = before in ENDS or before in closed.no_order_before
+        if word.text not in orders or place in covered or named:
+            continue
+        behind = words[place + 1].text if place + 1 < len(words) else ""
+        ends = not behind[:1].isalnum() or place + 1 in covered or behind in lexicon.function_words
+        if ends and behind not in closed.prepositions_of_length:
+            yield (word.start, word.end), Order(word.text)

@@ -21,8 +21,8 @@ from fuzzytime.language.sentence.verbs.operations.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.operations.operations import Reader
 from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import due_by_then
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import given_new_time, happening_at, happens
+from fuzzytime.language.sentence.verbs.without_verbs.named_alone import put_there
 from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import chores_at, deed_at, named_moment
-from fuzzytime.language.sentence.verbs.without_verbs.put_there import put_there
 from fuzzytime.requirement import Constraint, Reference
 
 if TYPE_CHECKING:

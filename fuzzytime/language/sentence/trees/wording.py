@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.quotes import is_quoted
+from fuzzytime.language.grammar.words import is_quoted
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.trees.tree import Tree
 

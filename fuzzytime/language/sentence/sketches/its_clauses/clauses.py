@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.judging.beside.titles import written_out
 from fuzzytime.language.grammar.lexicon import longest_match
-from fuzzytime.language.grammar.surroundings.known_names import named_in
+from fuzzytime.language.grammar.surroundings.looked_up import named_in
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Wall
 from fuzzytime.language.meaning.joined.beside import joined
@@ -13,8 +13,14 @@ from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_contents import Contents
-from fuzzytime.language.sentence.clauses.clause_sides import BEHIND, at_most_after, sided
-from fuzzytime.language.sentence.clauses.times_of_events import dates, happens, is_apart
+from fuzzytime.language.sentence.clauses.clause_sides import (
+    BEHIND,
+    at_most_after,
+    dates,
+    happens,
+    is_apart,
+    sided,
+)
 from fuzzytime.language.sentence.segments.events.event_edges import BY, OF_EDGES, is_length
 from fuzzytime.language.sentence.sketches.its_clauses.ends import ClauseEnds
 from fuzzytime.language.sentence.sketches.its_clauses.markers import ClauseMarkers

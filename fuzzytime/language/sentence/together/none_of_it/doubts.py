@@ -6,19 +6,25 @@ from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS_ALONE
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
-from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.none_of_it.how_things_are import tells_how_things_are
 from fuzzytime.language.sentence.together.none_of_it.orders_again import is_about_orders
 from fuzzytime.language.sentence.together.none_of_it.what_was import tells_what_was
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.statements.beside_orders import subjects_before
 
 OBJECTS = ("dobj", "attr", "oprd")
 
 GREETED = 2
 """Words behind a greeting that are no time."""
+
+PRESENT = frozenset({"now", "then", "beforehand"})
+"""Time words of when things are so: now, when what is asked for is done, or until then."""
+
+DESCRIBING = ("acomp", "prep", "advmod")
+"""What says how somebody or something is: "he's hungry", "I'm in a meeting", "she's there"."""
 
 
 def doubts_of(text: str, span: Span, words: Sequence[Word], sketch: Sketch) -> Iterator[Remark]:
@@ -189,3 +195,23 @@ def foreign_words(tree: Tree) -> list[int]:
             if acts or not (node.may_act and node.is_verb):
                 found.append(place)
     return found
+
+
+def tells_how_things_are(sketch: Sketch) -> bool:
+    """Whether a sentence says how things are, at no time of its own: perhaps why something is asked for."""
+    tree, closed = sketch.part.tree, sketch.lexicon.closed
+    if not tree.nodes or sketch.clauses or not all(map(_is_present, sketch.phrases)):
+        return False
+    root = tree.root
+    if not subjects_before(tree, root):
+        return False
+    if tree.nodes[root].lower in closed.present_be:
+        return any(place > root for place in tree.children(root, *DESCRIBING))
+    helping = tree.said(tree.children(root, "aux"))
+    return tree.nodes[root].tag == "VBG" and bool(helping) and helping <= closed.present_be
+
+
+def _is_present(phrase: Phrase) -> bool:
+    """Whether a time is when things are so, and no other: "then", "until then", "now"."""
+    time = phrase.said.time
+    return isinstance(time, TimeWord) and time.word in PRESENT

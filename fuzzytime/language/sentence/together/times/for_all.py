@@ -24,7 +24,7 @@ from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import LASTING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
-from fuzzytime.language.sentence.together.told.consequences import leads_to_consequence
+from fuzzytime.language.sentence.together.told.reasons_told import leads_to_consequence
 from fuzzytime.requirement import MOMENTS, STRETCHES, Constraint
 
 HELD = frozenset({"when", "if", "after", "before"})

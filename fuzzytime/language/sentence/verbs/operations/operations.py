@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from fuzzytime.language.grammar.quotes import is_quoted
+from fuzzytime.language.grammar.words import is_quoted
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import FINITE, Action
