@@ -31,10 +31,9 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.days.days_apart import follows_night
 from fuzzytime.language.sentence.together.days.headings import day_above, read_heading
 from fuzzytime.language.sentence.together.days.titles import window_of
-from fuzzytime.language.sentence.together.none_of_it.denials import denied_together
 from fuzzytime.language.sentence.together.none_of_it.how_much import uncounted
-from fuzzytime.language.sentence.together.none_of_it.how_often import unknown_moments
-from fuzzytime.language.sentence.together.none_of_it.naming import naming_none
+from fuzzytime.language.sentence.together.none_of_it.naming import naming_none, unknown_moments
+from fuzzytime.language.sentence.together.none_of_it.orders_again import denied_together
 from fuzzytime.language.sentence.together.none_of_it.unused import unused_front, unused_words
 from fuzzytime.language.sentence.together.sketches import sketches_of
 from fuzzytime.language.sentence.together.times.for_all import said_for_all

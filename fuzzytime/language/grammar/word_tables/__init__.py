@@ -1,7 +1,7 @@
 """Reading the word tables: YAML to a `Lexicon`, with every mistake at its line and column.
 
-``tables`` are read in ``layers``: of ``calendar.yaml`` the ``days``, ``feasts``
-and ``policies``; of ``lexicon.yaml`` the ``speech`` and the ``groups``.
+``tables`` are read in ``layers``: of ``calendar.yaml`` the ``days`` and ``feasts``; of ``lexicon.yaml`` the
+``speech``.
 """
 
 from collections.abc import Iterable
@@ -15,13 +15,19 @@ from fuzzytime.language.grammar.lexicon.spelling import clipped, misspellings
 from fuzzytime.language.grammar.lexicon.transliteration import Names
 from fuzzytime.language.grammar.lexicon.verb_groups import Doing
 from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses
-from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
+from fuzzytime.language.grammar.word_tables.days import (
+    read_clocks,
+    read_days,
+    read_parts,
+    read_policy,
+    read_units,
+    read_usual_hours,
+)
 from fuzzytime.language.grammar.word_tables.feasts import is_transliterated, read_feasts
-from fuzzytime.language.grammar.word_tables.groups import read_groups
-from fuzzytime.language.grammar.word_tables.policies import read_policy, read_usual_hours
 from fuzzytime.language.grammar.word_tables.speech import (
     read_amounts,
     read_comparisons,
+    read_groups,
     read_hedges,
     read_prepositions,
     read_words,

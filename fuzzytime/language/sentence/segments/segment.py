@@ -10,12 +10,14 @@ from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord
 from fuzzytime.language.meaning.joined.distances import LATER
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
-from fuzzytime.language.sentence.segments.events.behind_happenings import (
+from fuzzytime.language.sentence.segments.events.named_events import (
     behind_happening,
     behind_statements,
+    beside,
+    counts_event,
+    heads,
     listed,
 )
-from fuzzytime.language.sentence.segments.events.named_events import beside, counts_event, heads
 from fuzzytime.language.sentence.segments.openings import before_courtesies, behind_opening
 from fuzzytime.language.sentence.segments.taken_back.corrected_things import (
     AFTER_ALL,

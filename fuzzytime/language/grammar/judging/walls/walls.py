@@ -3,9 +3,8 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.judging.walls.bare_hours import BareHours
-from fuzzytime.language.grammar.judging.walls.counts import Counts
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS, LINE_STARTS
-from fuzzytime.language.grammar.judging.walls.naming import Naming
+from fuzzytime.language.grammar.judging.walls.naming import Counts, Naming
 from fuzzytime.language.grammar.judging.walls.weak_walls import WeakWalls
 from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import THING, Surroundings
