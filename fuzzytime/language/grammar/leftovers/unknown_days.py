@@ -57,10 +57,14 @@ def _dates(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
 
 
 def _moments(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
-    """Give the places of a time of which it is not known when that is: "at the usual time"."""
+    """Give the places of a time of which it is not known when that is: "at the usual time", "in between"."""
     around = scanned.around
     closed = around.closed
     for place, word in enumerate(scanned.words):
+        if around.texts[max(0, place - 1) : place + 1] == ["in", "between"] and place not in known:
+            # But "put the notes in between the pages"
+            alone = not any(map(str.isalnum, around.texts[place + 1 : place + 2]))
+            yield from (place - 1, place) if alone else ()
         if word.text not in closed.named_moments or place in known:
             continue
         for led in range(place - SHORTEST_MOMENT, max(-1, place - LONGEST_MOMENT - 1), -1):
@@ -88,9 +92,6 @@ def _untold(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
         near = range(first - 1, max(-1, first - LONGEST_MOMENT), -1)
         led = next((p for p in near if texts[p] in binding), -1)
         behind = "".join(texts[place + 1 : place + 2])
-        if word.text == "between" and behind[:1].isalnum():
-            # "Put the notes in between the pages"; but "have a snack in between"
-            continue
         more = behind.isalpha() and behind not in around.lexicon.function_words
         if led < 0 or (more and not around.opens(led)) or (led == first - 1 and word.text == "holiday"):
             # "Write it on my birthday card"; "book a week on holiday"

@@ -36,9 +36,10 @@ class BehindTimes(LookedUp):
 
         But "at six friendly shops", "at six meeting points".
         """
-        how = self.texts[place].endswith((PARTICIPLE, *self.closed.endings_of_manner))
+        text, acts = self.texts[place], self.texts[place].endswith(PARTICIPLE)
+        how = acts or any(map(text.endswith, self.closed.endings_of_manner))
         behind = self.texts[place + 1] if place + 1 < len(self.texts) else ""
-        apart = not behind[:1].isalnum() and not self.texts[place].endswith(PARTICIPLE)
+        apart = not behind[:1].isalnum() and not acts
         return how and (apart or behind in self.lexicon.function_words)
 
     def _is_polite_end(self, place: int) -> bool:
