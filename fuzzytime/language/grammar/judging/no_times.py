@@ -60,7 +60,7 @@ class NoTime(Standing):
 
     def _is_of_idiom(self, piece: Piece) -> bool:
         """Whether it is in an idiom: "up to date", "call it a day"."""
-        return not self.around.named.isdisjoint(range(piece.start, piece.end))
+        return not self.around.known_names.isdisjoint(range(piece.start, piece.end))
 
     def _is_somebody(self, piece: Piece) -> bool:
         """Whether it begins with who is given something, or spoken to: "give it to April on monday"."""

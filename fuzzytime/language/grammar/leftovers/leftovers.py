@@ -94,7 +94,7 @@ def _looking(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
                 doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
                 if len(words) == 1 and words[0].is_letters and doubtful and not counted:
                     continue
-                if not around.named.isdisjoint(range(piece.start, piece.end)) or figures.has(piece):
+                if not around.known_names.isdisjoint(range(piece.start, piece.end)) or figures.has(piece):
                     continue
                 if is_of_thing(piece, around) or is_event(piece, around) or around.is_of_several(start):
                     continue
@@ -169,7 +169,7 @@ def is_played(start: int, around: Surroundings) -> bool:
     verb = next((place for place in range(start) if around.plays(place)), start)
     title = range(verb + 1, start + 1)
     capital = all(around.words[p].capital or around.texts[p] in around.closed.articles for p in title)
-    timely = all(around.timely(p) or around.is_counting(p) for p in title)
+    timely = all(around.timely(p) or around.is_number(p) for p in title)
     return verb < start and (capital or timely)
 
 
@@ -178,7 +178,7 @@ def says_which(piece: Piece, around: Surroundings) -> bool:
     unit = isinstance(piece.value, UnitWord) and not around.texts[piece.start].endswith("s")
     thing = around.follower(piece)
     named = thing.isalpha() and thing not in around.lexicon.function_words and not around.timely(piece.end)
-    counted = piece.start > 1 and around.is_counting(piece.start - 1)
+    counted = piece.start > 1 and around.is_number(piece.start - 1)
     led = around.texts[piece.start - 2] if counted else ""
     known = led in around.closed.sure_noun_openers - around.closed.indefinite_determiners
     # "The cheddar, aged twelve months"
@@ -204,5 +204,5 @@ def says_of_thing(piece: Piece, around: Surroundings) -> bool:
     # "Boil a ten minute egg" may say how long.
     lasts = not around.lexicon.timing.isdisjoint(around.texts[: piece.start])
     # "In 2 ten minute blocks"
-    several = piece.start > 1 and around.is_counting(piece.start - 2)
+    several = piece.start > 1 and around.is_number(piece.start - 2)
     return counted and single and thing.isalpha() and not (known or lasts or several)

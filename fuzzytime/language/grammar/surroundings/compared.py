@@ -1,11 +1,9 @@
 """Whether a clause compares a thing to a number, which is no time: "when the queue is over 4"."""
 
-from collections.abc import Sequence
-
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.surroundings.looked_up import LookedUp
 from fuzzytime.language.grammar.timetables import has_time
-from fuzzytime.language.grammar.words import Word
 
 NEARLY = frozenset({"around", "about"})
 
@@ -19,13 +17,8 @@ STATED = frozenset({"when", "if"})
 """Kinds of clauses that say what must be so."""
 
 
-class Compared:
+class Compared(LookedUp):
     """The words of a text, and what clauses in it compare to numbers."""
-
-    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
-        self.words = words
-        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
-        self.texts = [word.text for word in words]
 
     def says_how_much(self, piece: Piece) -> bool:
         """Whether a clause says that a thing is a number: "when the queue is over 4", "if load > 4"."""

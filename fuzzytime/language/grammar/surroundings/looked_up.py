@@ -32,7 +32,7 @@ class LookedUp:
         return self._pieces[place]
 
     @cached_property
-    def named(self) -> frozenset[int]:
+    def known_names(self) -> frozenset[int]:
         """The places of words of known names, and of idioms."""
         return named_in(self.words, self.lexicon)
 
@@ -48,9 +48,10 @@ class LookedUp:
         """Whether the word at a place begins a time."""
         return any(piece.category in TIMELY for piece in self.pieces(place))
 
-    def is_counting(self, place: int) -> bool:
-        """Whether the word at a place is a number, in words or in digits."""
-        return self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
+    def is_number(self, place: int) -> bool:
+        """Whether there is a word at a place, and it is a number, in words or in digits."""
+        inside = 0 <= place < len(self.words)
+        return inside and (self.words[place].is_digits or self.texts[place] in self.lexicon.numbers)
 
     def is_day(self, place: int) -> bool:
         """Whether the word at a place names a day."""

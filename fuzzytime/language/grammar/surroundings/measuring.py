@@ -199,12 +199,6 @@ class Measures(Compared):
             return self.is_number(piece.start) or self.is_number(piece.start + 1)
         return self.texts[piece.start] == "per" and self.is_number(piece.start - 2)
 
-    def is_number(self, place: int) -> bool:
-        """Whether a word is a number."""
-        return 0 <= place < len(self.words) and (
-            self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
-        )
-
     def is_sure(self, place: int) -> bool:
         """Whether four digits are a clock time: "0815"."""
         return self.words[place].is_digits and len(self.texts[place]) == CLOCK_DIGITS
