@@ -32,16 +32,13 @@ EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
 AFTER = ("after",)
-DAYS_APART = (("before",), AFTER)
-"""Markers before which a part of a day is that of a day before or after: "the evening before the trip"."""
+COUNTED_FROM = (("before",), AFTER)
+"""Markers of what distances and parts of the day count from: "the evening before the trip"."""
 
 A_DAY = Duration(((1, Unit.DAY),))
 
 WITHIN = (("of",), ("after",))
 """Markers behind which a bound counts from what they name: "within an hour of calling"."""
-
-OFF = (("before",), ("after",))
-"""Markers of what a distance counts from."""
 
 
 def clauses_of(
@@ -107,7 +104,7 @@ class _Clauses:
         behind = place + len(form)
         ends = (p.end for p in self.phrases if p.first == behind and isinstance(p.said.time, Duration))
         return any(
-            longest_match(self.words, end, self.lexicon.clauses) in OFF
+            longest_match(self.words, end, self.lexicon.clauses) in COUNTED_FROM
             for end in ends
             if end < len(self.words)
         )
@@ -171,7 +168,7 @@ class _Clauses:
         distance = bound or self.before.distance(place)
         start, duration, side = self._so_far(place, distance, kind)
         day_part = self._day_part(place, form) if distance is None else None
-        if day_part is not None and form in DAYS_APART:
+        if day_part is not None and form in COUNTED_FROM:
             start, duration = day_part.span[0], A_DAY
         if kind == "into" and duration is None:
             return None
@@ -181,23 +178,33 @@ class _Clauses:
             span=(start, content[1]),
             content=content,
             distance=duration,
-            beside=self._beside(form) if (kind,) in {("before",), AFTER} else None,
+            beside=self._beside(form) if (kind,) in COUNTED_FROM else None,
             edge=edge,
             side=side,
             day_part=day_part,
         )
+        names = edge is not None or form == BY or (form == (OF,) and bound is None)
+        return self._told(clause, nodes, (place, first), time, names=names)
+
+    def _told(
+        self,
+        clause: Clause,
+        nodes: list[int],
+        begins: tuple[int, int],
+        time: Phrase | None,
+        *,
+        names: bool,
+    ) -> Clause | None:
+        """Give what a clause tells, as far as it goes on, with its time; None where it tells nothing.
+
+        ``begins`` are the places of its marker and of what is behind that, which it ``names``, or tells.
+        """
+        place, first = begins
         named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
-        if named is not None and (time is None or time.said.is_day) and kind in EVENTFUL:
+        if named is not None and (time is None or time.said.is_day) and clause.kind in EVENTFUL:
             event = self.contents.event(clause, nodes)
             return event and _named_at(event, named, time)
-        named_event = edge is not None or form == BY or (form == (OF,) and bound is None)
-        told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
-        return self._with_time(told, clause, place, time)
-
-    def _with_time(
-        self, told: Clause | None, clause: Clause, place: int, time: Phrase | None
-    ) -> Clause | None:
-        """Give what a clause tells, as far as it goes on, with its time; None where it tells nothing."""
+        told = self.contents.event(clause, nodes) if names else self.contents.told(clause, nodes)
         # "By the time the night shift clocks off at six", where a tree finds no verb.
         told = clause if told is None and clause.kind == BY_THEN and time is not None else told
         found = self._gone_on(self._denied(told, place))
@@ -225,7 +232,7 @@ class _Clauses:
         """Give the part of a day beside a marker: "the evening before it", "on the morning of the trip"."""
         if form[-1] == OF:
             return self.before.part_of_day(place + len(form) - 1)
-        return self.before.part_of_day(place) if form in DAYS_APART else None
+        return self.before.part_of_day(place) if form in COUNTED_FROM else None
 
     def _beside(self, form: tuple[str, ...]) -> str | None:
         """Give the hedge that a marker is: "just before", "right after"."""

@@ -40,12 +40,14 @@ class Reader(Particles):
         direct, complement = self._named(verb, subject, whole[:split], result, stated=stated)
         attended = stated and self._is_attended(verb)
         where = sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})
-        if attended and not where and direct is None and complement is None:
-            taken = self.attending(verb)
-            direct, particle = self.said(taken), None if particle in taken else particle
+        if attended and not where and direct is complement is None:
+            attending = self.attending(verb)
+            direct, particle = self.said(attending), None if particle in attending else particle
         whole_verb = self._whole_verb(verb)
         places += whole_verb[:-1]
         purpose = [] if stated else self._purpose(verb, [*whole, *places, *where])
+        taken = [*whole, *places, *where, *purpose]
+        how = [] if stated and node.lemma == "be" else self.manner(verb, taken)
         return Operation(
             # "Robot 2 cleans the tank" asks it to clean the tank.
             verb=" ".join(self.tree.nodes[p].lower for p in whole_verb) if doer is None else node.lemma,
@@ -55,9 +57,7 @@ class Reader(Particles):
             place=self._within_sentence(where),
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=complement,
-            manner=None
-            if stated and node.lemma == "be"
-            else self._within_sentence(self.manner(verb, [*whole, *places, *where, *purpose])),
+            manner=self._within_sentence(how),
             purpose=self.said(purpose),
             addressee=doer,
             due=None if stated or subject is None or direct != subject else self._must(verb),
