@@ -21,9 +21,6 @@ LABEL = re.compile(r"s[1-9]\d{0,8}(?:\.[1-9]\d{0,8})?")
 CLOCKED = frozenset({Unit.HOUR, Unit.MINUTE, Unit.SECOND})
 """The grains of clock times."""
 
-BESIDE = frozenset({"after", "before"})
-"""The clauses that say beside what something comes."""
-
 LONGEST = 24
 """Words of a line in which a length is looked for."""
 
@@ -128,6 +125,10 @@ class Said:
     def opens_with(self, name: str) -> int:
         """Give how many words an entry of a table has with which it begins; 0 for none."""
         return len(longest_match(self.words, 0, self.table(name)) or ()) if self.words else 0
+
+    def ends_with(self, name: str) -> int:
+        """Give how many words an entry of a table has with which it ends; 0 for none."""
+        return max((len(form) for form in self.table(name) if self.forms[-len(form) :] == form), default=0)
 
     def after(self, name: str) -> "Said | None":
         """Give what stands behind an entry of a table with which it begins; None where it does not."""
@@ -283,7 +284,7 @@ class Said:
 
     def beside(self) -> tuple[str, "Said"] | None:
         """Give what it comes "before" or "after", and what that is; None where it says neither."""
-        forms = [form for form, kind in self.lexicon.clauses.items() if kind in BESIDE]
+        forms = [form for form, kind in self.lexicon.clauses.items() if kind in {"after", "before"}]
         form = longest_match(self.words, 0, forms) if self.words else None
         if form is None or len(form) == len(self.words):
             return None

@@ -37,10 +37,8 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     opened = said.opens_with("continuing")
     follows = "then" if said.opens_with("following") else ""
     rest = said.behind(opened)
-    closing = max(
-        (form for form in said.table("closing") if rest.forms[-len(form) :] == form), key=len, default=()
-    )
-    rest = rest.until(len(rest.words) - len(closing)) if closing else rest
+    closing = rest.ends_with("closing")
+    rest = rest.until(len(rest.words) - closing) if closing else rest
     if not (opened or closing) or not rest.words:
         return None
     if opened and (more := continuing(rest.text, now, lexicon)) is not None and more.certain:

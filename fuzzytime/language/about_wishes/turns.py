@@ -41,9 +41,8 @@ def turned(said: Said) -> About | None:
 
 def _retracts(said: Said) -> bool:
     """Whether a line takes something back, and says nothing else: "no, scratch that"."""
-    ends = (form for form in said.table("retracting") if said.forms[-len(form) :] == form)
-    opening = len(said.words) - max(map(len, ends), default=len(said.words) + 1)
-    return opening >= 0 and not said.until(opening).names
+    retracting = said.ends_with("retracting")
+    return retracting > 0 and not said.until(len(said.words) - retracting).names
 
 
 def _stopped(said: Said) -> frozenset[str] | None:

@@ -1,11 +1,10 @@
 """What is not to be once, or on some days: "skip tomorrow's"; and what is kept free: "keep friday free"."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.said import CLOCKED, Said, one_time
+from fuzzytime.language.about_wishes.said import CLOCKED, FOR, Said, one_time
 from fuzzytime.requirement import Constraint
 
 OF = ("'s", "’s", "'", "’")
-FOR = "for "
 
 STRETCHES = frozenset({Constraint.BETWEEN, Constraint.BEFORE, Constraint.AFTER})
 """Times in which there may be much."""

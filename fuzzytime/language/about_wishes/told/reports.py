@@ -216,9 +216,7 @@ def _finished(said: Said) -> About | None:
 
 def _stated_over(said: Said) -> About | None:
     """Read what is over without a verb: "number 1 done", "shirts done"."""
-    closing = max(
-        (len(form) for form in said.table("finished") if said.forms[-len(form) :] == form), default=0
-    )
+    closing = said.ends_with("finished")
     thing = said.until(len(said.words) - closing)
     if not closing or not thing.words or (thing.has_time and not thing.label):
         return None

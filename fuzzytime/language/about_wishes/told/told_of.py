@@ -61,7 +61,7 @@ def _thing_and_state(said: Said) -> tuple[Said, Said]:
     )
     places = (n for n, word in enumerate(said.forms) if word in stating or _obliges(said.behind(n)))
     place = next(places, 0)
-    off = max((len(form) for form in said.table("cancelled") if said.forms[-len(form) :] == form), default=0)
+    off = said.ends_with("cancelled")
     if not place and off and (off > 1 or said.forms[-1].endswith(DONE)):
         return said.until(len(said.words) - off), said.behind(len(said.words) - off)
     return (said.until(place), said.behind(place + 1)) if place else (said.until(0), said.until(0))
