@@ -6,8 +6,8 @@ from fuzzytime.english import SHORT_FOR_IS
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
 from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.sentence.trees.tags import PAST
 
-PAST = frozenset({"VBN", "VBD"})
 SUBJECTS = frozenset({"nsubj", "nsubjpass", "nsubj:pass", "csubj", "expl"})
 PARTICLES = frozenset({"RB", "RP", "IN"})
 BEING = frozenset({"be", "have"})

@@ -12,15 +12,13 @@ from fuzzytime.language.grammar.judging.look_alikes.proper_names import (
     is_whom,
 )
 from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_spoken_of
-from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_of_street
+from fuzzytime.language.grammar.judging.look_alikes.things_of_times import ENDS, is_of_street
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall, wall_of
 from fuzzytime.requirement import Unit
 
 FAR = 6
 """Words between a verb and how far something goes, at most, with those of its number."""
-
-ENDS = frozenset({".", ",", "!", "?", ";"})
 
 
 class NoTime(Standing):

@@ -34,9 +34,6 @@ SIDES = {
 LONGEST = 4
 """Words of such a preposition, at most."""
 
-OVER = frozenset({"after", "when"})
-"""Clauses that wait for the end of something, or for what becomes so."""
-
 AHEAD = frozenset({"before"})
 """Clauses that name what something is to be done before."""
 
@@ -93,7 +90,7 @@ def dates(phrase: Phrase, distance: Duration | None, kind: str) -> bool:
     time = phrase.said.time
     if not isinstance(time, Wall) or phrase.said.constraint not in MOMENTS:
         return False
-    if kind in OVER | AHEAD and distance is None and time.clock is None and time.part is None:
+    if kind in BEHIND | AHEAD and distance is None and time.clock is None and time.part is None:
         return False
     days = distance is not None and all(unit not in SUB_DAY for _, unit in distance.terms)
     return distance is None or (time.days if days else time.clock) is not None

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.borrowed_words.frames import (
-    DONE,
     acts_too,
     is_asked_too,
     is_done_too,
@@ -19,6 +18,7 @@ from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import S
 from fuzzytime.language.sentence.segments.borrowed_words.other_things import is_done_elsewhere, is_given_too
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
+from fuzzytime.language.sentence.trees.tags import PAST
 from fuzzytime.language.sentence.trees.tree import Tree
 
 JOINTS = frozenset({"and", "&", ",", ";", "but"})
@@ -117,7 +117,7 @@ def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[tuple[int, Sequence
             continue
         while before and tree.nodes[before].lower in JOINTS:
             before -= 1
-        if before in timed or tree.nodes[before].tag in DONE:
+        if before in timed or tree.nodes[before].tag in PAST:
             yield place, KINDS if before in timed else DONE_TOO
 
 

@@ -1,7 +1,7 @@
 """Orders whose tree takes another word for their verb, given it: "feed grandpa", "press start"."""
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, NOUNS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 LEAST_DONE = 3
@@ -12,9 +12,6 @@ LET = 2
 
 OF_VERBS = frozenset({"dobj", "prep", "npadvmod", "advmod", "prt", "tmod"})
 """Relations of words to the verb in front of them."""
-
-NOUNS = frozenset({"NN", "NNS", "NNP"})
-"""Tags of things, and of orders taken for one."""
 
 
 def with_verb(tree: Tree) -> Tree | None:

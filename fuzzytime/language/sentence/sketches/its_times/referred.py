@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span
 from fuzzytime.language.meaning.expressions import Edge, Phrase, Range, Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.clauses.clause_sides import AHEAD, OVER
+from fuzzytime.language.sentence.clauses.clause_sides import AHEAD, BEHIND
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.its_clauses.deadlines import DEADLINE
 from fuzzytime.language.sentence.sketches.its_times.elsewhere import is_of_subject
@@ -58,7 +58,7 @@ def _reference(part: Part, phrase: Phrase, action: Action, clauses: Sequence[Cla
     if phrase.rule in {DATED, DEADLINE}:
         # What its clause is about starts or ends then, not what is to be done.
         return action.reference
-    if any(clause.kind in OVER | AHEAD and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
+    if any(clause.kind in BEHIND | AHEAD and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
         # "Lock up when everyone has left on friday"
         return action.reference
     if action.reference is Reference.FINISH and is_of_subject(part, phrase, action):
