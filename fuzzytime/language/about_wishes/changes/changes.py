@@ -148,17 +148,8 @@ def _corrected(said: Said) -> About | None:
     if place and rest.forms[:1] and rest.forms[0] in said.lexicon.doing.keeping and is_last(rest.behind(1)):
         # "No wait, keep it"
         return About(kind=AboutKind.UNDO, text=rest.text, certain=True)
-    if rest.words and not rest.without(*DIRECTIONS)[0].words:
-        # "Earlier, please": by how much is not said
-        earlier = "earlier" in rest.without(*DIRECTIONS)[1]
-        return About(kind=AboutKind.DELAY, earlier=earlier, corrects=place > 0, certain=True)
-    delayed = later_by(rest)
-    if delayed is not None and (about := _later(*delayed)) is not None:
-        # "Ten minutes later", "no, make it ten minutes earlier"
-        return replace(about, corrects=place > 0)
-    if days := days_on(rest):
-        # "No, the day after"
-        return About(kind=AboutKind.MOVE, days=days, corrects=place > 0, certain=True)
+    if (shifted := _shifted(rest)) is not None:
+        return replace(shifted, corrects=place > 0)
     proposed = rest.after("proposing")
     if proposed is not None and proposed.words and (about := _corrected(proposed)) is not None:
         return replace(about, corrects=True)
@@ -188,6 +179,19 @@ def _corrected(said: Said) -> About | None:
     # "Make it six" is of what was spoken of last, and "no, six" of what was said last.
     anew = said.opens_with("naming anew") == place
     return About(kind=AboutKind.MOVE, time=time, number=number, bare=bare, corrects=not anew, certain=True)
+
+
+def _shifted(said: Said) -> About | None:
+    """Read what is to be earlier or later, or on another day: "ten minutes later", "no, the day after"."""
+    undirected, directions = said.without(*DIRECTIONS)
+    if said.words and not undirected.words:
+        # "Earlier, please": by how much is not said
+        return About(kind=AboutKind.DELAY, earlier="earlier" in directions, certain=True)
+    delayed = later_by(said)
+    if delayed is not None and (about := _later(*delayed)) is not None:
+        return about
+    days = days_on(said)
+    return About(kind=AboutKind.MOVE, days=days, certain=True) if days else None
 
 
 def _beside_another(said: Said) -> About | None:
