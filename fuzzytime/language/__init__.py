@@ -7,48 +7,37 @@ decides what words leave open; rule tables bring ``own_words``; ``lines`` and wh
 seen to first.
 """
 
-from fuzzytime.language.about_wishes import (
-    AT_FIRST,
-    AT_LAST,
-    AT_ONCE,
-    About,
-    AboutKind,
-    News,
-    NewsKind,
-    about_things,
-    about_wishes,
-    added_time,
+from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind
+from fuzzytime.language.about_wishes.called_by_time import called_by_time
+from fuzzytime.language.about_wishes.corrections import added_time, restated, without_closing
+from fuzzytime.language.about_wishes.lengths import by_how_much
+from fuzzytime.language.about_wishes.other_words.answers import choice_meant, chooses_none, lets_be
+from fuzzytime.language.about_wishes.other_words.merging import merged_time
+from fuzzytime.language.about_wishes.other_words.replacing import (
     behind_an_answer,
-    behind_what_is_told,
-    by_how_much,
-    called_by_time,
-    choice_meant,
-    chooses_none,
-    clauses_of,
-    continuing,
-    done_at_once,
     in_its_place,
+    said_apart,
+    with_names,
+)
+from fuzzytime.language.about_wishes.other_words.respelling import respelled
+from fuzzytime.language.about_wishes.other_words.rewording import (
     is_person,
     is_thing,
-    is_untold,
-    lets_be,
     may_be_thing,
-    merged_time,
-    news_in,
-    perhaps_reported,
-    reported,
-    respelled,
-    restated,
     reworded,
-    said_apart,
+    without_article,
+)
+from fuzzytime.language.about_wishes.reading import about_wishes, behind_what_is_told
+from fuzzytime.language.about_wishes.things import about_things, continuing
+from fuzzytime.language.about_wishes.told.awaited import (
+    done_at_once,
+    is_untold,
     tells_awaited,
     tells_of_somebody,
-    told_result,
-    with_names,
-    without_article,
-    without_closing,
     written_out,
 )
+from fuzzytime.language.about_wishes.told.news import News, NewsKind, clauses_of, news_in
+from fuzzytime.language.about_wishes.told.told_done import perhaps_reported, reported, told_result
 from fuzzytime.language.answer import NAMED, answer
 from fuzzytime.language.continued import continued, names_thing
 from fuzzytime.language.finding import Times, check_customs, check_length, find_times, shipped_lexicon

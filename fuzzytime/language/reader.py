@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 
-from fuzzytime.language.about_wishes import reported
+from fuzzytime.language.about_wishes.told.told_done import reported
 from fuzzytime.language.finding import check_length, lexicon_with, shipped_grammar, shipped_lexicon
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon

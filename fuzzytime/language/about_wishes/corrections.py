@@ -11,8 +11,6 @@ from fuzzytime.requirement import TimeRequirement
 MARKS = frozenset({",", ".", ";", "!", "-"})
 """What may stand behind the words that correct."""
 
-NO_LATER = frozenset({("no", "later"), ("no", "earlier")})
-
 
 def opening_correction(said: Said) -> int:
     """Count the words with which a line says that it corrects: "no wait, actually"."""
@@ -24,7 +22,7 @@ def opening_correction(said: Said) -> int:
         place += len(form) if form is not None else 1
     # "Wait ten minutes" is an order, and "no later" a bound.
     order = place == 1 and said.forms[0] in said.lexicon.doing.waiting
-    return 0 if order or said.forms[:2] in NO_LATER else place
+    return 0 if order or said.forms[:2] in {("no", "later"), ("no", "earlier")} else place
 
 
 def restated(text: str, now: datetime, lexicon: Lexicon) -> str | None:

@@ -9,9 +9,6 @@ from fuzzytime.language.about_wishes.said import FOR, Length, Said
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.requirement import Unit
 
-BY = "by"
-TO = "to"
-
 DIRECTIONS = ("later", "earlier")
 
 REFERRED = ("last", "everything")
@@ -68,21 +65,21 @@ def minutes_alone(said: Said, *, directed: bool) -> Length | None:
     """Give the minutes that a number alone counts: "push it by ten", "push everything back ten"."""
     place = len(said.words) - 1
     number = said.behind(place).as_number() if place > 0 else ""
-    joint = said.forms[place - 1 : place] == (BY,)
+    joint = said.forms[place - 1 : place] == ("by",)
     if not number or not (joint or directed):
         return None
     rest = said.until(place - joint)
     counted = Said(f"{number} {Unit.MINUTE}s", said.now, said.lexicon).length()
     # "Push the boxes by ten" has a deadline.
     known = directed or any(rest.is_in(name) for name in (*REFERRED, "both"))
-    return replace(counted, joint=BY if joint else "", rest=rest) if counted and known else None
+    return replace(counted, joint="by" if joint else "", rest=rest) if counted and known else None
 
 
 def lengthened(said: Said) -> About | None:
     """Read how much longer or shorter something takes, or how long: "shorten the call to ten minutes"."""
     longer, shorter = said.after("lengthening"), said.after("shortening")
     rest = longer or shorter
-    joint = max((n for n, word in enumerate(rest.forms) if word in {BY, TO}), default=0) if rest else 0
+    joint = max((n for n, word in enumerate(rest.forms) if word in {"by", "to"}), default=0) if rest else 0
     if rest is None or not joint:
         return None
     thing, behind = rest.until(joint), rest.behind(joint + 1)
@@ -90,7 +87,7 @@ def lengthened(said: Said) -> About | None:
     if found is None or found.rest.words or not (thing.meant or is_last(thing)):
         return None
     about = About(kind=AboutKind.TAKES, names=thing.meant, time=f"{FOR}{behind.text}", certain=is_last(thing))
-    if rest.forms[joint] == TO:
+    if rest.forms[joint] == "to":
         return about
     by = found.seconds if longer is not None else -found.seconds
     return replace(about, kind=AboutKind.MORE, by=by, time="", certain=True)

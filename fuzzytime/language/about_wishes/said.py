@@ -21,9 +21,6 @@ LABEL = re.compile(r"s[1-9]\d{0,8}(?:\.[1-9]\d{0,8})?")
 CLOCKED = frozenset({Unit.HOUR, Unit.MINUTE, Unit.SECOND})
 """The grains of clock times."""
 
-BESIDE = frozenset({"after", "before"})
-"""The clauses that say beside what something comes."""
-
 LONGEST = 24
 """Words of a line in which a length is looked for."""
 
@@ -36,8 +33,6 @@ ENDS = ".?! "
 FOR = "for "
 AT = "at "
 FROM = "from "
-THE = "the"
-LAST = "last"
 
 
 def one_time(text: str, now: datetime, lexicon: Lexicon) -> TimeRequirement | None:
@@ -131,6 +126,10 @@ class Said:
         """Give how many words an entry of a table has with which it begins; 0 for none."""
         return len(longest_match(self.words, 0, self.table(name)) or ()) if self.words else 0
 
+    def ends_with(self, name: str) -> int:
+        """Give how many words an entry of a table has with which it ends; 0 for none."""
+        return max((len(form) for form in self.table(name) if self.forms[-len(form) :] == form), default=0)
+
     def after(self, name: str) -> "Said | None":
         """Give what stands behind an entry of a table with which it begins; None where it does not."""
         taken = self.opens_with(name)
@@ -179,7 +178,7 @@ class Said:
     @cached_property
     def places(self) -> tuple[int, ...]:
         """Which ones of a list it is: of "the second one", "the last two"; none where it is no such thing."""
-        forms = self.forms[1:] if self.forms[:1] == (THE,) else self.forms
+        forms = self.forms[1:] if self.forms[:1] == ("the",) else self.forms
         count, forms = self._counted(forms)
         named = not forms or forms in self.table("listed")
         return count if named and len(self.forms) > 1 else ()
@@ -187,7 +186,7 @@ class Said:
     def _counted(self, forms: Form) -> tuple[tuple[int, ...], Form]:
         """Give the places that words begin with, and the rest: of "last two ones", -2, -1 and "ones"."""
         numbers = self.lexicon.numbers
-        last = forms[:1] == (LAST,)
+        last = forms[:1] == ("last",)
         first = forms[:1] and self.lexicon.ordinals.get(forms[0])
         count = numbers.get(forms[1], 0) if len(forms) > 1 else 0
         if count > 1 and (last or first == 1):
@@ -285,7 +284,7 @@ class Said:
 
     def beside(self) -> tuple[str, "Said"] | None:
         """Give what it comes "before" or "after", and what that is; None where it says neither."""
-        forms = [form for form, kind in self.lexicon.clauses.items() if kind in BESIDE]
+        forms = [form for form, kind in self.lexicon.clauses.items() if kind in {"after", "before"}]
         form = longest_match(self.words, 0, forms) if self.words else None
         if form is None or len(form) == len(self.words):
             return None

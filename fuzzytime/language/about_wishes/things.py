@@ -7,17 +7,9 @@ from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import later_by
-from fuzzytime.language.about_wishes.said import LAST, Said
+from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import Lexicon
 
-COMMA = ","
-NOT = "not"
-BUT = "but"
-FOR = "for"
-FIRST = "first"
-NO = "no"
-SOONER = frozenset({("earlier",), ("sooner",)})
-AND = "and"
 SHORTEST = 3
 """Words of one thing, and of the one that it is not."""
 
@@ -34,7 +26,9 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     said = Said.of(text, now, lexicon).without_exclamations()
     if (same := said.after("like")) is not None and same.words:
         thing, time = same.parted()
-        return About(kind=AboutKind.LIKE, thing=thing, time=time, joint=FOR, certain=True) if thing else None
+        return (
+            About(kind=AboutKind.LIKE, thing=thing, time=time, joint="for", certain=True) if thing else None
+        )
     again = said.after("again")
     if again is not None and (time := again.as_time() if again.words else ""):
         return About(kind=AboutKind.AGAIN, time=time, certain=True)
@@ -43,10 +37,8 @@ def continuing(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     opened = said.opens_with("continuing")
     follows = "then" if said.opens_with("following") else ""
     rest = said.behind(opened)
-    closing = max(
-        (form for form in said.table("closing") if rest.forms[-len(form) :] == form), key=len, default=()
-    )
-    rest = rest.until(len(rest.words) - len(closing)) if closing else rest
+    closing = rest.ends_with("closing")
+    rest = rest.until(len(rest.words) - closing) if closing else rest
     if not (opened or closing) or not rest.words:
         return None
     if opened and (more := continuing(rest.text, now, lexicon)) is not None and more.certain:
@@ -78,8 +70,8 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     staying = said.without_end(said.table("staying"))
     if (place or staying != said) and said.forms[:1] and said.forms[0] in lexicon.doing.keeping:
         return _kept(staying.behind(1))
-    denied = said.after("denying") if not place or said.forms[:1] == (NOT,) else None
-    if denied is not None and denied.names and COMMA not in denied.forms and not denied.has_time:
+    denied = said.after("denying") if not place or said.forms[:1] == ("not",) else None
+    if denied is not None and denied.names and "," not in denied.forms and not denied.has_time:
         # "Not the carrots"
         return About(kind=AboutKind.DROP, names=denied.names, thing=denied.text, certain=place > 0)
     if len(said.words) > 1 and (placed := _placed(said)) is not None:
@@ -91,24 +83,24 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         return None
     if time and (one := _one_of(Said(thing, now, lexicon))) is not None:
         return replace(one, time=time, corrects=place > 0)
-    if time and whole.forms[0] == NO and whole.forms[1:2] != (COMMA,):
+    if time and whole.forms[0] == "no" and whole.forms[1:2] != (",",):
         # "No swimming today", where none is known
         return None
     if time:
         names = Said(thing, now, lexicon).names
         return About(kind=AboutKind.MOVE, names=names, thing=thing, time=time, corrects=place > 0)
-    if not place or COMMA in said.forms:
+    if not place or "," in said.forms:
         return None
     # "Actually no salad", but "no, the salad"
-    none_wanted = whole.forms[place - 1] == NO and said.forms[0] not in EMPTY
+    none_wanted = whole.forms[place - 1] == "no" and said.forms[0] not in EMPTY
     instead = About(kind=AboutKind.INSTEAD, thing=thing, certain=True)
     return About(kind=AboutKind.DROP, names=said.names, thing=thing) if none_wanted else instead
 
 
 def _without_and(said: Said) -> Said:
     """Leave out what goes on in front of another thing, or time: "and make it Ann", "and at six not five"."""
-    rest = said.behind(1) if said.forms[:1] == (AND,) and len(said.words) > 1 else said
-    return rest if rest.opens_with("naming anew") or NOT in rest.forms else said
+    rest = said.behind(1) if said.forms[:1] == ("and",) and len(said.words) > 1 else said
+    return rest if rest.opens_with("naming anew") or "not" in rest.forms else said
 
 
 def _kept(thing: Said) -> About | None:
@@ -125,7 +117,11 @@ def _later(said: Said) -> About | None:
         # "Start the salad ten minutes earlier", which was to be made
         names = later[1].names - said.lexicon.doing.beginning or later[1].names
         return replace(later[0], names=names, certain=True)
-    names = said.until(len(said.words) - 1).names if said.forms[-1:] in SOONER else frozenset()
+    names = (
+        said.until(len(said.words) - 1).names
+        if said.forms[-1:] in {("earlier",), ("sooner",)}
+        else frozenset()
+    )
     # By how much is not said.
     return About(kind=AboutKind.DELAY, names=names, earlier=True, certain=True) if names else None
 
@@ -133,11 +129,11 @@ def _later(said: Said) -> About | None:
 def _placed(said: Said) -> About | None:
     """Read what is to come first, or last: "the test first", "first the test", "the salad last"."""
     thing = said.until(len(said.words) - 1)
-    ways = {FIRST: AT_FIRST, LAST: AT_LAST}
+    ways = {"first": AT_FIRST, "last": AT_LAST}
     time = ways.get(said.forms[-1], "")
     if time and thing.names and not (time == AT_LAST and said.has_time):
         return About(kind=AboutKind.MOVE, names=thing.names, thing=thing.text, time=time)
-    if said.forms[0] == FIRST and not time and not said.has_time:
+    if said.forms[0] == "first" and not time and not said.has_time:
         return About(kind=AboutKind.MOVE, names=said.behind(1).names, time=AT_FIRST, certain=True)
     return None
 
@@ -167,19 +163,19 @@ def _instead(said: Said) -> About | None:
     """Read what stands in the place of what: "not the soup, the rice", "butter, not bread"."""
     forms = said.forms
     corrected = opening_correction(said)
-    joint = next((n for n, word in enumerate(forms) if word in {COMMA, BUT} and n >= max(corrected, 1)), None)
-    if forms[:1] == (NOT,) and joint is not None:
+    joint = next((n for n, word in enumerate(forms) if word in {",", "but"} and n >= max(corrected, 1)), None)
+    if forms[:1] == ("not",) and joint is not None:
         old, new = said.until(joint).behind(1), said.behind(joint + 1)
-        new = new.behind(1) if new.forms[:1] == (BUT,) else new
-    elif joint is not None and forms[joint + 1 : joint + 2] == (NOT,):
+        new = new.behind(1) if new.forms[:1] == ("but",) else new
+    elif joint is not None and forms[joint + 1 : joint + 2] == ("not",):
         old, new = said.behind(joint + 2), said.until(joint)
     elif (
         joint is None
-        and NOT in forms[1:-1]
-        and (len(forms) == SHORTEST or said.until(forms.index(NOT)).as_time())
+        and "not" in forms[1:-1]
+        and (len(forms) == SHORTEST or said.until(forms.index("not")).as_time())
     ):
         # "At three not two", "dad not mum"
-        old, new = said.behind(forms.index(NOT) + 1), said.until(forms.index(NOT))
+        old, new = said.behind(forms.index("not") + 1), said.until(forms.index("not"))
     elif (place := _instead_of(said)) is not None:
         old, new = said.behind(place).after("in its place of") or said, said.until(place)
     else:
@@ -191,7 +187,7 @@ def _instead(said: Said) -> About | None:
         return About(kind=AboutKind.MOVE, names=of, time=time, corrects=not of, certain=True)
     if new.is_in("other"):
         return About(kind=AboutKind.OTHER, certain=True)
-    if not (new.names and (old.names or old.is_in("last"))) or COMMA in new.forms:
+    if not (new.names and (old.names or old.is_in("last"))) or "," in new.forms:
         return None
     return About(kind=AboutKind.INSTEAD, names=old.names, thing=new.text, certain=True)
 

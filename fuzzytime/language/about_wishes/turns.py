@@ -7,15 +7,13 @@ from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.named import is_several
 
-COMMA = ","
-
 
 def turned(said: Said) -> About | None:
     """Read what is about what was said or done last; None where it may be a wish."""
     corrected = opening_correction(said)
     rest = said.behind(corrected)
     kept = rest.after("retracting")
-    if kept is not None and (left := kept.behind(kept.forms[:1] == (COMMA,))).is_in("restoring"):
+    if kept is not None and (left := kept.behind(kept.forms[:1] == (",",))).is_in("restoring"):
         # "Never mind, leave it"
         return About(kind=AboutKind.UNDO, text=left.text, certain=True)
     if rest.is_in("restoring"):
@@ -35,7 +33,7 @@ def turned(said: Said) -> About | None:
     if kept is not None and kept.words and kept.is_in("last"):
         # "Not that one"
         return About(kind=AboutKind.WRONG, certain=True)
-    joint = -1 if kept is None or COMMA not in kept.forms else kept.forms.index(COMMA)
+    joint = -1 if kept is None or "," not in kept.forms else kept.forms.index(",")
     if kept is not None and joint > 0 and kept.until(joint).is_in("last"):
         rest = kept.behind(joint + 1)
     return About(kind=AboutKind.OTHER, certain=True) if rest.is_in("other") else None
@@ -43,9 +41,8 @@ def turned(said: Said) -> About | None:
 
 def _retracts(said: Said) -> bool:
     """Whether a line takes something back, and says nothing else: "no, scratch that"."""
-    ends = (form for form in said.table("retracting") if said.forms[-len(form) :] == form)
-    opening = len(said.words) - max(map(len, ends), default=len(said.words) + 1)
-    return opening >= 0 and not said.until(opening).names
+    retracting = said.ends_with("retracting")
+    return retracting > 0 and not said.until(len(said.words) - retracting).names
 
 
 def _stopped(said: Said) -> frozenset[str] | None:

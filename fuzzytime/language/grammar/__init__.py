@@ -4,7 +4,7 @@ Nothing here knows a construction: rules are in ``fuzzytime.language.english``. 
 what stands around it, so that numbers and names are no times. From the ground:
 
 ``words``
-    A text cut into words; what is quoted in it (``quotes``).
+    A text cut into words; what is quoted in it.
 ``chart``
     Applies the rules of a grammar.
 ``lexicon``

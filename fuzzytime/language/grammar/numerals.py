@@ -77,7 +77,6 @@ OPENING = frozenset("([{@:;,<>=~")
 ONES = frozenset({"a", "one"})
 """Words before a hundred or a thousand: one of it."""
 
-MARKS = frozenset({"-", "/", "."})
 DATES = frozenset({"n-n-n", "n/n", "n.n"})
 """Shapes whose first two numbers are month and day, in the order of the policy."""
 
@@ -146,7 +145,7 @@ def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piec
         match = shape.match(run)
         if match is not None and match.end() in ends:
             # What stands between the numbers of a date is told by what is alike: "3-3.30" is none.
-            parts = tuple(part for part in match.groups() if part not in MARKS)
+            parts = tuple(part for part in match.groups() if part not in {"-", "/", "."})
             behind = words[ends[match.end()] :][:1]
             if category == "d.m." and behind and behind[0].capital:
                 # "Set it to 2.5. At noon, stop it."

@@ -14,7 +14,6 @@ from fuzzytime.language.grammar.judging.run_on_hours import typed_apart
 from fuzzytime.language.grammar.judging.walls.dated_entries import sure_in_front
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
-from fuzzytime.language.grammar.quotes import quotes_in
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.timetables import holds_stretch
 from fuzzytime.language.grammar.typed_words import as_meant, with_marks
@@ -34,7 +33,7 @@ from fuzzytime.language.grammar.understood.typed_hours import (
     gone_by,
     lasting_on_day,
 )
-from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.grammar.words import Word, quotes_in, words_of
 from fuzzytime.language.meaning.expressions import Phrase
 
 WIDTH = 0.35

@@ -9,12 +9,20 @@ import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from fuzzytime.language.instruction import Span
+
 _WORD = re.compile(r"\d+|[^\W\d_]+(?:['’ʼ][^\W\d_]+)?|\S")
 _LEVELLED = str.maketrans(
     {"’": "'", "ʼ": "'", "′": "'", "‘": "'", "“": '"', "”": '"', "″": '"', "×": "x", "∼": "~"}
 )
 _DASHES = frozenset("-–—−‐‑‒")
 _FRACTIONS = frozenset("¼½¾⅓⅔")
+
+QUOTED = re.compile(
+    r"""(?<![^\s(\[,:;-])(?:"[^"\n]+"|“[^”\n]+”|«[^»\n]+»|'(?!(?:till?|cause|cos|em)\b)[^'\n]+'|‘[^’\n]+’)"""
+    r"""(?![^\s.,;:!?)\]])"""
+)
+"""Words between quotation marks that stand apart; not the inches of a 5" pipe, nor the mark of 'til."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,3 +83,21 @@ def _levelled(raw: str) -> str:
     # A compatibility form may fall apart into several characters; a word stays one.
     plain = unicodedata.normalize("NFKC", raw.translate(_LEVELLED)).lower()
     return plain.strip() or raw
+
+
+def quotes_in(text: str) -> list[Span]:
+    """Give the stretches of a text that are quoted, with their marks; none where nothing else is said.
+
+    >>> quotes_in('text Jo "back at six" at five')
+    [(8, 21)]
+    >>> quotes_in('"call mum at six"')
+    []
+    """
+    found = [match.span() for match in QUOTED.finditer(text)]
+    rest = QUOTED.sub("", text)
+    return found if any(character.isalnum() for character in rest) else []
+
+
+def is_quoted(text: str) -> bool:
+    """Whether a text is words between quotation marks."""
+    return QUOTED.fullmatch(text) is not None

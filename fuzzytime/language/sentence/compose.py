@@ -28,18 +28,16 @@ from fuzzytime.language.sentence.sketches.meaning.clock_times import NOTHING, La
 from fuzzytime.language.sentence.sketches.meaning.negations import awaiting, without_denial
 from fuzzytime.language.sentence.sketches.meaning.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.days.days_apart import follows_night
 from fuzzytime.language.sentence.together.days.headings import day_above, read_heading
 from fuzzytime.language.sentence.together.days.titles import window_of
-from fuzzytime.language.sentence.together.none_of_it.denials import denied_together
 from fuzzytime.language.sentence.together.none_of_it.how_much import uncounted
-from fuzzytime.language.sentence.together.none_of_it.how_often import unknown_moments
-from fuzzytime.language.sentence.together.none_of_it.naming import naming_none
+from fuzzytime.language.sentence.together.none_of_it.naming import naming_none, unknown_moments
+from fuzzytime.language.sentence.together.none_of_it.orders_again import denied_together
 from fuzzytime.language.sentence.together.none_of_it.unused import unused_front, unused_words
 from fuzzytime.language.sentence.together.sketches import sketches_of
 from fuzzytime.language.sentence.together.times.for_all import said_for_all
-from fuzzytime.language.sentence.together.times.mornings import follows_night
 from fuzzytime.language.sentence.together.times.pairs import follows_on, leads_to, side_of_night
-from fuzzytime.language.sentence.together.told.consequences import behind_consequences
 from fuzzytime.language.sentence.together.told.lengths import (
     due_when_needed,
     length_of,
@@ -50,6 +48,7 @@ from fuzzytime.language.sentence.together.told.lengths import (
     unknown_length,
     waited,
 )
+from fuzzytime.language.sentence.together.told.reasons_told import behind_consequences
 from fuzzytime.language.sentence.together.told.told_beside import due_before
 from fuzzytime.language.sentence.tokens import tokens_of
 from fuzzytime.requirement import Anchor, Edge, TimeRequirement
@@ -176,23 +175,10 @@ class _Composer:
         self.remarks += remarks
         times = self._times_of(sketch)
         segment = sketch.part.segment
-        before = self._asked_before(position)
-        connected = self._connected(segment, before, position)
-        requirements, remarks = required_of(sketch, times, anchors, connected, self.draft)
-        self.remarks += remarks
-        self.explained += [part.span for part in requirements if part.anchor is not None and part.anchor.each]
         said = text[slice(*segment.span)].strip()
         lengths = [one for one in times.found if one.duration is not None]
-        self.remarks += second_ones(times.found)
-        operation, requirements, duration = without_denial(
-            sketch.operation,
-            requirements,
-            lengths[0].duration if lengths else None,
-            connected,
-            f"{sketch.denial} {said}",
-            self.draft.lexicon,
-            None if sketch.denial else self._right_before(position, before, said),
-        )
+        length = lengths[0].duration if lengths else None
+        operation, requirements, duration = self._required(sketch, times, anchors, said, length)
         requirements, remarks = offered(requirements, operation, text)
         self.remarks += remarks
         requirements = due_when_needed(requirements, operation, said, self.draft.lexicon)
@@ -212,6 +198,23 @@ class _Composer:
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
             day_of=event,
             alone=bool(lengths) and any(_leaves(aside, lengths[0]) for aside in self.draft.asides),
+        )
+
+    def _required(
+        self, sketch: Sketch, times: Times, anchors: Anchors, said: str, length: float | None
+    ) -> tuple[Operation | None, Sequence[TimeRequirement], float | None]:
+        """Give when a sketch is to be, and for how long; of what is denied, until when it is not to be."""
+        segment, position = sketch.part.segment, anchors.position
+        before = self._asked_before(position)
+        connected = self._connected(segment, before, position)
+        requirements, remarks = required_of(sketch, times, anchors, connected, self.draft)
+        self.remarks += [*remarks, *second_ones(times.found)]
+        self.explained += [part.span for part in requirements if part.anchor is not None and part.anchor.each]
+        right_before = None if sketch.denial else self._right_before(position, before, said)
+        denied = f"{sketch.denial} {said}"
+        lexicon = self.draft.lexicon
+        return without_denial(
+            sketch.operation, requirements, length, connected, denied, lexicon, right_before
         )
 
     def _connected(self, segment: Segment, before: int | None, position: int) -> TimeRequirement | None:

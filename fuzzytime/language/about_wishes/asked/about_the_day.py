@@ -32,7 +32,7 @@ def _about_last(said: Said) -> About | None:
     if said.is_in("asking when"):
         return About(kind=AboutKind.WHEN, certain=True)
     rest = said.after("lasting")
-    if rest is not None and any(rest.forms[-len(form) :] == form for form in said.table("all of it")):
+    if rest is not None and rest.ends_with("all of it"):
         # "How long does it take in all?"
         return About(kind=AboutKind.WHEN, everything=True, certain=True)
     return None
@@ -69,8 +69,7 @@ def _room(said: Said) -> About | None:
     rest = said.after("having time")
     if rest is None or not rest.words:
         return None
-    closing = (form for form in said.table("closing") if rest.forms[-len(form) :] == form != rest.forms)
-    rest = rest.until(len(rest.words) - max(map(len, closing), default=0))
+    rest = rest.without_end(said.table("closing"))
     for place in range(len(rest.words) - 1, 0, -1):
         way = BESIDE.get(rest.forms[place])
         if way is None:
@@ -94,7 +93,7 @@ def _done(said: Said) -> About | None:
         return About(kind=AboutKind.DID, names=rest.names, thing=rest.text, certain=True)
     helping = bare.forms[:1] and bare.forms[0] in {"is", "are"}
     rest = bare.behind(1) if helping else None
-    finished = max((len(f) for f in said.table("finished") if rest and rest.forms[-len(f) :] == f), default=0)
+    finished = rest.ends_with("finished") if rest else 0
     if rest is None or not finished:
         return None
     thing = rest.until(len(rest.words) - finished)

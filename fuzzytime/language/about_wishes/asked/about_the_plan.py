@@ -1,7 +1,7 @@
 """Questions about the plan: "what's next?", "how long until dinner?", "why so late?"."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.said import BESIDE, Said
+from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.sentence.trees.content_words import content_words
 
 
@@ -37,7 +37,11 @@ def _why(said: Said) -> About | None:
 
 def _in_front(said: Said) -> Said:
     """Leave out what a thing comes before, or after: "the salad after the rice"."""
-    joints = (n for n in range(1, len(said.words)) if said.forms[n] in BESIDE and said.behind(n + 1).names)
+    joints = (
+        n
+        for n in range(1, len(said.words))
+        if said.forms[n] in {"after", "before"} and said.behind(n + 1).names
+    )
     place = next(joints, len(said.words))
     return said.until(place) if said.until(place).names else said
 
@@ -54,7 +58,7 @@ def _when(said: Said) -> About | None:
     if said.forms[0] == "when" and rest.forms[0] not in _helping(said):
         # "When the rice is done, stir" is a clause.
         return None
-    if any(form == rest.forms[-len(form) :] for form in said.table("everything")) or _is_over(rest):
+    if rest.ends_with("everything") or _is_over(rest):
         return About(kind=AboutKind.WHEN, everything=True, certain=True)
     if rest.is_in("moment") and said.forms[0] != "when":
         return About(kind=AboutKind.CLOCK, certain=True)

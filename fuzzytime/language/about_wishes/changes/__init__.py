@@ -1,4 +1,4 @@
 """Orders that are about wishes (``changes``).
 
-``moves`` to another time, ``exceptions`` from a repetition, and ``keeping_free`` of time.
+``moves`` to another time, and ``exceptions`` from a repetition.
 """

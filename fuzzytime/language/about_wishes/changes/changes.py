@@ -4,8 +4,7 @@ import re
 from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_ONCE, About, AboutKind
-from fuzzytime.language.about_wishes.changes.exceptions import cleared, exception
-from fuzzytime.language.about_wishes.changes.keeping_free import kept_free
+from fuzzytime.language.about_wishes.changes.exceptions import cleared, exception, kept_free
 from fuzzytime.language.about_wishes.changes.moves import delayed, moved
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, days_on, later_by
@@ -16,16 +15,9 @@ from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.requirement import Unit
 
 SEVERAL = ("both", "everything")
-FIRST = "first"
-FOR = "for"
-EVERY = "every"
 
 OWNER = re.compile(r"(?<=\w)['\u2019]s\b")
 """What tells whose something is."""
-
-DOING = "do"
-MAKING = "make"
-LEAVE, OUT = "leave", "out"
 
 
 def change(said: Said) -> About | None:
@@ -87,7 +79,7 @@ def _dropped(said: Said) -> About | None:
     dropped = said.after("dropping") or rest
     if dropped is not None and (kept := all_but(dropped)) is not None:
         return About(kind=AboutKind.DROP, names=named_in(kept), everything=True, certain=True)
-    if said.forms[:1] == (LEAVE,) and said.forms[-1:] == (OUT,) and len(said.words) > 2:
+    if said.forms[:1] == ("leave",) and said.forms[-1:] == ("out",) and len(said.words) > 2:
         # "Leave the soup out"
         return about_thing(AboutKind.DROP, said.until(len(said.words) - 1).behind(1))
     rest = said.after("dropping")
@@ -116,16 +108,16 @@ def _appointment(said: Said) -> frozenset[str]:
 
 def _ordered(said: Said) -> About | None:
     """Read what is wished to come first, or beside another: "do the soup first", "do it after the call"."""
-    if said.forms[:1] not in {(DOING,), (MAKING,)} or len(said.words) < 3:
+    if said.forms[:1] not in {("do",), ("make",)} or len(said.words) < 3:
         return None
     verb = said.forms[0]
-    if verb == MAKING and said.without("more")[1]:
+    if verb == "make" and said.without("more")[1]:
         # "Make the lesson an hour longer"
         return None
     for place in range(2, len(said.words)):
         thing, rest = said.until(place).behind(1), said.behind(place)
         if rest.is_in("first"):
-            time = AT_FIRST if rest.forms == (FIRST,) else AT_ONCE
+            time = AT_FIRST if rest.forms == ("first",) else AT_ONCE
             return replace(about_thing(AboutKind.MOVE, thing), time=time)
         new = rest.without("instead")[0]
         undirected, directions = new.without(*DIRECTIONS)
@@ -135,7 +127,7 @@ def _ordered(said: Said) -> About | None:
         if (later := later_by(new)) is not None and not later[1].words:
             about = about_thing(AboutKind.DELAY, thing)
             return replace(about, by=later[0].by, text=later[0].text, earlier=later[0].earlier)
-        if verb == MAKING and (is_last(thing) or new.as_time() == new.text):
+        if verb == "make" and (is_last(thing) or new.as_time() == new.text):
             # "Make the bed at six", "make dinner for six"
             return None
         if days := days_on(new):
@@ -156,17 +148,8 @@ def _corrected(said: Said) -> About | None:
     if place and rest.forms[:1] and rest.forms[0] in said.lexicon.doing.keeping and is_last(rest.behind(1)):
         # "No wait, keep it"
         return About(kind=AboutKind.UNDO, text=rest.text, certain=True)
-    if rest.words and not rest.without(*DIRECTIONS)[0].words:
-        # "Earlier, please": by how much is not said
-        earlier = "earlier" in rest.without(*DIRECTIONS)[1]
-        return About(kind=AboutKind.DELAY, earlier=earlier, corrects=place > 0, certain=True)
-    delayed = later_by(rest)
-    if delayed is not None and (about := _later(*delayed)) is not None:
-        # "Ten minutes later", "no, make it ten minutes earlier"
-        return replace(about, corrects=place > 0)
-    if days := days_on(rest):
-        # "No, the day after"
-        return About(kind=AboutKind.MOVE, days=days, corrects=place > 0, certain=True)
+    if (shifted := _shifted(rest)) is not None:
+        return replace(shifted, corrects=place > 0)
     proposed = rest.after("proposing")
     if proposed is not None and proposed.words and (about := _corrected(proposed)) is not None:
         return replace(about, corrects=True)
@@ -179,9 +162,9 @@ def _corrected(said: Said) -> About | None:
         return About(kind=AboutKind.MOVE, time=time, bare=bare, corrects=True, certain=True)
     if place == 0 or not rest.words:
         return None
-    if rest.forms[:1] == (EVERY,) and (number := rest.behind(1).as_number()):
+    if rest.forms[:1] == ("every",) and (number := rest.behind(1).as_number()):
         # "No, every ten"
-        time = f"{EVERY} {number} {Unit.MINUTE}s"
+        time = f"every {number} {Unit.MINUTE}s"
         return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
     longer, more = rest.without("more")
     found = longer.length() or rest.length() if more else None
@@ -196,6 +179,19 @@ def _corrected(said: Said) -> About | None:
     # "Make it six" is of what was spoken of last, and "no, six" of what was said last.
     anew = said.opens_with("naming anew") == place
     return About(kind=AboutKind.MOVE, time=time, number=number, bare=bare, corrects=not anew, certain=True)
+
+
+def _shifted(said: Said) -> About | None:
+    """Read what is to be earlier or later, or on another day: "ten minutes later", "no, the day after"."""
+    undirected, directions = said.without(*DIRECTIONS)
+    if said.words and not undirected.words:
+        # "Earlier, please": by how much is not said
+        return About(kind=AboutKind.DELAY, earlier="earlier" in directions, certain=True)
+    delayed = later_by(said)
+    if delayed is not None and (about := _later(*delayed)) is not None:
+        return about
+    days = days_on(said)
+    return About(kind=AboutKind.MOVE, days=days, certain=True) if days else None
 
 
 def _beside_another(said: Said) -> About | None:

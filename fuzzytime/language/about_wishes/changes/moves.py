@@ -10,11 +10,8 @@ from fuzzytime.language.about_wishes.told.told_of import told_of
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.sentence.trees.content_words import content_words
 
-FOR = "for"
-PUT = "put"
 OFF = frozenset({("off",)})
-LEAVE = "leave"
-LEFT = frozenset({FOR, "till", "until"})
+LEFT = frozenset({"for", "till", "until"})
 """What stands between what is left and until when."""
 
 
@@ -39,7 +36,7 @@ def delayed(said: Said) -> About | None:
         if thing.has_time or (delaying is None and not directions):
             return None
     elif delaying is None and (
-        found.joint == FOR or not (directions or said.forms[0] in said.lexicon.moving)
+        found.joint == "for" or not (directions or said.forms[0] in said.lexicon.moving)
     ):
         # "Put the meat back for ten minutes"
         return None
@@ -90,7 +87,7 @@ def moved(said: Said) -> About | None:
     # "Move s2 up to nine"
     thing = thing.without_end(said.table("later") | said.table("earlier"))
     # "Put the gutters off till friday"
-    thing = thing.without_end(OFF) if said.forms[0] == PUT else thing
+    thing = thing.without_end(OFF) if said.forms[0] == "put" else thing
     new = Said(behind[place:].strip(), said.now, said.lexicon)
     if not thing.words:
         return None
@@ -134,10 +131,10 @@ def _able(said: Said) -> About | None:
 
 def _left_for(said: Said) -> About | None:
     """Read until when something is left: "leave it till monday"; but "leave the dough for an hour"."""
-    for place in range(2, len(said.words) if said.forms[0] == LEAVE else 0):
+    for place in range(2, len(said.words) if said.forms[0] == "leave" else 0):
         thing, new = said.until(place).behind(1), said.behind(place)
         time = new.as_time() if new.forms[0] in LEFT else ""
-        if time and not time.startswith(f"{FOR} ") and (thing.names or is_last(thing)):
+        if time and not time.startswith("for ") and (thing.names or is_last(thing)):
             return replace(about_thing(AboutKind.MOVE, thing), time=time)
     return None
 
@@ -151,12 +148,12 @@ def _moved_somewhen(said: Said) -> About | None:
 
 def _put_at(said: Said) -> About | None:
     """Read a new time behind what is put there: "put the review at eleven"."""
-    what, time = said.behind(1).parted() if said.forms[0] == PUT else ("", "")
+    what, time = said.behind(1).parted() if said.forms[0] == "put" else ("", "")
     thing = Said(what, said.now, said.lexicon)
     # "Put the soup on at four" is done with soup.
     named = bool(what) and (is_last(thing) or bool(content_words(what.split()[-1])))
     new = Said(time, said.now, said.lexicon).as_time() if named else ""
-    if not new or new.lower().startswith(f"{FOR} ") or not said.text.lower().endswith(time.lower()):
+    if not new or new.lower().startswith("for ") or not said.text.lower().endswith(time.lower()):
         return None
     return replace(about_thing(AboutKind.MOVE, thing), time=new)
 

@@ -14,7 +14,6 @@ from fuzzytime.times import instant_after
 
 NOON = 12
 ONE = frozenset({("one",)})
-NOT = "not"
 TWO = 2
 """Choices of which one is meant where the other is not."""
 
@@ -34,7 +33,7 @@ def choice_meant(text: str, question: Question, now: datetime, lexicon: Lexicon)
     whole = Said.of(text, now, lexicon)
     corrected = opening_correction(whole)
     said = _answer(whole.behind(corrected))
-    if said.forms[:1] == (NOT,) and len(question.choices) == TWO:
+    if said.forms[:1] == ("not",) and len(question.choices) == TWO:
         # "Not in the evening"
         other = _choice(said.behind(1), question, corrected=corrected)
         return None if other is None else 1 - other

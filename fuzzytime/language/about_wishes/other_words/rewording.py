@@ -19,10 +19,7 @@ ADJUNCTS = frozenset({"det", "amod", "compound", "nummod", "nmod:poss", "flat"})
 OBJECTS = ("obj", "iobj", "root", "nmod", "obl")
 """What a thing is in a wish, what it is most likely about first."""
 
-CASE = "case"
-NUMBER = "CD"
 
-BARE = "VB"
 OF_NOUNS = ("DT", "PRP$")
 QUALITIES = ("JJ", "RB", "VB", "IN")
 """How tags of words begin that say how something is, or what it does."""
@@ -96,7 +93,7 @@ def is_thing(text_reading: Reading) -> bool:
     if root is None:
         return False
     tag, first = text_reading.tokens[root].tag, text_reading.tokens[0].tag
-    if tag == BARE and first in OF_NOUNS:
+    if tag == "VB" and first in OF_NOUNS:
         # "The lawn", which a tree takes for an order
         return True
     if not tag.startswith("NN"):
@@ -112,7 +109,7 @@ def may_be_thing(reading: Reading, lexicon: Lexicon) -> bool:
         return False
     tag = reading.tokens[root].tag
     # Trees take a word alone for an order: "bread", "a walk".
-    alone = tag == BARE and (len(reading.tokens) == 1 or reading.tokens[0].tag in OF_NOUNS)
+    alone = tag == "VB" and (len(reading.tokens) == 1 or reading.tokens[0].tag in OF_NOUNS)
     return alone or not tag.startswith(QUALITIES)
 
 
@@ -177,7 +174,7 @@ def _span_of(reading: Reading, place: int) -> Span:
         and not any(overlap(token.span, span) for span in times)
     ]
     behind = reading.tokens[place + 1 : place + 2]
-    if behind and behind[0].tag == NUMBER and not any(overlap(behind[0].span, span) for span in times):
+    if behind and behind[0].tag == "CD" and not any(overlap(behind[0].span, span) for span in times):
         # "Part one"
         own.append(place + 1)
     spans = [reading.tokens[one].span for one in own]
@@ -186,7 +183,7 @@ def _span_of(reading: Reading, place: int) -> Span:
 
 def _case_of(reading: Reading, place: int) -> str:
     """Give the preposition in front of a thing; empty for none."""
-    cases = (t.text.lower() for t in reading.tokens if t.head == place and t.relation == CASE)
+    cases = (t.text.lower() for t in reading.tokens if t.head == place and t.relation == "case")
     return next(cases, "")
 
 

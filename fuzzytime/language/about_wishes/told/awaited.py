@@ -12,9 +12,7 @@ from fuzzytime.requirement import Constraint, TimeRequirement
 
 CONTRACTED = re.compile(r"(?<=\w)['\u2019](s|re)\b")
 BEING = {"s": " is", "re": " are"}
-NOW = "now"
 SUBJECTS = frozenset({"nsubj", "nsubj:pass"})
-HELPING = frozenset({"aux", "aux:pass"})
 VERBAL = ("V", "M")
 """How the tags of verbs begin."""
 
@@ -97,7 +95,7 @@ def _named(tokens: Sequence[Token], lexicon: Lexicon) -> Iterator[str]:
         word, verb = token.text.lower(), token.tag.startswith(VERBAL)
         left_out = pronouns if verb else pronouns | small
         named = word[:1].isalnum() and word not in left_out and content_words(word)
-        if named and token.relation not in HELPING:
+        if named and token.relation not in {"aux", "aux:pass"}:
             yield token.lemma
 
 
@@ -117,5 +115,5 @@ def done_at_once(text: str, part: TimeRequirement) -> str:
     """Give the words of an instruction with now in place of what it waited for."""
     first, end = part.span
     beside = part.anchor is not None and part.anchor.text != part.text
-    time = part.text.replace(part.anchor.text, NOW) if part.anchor is not None and beside else AT_FIRST
+    time = part.text.replace(part.anchor.text, "now") if part.anchor is not None and beside else AT_FIRST
     return f"{text[:first]}{time}{text[end:]}"

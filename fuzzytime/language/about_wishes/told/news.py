@@ -26,11 +26,6 @@ ANEW = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
 
 SEVERAL = r"\bthey"
 PERSON = re.compile(r"\b\w+")
-BE = "be"
-NO = "no"
-NOW = "now"
-ABSENT = "absent"
-HAPPENED = "happened"
 SOONER = frozenset({"early", "earlier"})
 LATER = frozenset({"late", "later", "rescheduled"})
 TABLES = (
@@ -45,7 +40,7 @@ TABLES = (
     "cancelled",
     "present",
     "perfect",
-    ABSENT,
+    "absent",
 )
 """The tables of what is said in a conversation whose words make news."""
 
@@ -153,27 +148,27 @@ class _Clause:
         words = CONTRACTED.sub(_blank, self.text[self.span[0] : self.span[1]])
         said = Said(words, self.now, self.lexicon)
         left, tables = said.without(*TABLES)
-        if said.forms[:1] == (NO,) and left.words and left.forms[0] == said.forms[1] not in EMPTY:
+        if said.forms[:1] == ("no",) and left.words and left.forms[0] == said.forms[1] not in EMPTY:
             # "No gym today"
             return None
-        if any((form,) in self.lexicon.conversation[HAPPENED] for form in said.forms):
-            tables |= {HAPPENED}
+        if any((form,) in self.lexicon.conversation["happened"] for form in said.forms):
+            tables |= {"happened"}
         if not tables:
             # Only a plain verb and a time: "the train leaves at nine"
             return self._timed(words, frozenset())
         found = left.length()
         if found is not None and tables & (SOONER | LATER):
             by = -found.seconds if tables & SOONER else found.seconds
-            return None if ABSENT in tables else self._news_of(NewsKind.LATER, found.rest, tables, by=by)
+            return None if "absent" in tables else self._news_of(NewsKind.LATER, found.rest, tables, by=by)
         if said.has_time and "cancelled" in tables:
             # Of which day that is, who asked for it must see.
             return None
         if said.has_time or ("rescheduled" in tables and self._joint(words)):
             return self._timed(words, tables)
-        if ABSENT in tables:
+        if "absent" in tables:
             known = LATE if {"present", "perfect"} & tables else CANCELLED
             return None if tables & (SOONER | LATER) else self._news_of(known, left, tables)
-        kinds = {"cancelled": CANCELLED, "present": THERE, "perfect": THERE, HAPPENED: THERE}
+        kinds = {"cancelled": CANCELLED, "present": THERE, "perfect": THERE, "happened": THERE}
         kinds |= dict.fromkeys(("late", "rescheduled"), LATE)
         kind = next((kind for name, kind in kinds.items() if name in tables), None)
         return None if kind is None else self._news_of(kind, left, tables)
@@ -187,7 +182,7 @@ class _Clause:
         """Read a new time: "they come at eight", "the meeting was moved to four"."""
         parts = find_times(words, self.now, self.lexicon).found
         # "The meeting is at four now"
-        parts = tuple(part for part in parts if part.requirement.word != NOW or len(parts) == 1)
+        parts = tuple(part for part in parts if part.requirement.word != "now" or len(parts) == 1)
         joint = self._joint(words) if "rescheduled" in tables and not parts else 0
         if joint and (at := Said(words[joint:], self.now, self.lexicon).as_time()):
             # "It was moved to four"
@@ -197,8 +192,8 @@ class _Clause:
         time, questions = parts[0].requirement, parts[0].questions
         first, end = (joint, len(words)) if joint else time.span
         left, _ = Said(f"{words[:first]} {words[end:]}", self.now, self.lexicon).without(*TABLES)
-        moved = ABSENT in tables or "rescheduled" in tables
-        if ABSENT in tables and time.constraint is not Constraint.BEFORE:
+        moved = "absent" in tables or "rescheduled" in tables
+        if "absent" in tables and time.constraint is not Constraint.BEFORE:
             # "They don't come at seven" leaves open when, "they can't come today" does not.
             return self._news_of(LATE if time.grain in CLOCKED else CANCELLED, left, tables)
         if moved:
@@ -245,7 +240,7 @@ def _blank(contracted: re.Match[str]) -> str:
 def _verbs(happening: Operation, lexicon: Lexicon) -> frozenset[str]:
     """Give the words for what something that happens does."""
     arriving = lexicon.doing.arriving
-    beginning = lexicon.doing.beginning - arriving | {BE}
+    beginning = lexicon.doing.beginning - arriving | {"be"}
     alike = arriving if happening.lemma in arriving else frozenset[str]()
     if happening.lemma in beginning:
         # "The meeting starts at four", which was at three

@@ -9,14 +9,6 @@ from fuzzytime.language.about_wishes.lengths import lengthened
 from fuzzytime.language.about_wishes.said import FOR, Said
 from fuzzytime.language.about_wishes.told.told_of import is_over
 
-WITH = "with"
-ON = "on"
-TO = "to"
-MAKE = "make"
-ADD = "add"
-GIVE = "give"
-COMMA = ","
-
 
 def report(said: Said) -> About | None:
     """Read how it goes; None where it may be a wish."""
@@ -64,9 +56,9 @@ def _late(said: Said) -> About | None:
 
 def _more(said: Said) -> About | None:
     """Read for how much longer something goes on: "five more minutes", "the soup needs another minute"."""
-    if said.forms[:1] == (MAKE,):
+    if said.forms[:1] == ("make",):
         return _made_longer(said.behind(1))
-    joint = said.forms.index(COMMA) if said.forms.count(COMMA) == 1 else 0
+    joint = said.forms.index(",") if said.forms.count(",") == 1 else 0
     front, by = (
         (_more(said.until(joint)), said.behind(joint + 1).without("more")[0].length())
         if joint
@@ -88,7 +80,7 @@ def _more(said: Said) -> About | None:
         return About(kind=AboutKind.MORE, names=left.names, certain=True)
     named, parts = found.rest.without("needing", "last", "more")
     # "Five more minutes for the rice", "give the rice five more minutes"
-    given = named.behind(1) if named.forms[:1] in {(GIVE,), (FOR.strip(),)} else named
+    given = named.behind(1) if named.forms[:1] in {("give",), (FOR.strip(),)} else named
     certain = not named.names or "needing" in parts or given is not named
     return About(kind=AboutKind.MORE, names=given.meant, by=found.seconds, certain=certain)
 
@@ -107,9 +99,9 @@ def _made_longer(said: Said) -> About | None:
 def _added(said: Said) -> About | None:
     """Read what is added to something that goes on: "add five minutes to the timer"."""
     found = said.length() if said.opens_with("adding") else None
-    if found is not None and found.rest.forms == (ADD,):
+    if found is not None and found.rest.forms == ("add",):
         return About(kind=AboutKind.MORE, by=found.seconds, certain=True)
-    if found is None or found.joint or found.rest.forms[1:2] not in {(TO,), (ON,)}:
+    if found is None or found.joint or found.rest.forms[1:2] not in {("to",), ("on",)}:
         return None
     thing = found.rest.behind(2)
     names = thing.meant
@@ -142,7 +134,7 @@ def _unstarted(said: Said) -> About | None:
 def _begun(said: Said) -> Said:
     """Leave out what stands beside a thing that is begun, or is not: "with the soup yet", "on the soup"."""
     thing = said.without("yet")[0]
-    return thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
+    return thing.behind(1) if thing.forms[:1] in {("with",), ("on",)} else thing
 
 
 def _started(said: Said) -> About | None:
@@ -208,7 +200,7 @@ def _finished(said: Said) -> About | None:
     if over:
         # "Done", "I'm done with the soup", "finished the soup"
         thing = rest.behind(over)
-        with_it = thing.forms[:1] == (WITH,)
+        with_it = thing.forms[:1] == ("with",)
         thing = thing.behind(1) if with_it else thing
         having = with_it or not thing.words or rest.opens_with("having")
         if rest != said and thing.words and thing.as_time():
@@ -224,9 +216,7 @@ def _finished(said: Said) -> About | None:
 
 def _stated_over(said: Said) -> About | None:
     """Read what is over without a verb: "number 1 done", "shirts done"."""
-    closing = max(
-        (len(form) for form in said.table("finished") if said.forms[-len(form) :] == form), default=0
-    )
+    closing = said.ends_with("finished")
     thing = said.until(len(said.words) - closing)
     if not closing or not thing.words or (thing.has_time and not thing.label):
         return None

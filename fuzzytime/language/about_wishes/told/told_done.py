@@ -6,13 +6,11 @@ from fuzzytime.english import SHORT_FOR_IS
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
 from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.sentence.trees.tags import PAST
 
-PAST = frozenset({"VBN", "VBD"})
 SUBJECTS = frozenset({"nsubj", "nsubjpass", "nsubj:pass", "csubj", "expl"})
 PARTICLES = frozenset({"RB", "RP", "IN"})
-NOUN = "NN"
-HAVE = "have"
-BEING = frozenset({"be", HAVE})
+BEING = frozenset({"be", "have"})
 """What helps a verb to say how something is."""
 
 
@@ -40,7 +38,7 @@ def _told_of(reading: Reading, lexicon: Lexicon) -> tuple[Operation, bool] | Non
     if place is None or reading.tokens[place].tag not in PAST:
         return None
     verb = operation.verb.lower()
-    has_done = any(token.head == place and token.lemma == HAVE for token in reading.tokens[:place])
+    has_done = any(token.head == place and token.lemma == "have" for token in reading.tokens[:place])
     if not has_done and (verb == operation.lemma or verb in lexicon.doing.past_alike):
         # "I put the bins out" may be what who speaks does, or did; "I've put them out" is not
         return None
@@ -61,7 +59,7 @@ def told_result(reading: Reading, lexicon: Lexicon) -> frozenset[str]:
     small = lexicon.closed.noun_openers.union(form[0] for form in lexicon.conversation["anew"])
     said = [token for token in reading.tokens if token.lemma not in BEING and token.text[:1].isalnum()]
     said = [token for token in said if token.text.lower() not in small]
-    things = list(takewhile(lambda token: token.tag.startswith(NOUN), said))
+    things = list(takewhile(lambda token: token.tag.startswith("NN"), said))
     states = said[len(things) :]
     told = bool(things) and any(token.tag in PAST for token in states)
     told = told or (bool(things) and being and len(states) == 1 and states[0].tag in PARTICLES)

@@ -14,10 +14,8 @@ SMALL = ("being", "anew")
 """Tables of what may stand beside how a thing is, and says nothing."""
 
 SOONER = frozenset({"early", "earlier"})
-WILL = "will"
 HAS_BEEN = re.compile(r"\b(has|have)( \w+)? been\b")
 TO, BE = ("to",), ("be",)
-ALREADY = "already"
 DONE = "ed"
 """How what was done ends: "gym cancelled"."""
 
@@ -59,11 +57,11 @@ def is_over(state: Said) -> bool:
 def _thing_and_state(said: Said) -> tuple[Said, Said]:
     """Give what something is told of, and how that is; nothing where none is."""
     stating = (
-        said.lexicon.closed.third_person_be | {WILL} | {f"{verb}s" for verb in said.lexicon.doing.happening}
+        said.lexicon.closed.third_person_be | {"will"} | {f"{verb}s" for verb in said.lexicon.doing.happening}
     )
     places = (n for n, word in enumerate(said.forms) if word in stating or _obliges(said.behind(n)))
     place = next(places, 0)
-    off = max((len(form) for form in said.table("cancelled") if said.forms[-len(form) :] == form), default=0)
+    off = said.ends_with("cancelled")
     if not place and off and (off > 1 or said.forms[-1].endswith(DONE)):
         return said.until(len(said.words) - off), said.behind(len(said.words) - off)
     return (said.until(place), said.behind(place + 1)) if place else (said.until(0), said.until(0))
@@ -140,7 +138,7 @@ def _then(how: Said, *, last: bool) -> About | None:
     bare = told is not None and not last and told.grain in CLOCKED and len(left.words) > 1
     if told is None or told.constraint is Constraint.FOR or not (joint or bare or left != how):
         return None
-    if last and (ALREADY in how.forms or told.constraint is Constraint.AFTER):
+    if last and ("already" in how.forms or told.constraint is Constraint.AFTER):
         # "It's six already", "it's gone six" tell what time it is.
         return None
     if not bare and not left.text.lower().endswith(time.lower()) and left == how:

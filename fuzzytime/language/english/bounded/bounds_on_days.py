@@ -12,8 +12,6 @@ from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
-BEFORE, NO_LATER, FROM = "before", "no later than", "from"
-
 
 @grammar.rule("said", "<said> at|on|of|,|in? the? <wall>", "<said> , on the? <wall>", weight=0.1)
 def range_on_day(said: Said, wall: Wall) -> Said | None:
@@ -24,7 +22,7 @@ def range_on_day(said: Said, wall: Wall) -> Said | None:
 def _is_from_place(said: Said) -> bool:
     """Whether it says where, and not since when: "from school"."""
     part = said.wall.part
-    return said.preposition == FROM and part is not None and part.place
+    return said.preposition == "from" and part is not None and part.place
 
 
 @grammar.rule("said", "<wall> , <said>", "<wall> <said>", "<preposition_at> <wall> ,? <said>", weight=0.1)
@@ -46,7 +44,7 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
     if wall.weak and wall.part is not None:
         # "Eat lunch by one": a meal beside a bound is what is to be done.
         return None
-    until = said.preposition == BEFORE or (wall.part is not None and said.preposition == NO_LATER)
+    until = said.preposition == "before" or (wall.part is not None and said.preposition == "no later than")
     bound = refined(said, wall)
     return _on_day(bound, wall) if until and bound is not None else bound
 

@@ -7,11 +7,9 @@ from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
 
-ELAPSED = "elapsed"
-
 
 @grammar.rule(
-    ELAPSED,
+    "elapsed",
     "<duration> have|has|had passed|elapsed",
     "<duration> have|has|had gone by|past?",
     "<duration> is|are up|over",

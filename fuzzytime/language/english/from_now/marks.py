@@ -7,13 +7,11 @@ from fuzzytime.language.english.from_now.counted import in_duration
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.expressions import Duration, Edge, Offset, Said, UnitWord
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.joined.distances import INTO
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
-
-CLOCKED = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
-"""Units in which people tell how long something has gone on."""
 
 MINUTES = 60
 
@@ -99,7 +97,7 @@ def _in_unit(numbers: Marks, last: Duration) -> list[Duration]:
 def _is_mark(duration: Duration) -> bool:
     """Whether a length may be how long something has gone on."""
     sure = not (duration.hedges or duration.indefinite or duration.bare_end or duration.until)
-    return sure and all(unit in CLOCKED and amount == int(amount) for amount, unit in duration.terms)
+    return sure and all(unit in SUB_DAY and amount == int(amount) for amount, unit in duration.terms)
 
 
 def _listed(times: list[Said]) -> Said | None:

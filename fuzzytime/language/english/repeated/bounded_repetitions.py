@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.repeated.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Cycle, is_weekday
@@ -17,6 +16,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat, from_now, is_of_day
 from fuzzytime.language.meaning.joined.first_times import ending_with
 from fuzzytime.language.meaning.joined.intervals_on_days import on_days
@@ -58,7 +58,7 @@ def every_mark(first: Repeat | SameTime | HourMark, second: Repeat | SameTime | 
     repeat, mark = (first, second) if isinstance(first, Repeat) else (second, first)
     if not isinstance(repeat, Repeat):
         return None
-    counted = repeat.every is not None and repeat.every.unit in SMALL and repeat.starting is None
+    counted = repeat.every is not None and repeat.every.unit in SUB_DAY and repeat.starting is None
     return replace(repeat, starting=mark) if counted and isinstance(mark, HourMark) else None
 
 

@@ -18,16 +18,15 @@ from fuzzytime.language.meaning.expressions import (
     UnitWord,
     Wall,
 )
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
-SMALL = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
-
 
 def of_unit(unit: UnitWord, count: float = 1) -> Repeat:
     """Give every so many units."""
-    if unit.unit in SMALL or count != int(count):
+    if unit.unit in SUB_DAY or count != int(count):
         return Repeat(Duration(((count * unit.count, unit.unit),)))
     return Repeat(
         Duration(((count * unit.count, unit.unit),)), (Wall(Cycle(unit.unit)),), int(count) * unit.count
@@ -48,7 +47,7 @@ def every(unit: UnitWord) -> Repeat | None:
 @grammar.rule("repeat", "at|in <duration> -? intervals", "at intervals of <duration>", weight=0.4)
 def every_so_long(duration: Duration) -> Repeat | None:
     """Every twenty minutes, every two days, every hour and a half; at twenty minute intervals."""
-    if len(duration.terms) == 1 and duration.terms[0][1] not in SMALL and not duration.hedges:
+    if len(duration.terms) == 1 and duration.terms[0][1] not in SUB_DAY and not duration.hedges:
         amount, unit = duration.terms[0]
         if amount == int(amount) and amount >= 1:
             return of_unit(UnitWord(unit, 1, unit.value), amount)
@@ -175,7 +174,7 @@ def on_a_basis(often: Repeat) -> Repeat:
 @grammar.rule("so many each", "a|an|per <unit>")
 def so_many_each(unit: UnitWord) -> Said | None:
     """(Two tablets) a day: what is counted is done each day."""
-    return None if unit.unit in SMALL or len(unit.form) == 1 else Said(of_unit(unit), Constraint.EVERY)
+    return None if unit.unit in SUB_DAY or len(unit.form) == 1 else Said(of_unit(unit), Constraint.EVERY)
 
 
 @grammar.rule("times", "once", "one time")
@@ -212,7 +211,7 @@ def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     length = UNIT_SECONDS[unit.unit] * unit.count if unit is not None else UNIT_SECONDS[Unit.DAY]
     if number == 1:
         return of_unit(unit or UnitWord(Unit.DAY, 1, "day"))
-    days = unit is None or unit.unit not in SMALL
+    days = unit is None or unit.unit not in SUB_DAY
     # "Twice a day": once in each half of it, and at no moment.
     return Repeat(Duration(((length / number, Unit.SECOND),)), shared=days)
 
@@ -245,7 +244,7 @@ def so_often_by(number: int, said: Said) -> Repeat | None:
 @grammar.rule("said", "for? <duration> a|an|per|every|each <unit>", weight=0.6)
 def so_long_each(duration: Duration, unit: UnitWord) -> Said | None:
     """For twenty minutes a day: each day, and how long."""
-    longer = UNIT_SECONDS[unit.unit] * unit.count > duration.seconds and unit.unit not in SMALL
+    longer = UNIT_SECONDS[unit.unit] * unit.count > duration.seconds and unit.unit not in SUB_DAY
     if not longer or len(unit.form) == 1:
         return None
     lasting = replace(duration, hedges=())

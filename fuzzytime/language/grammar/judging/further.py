@@ -10,8 +10,7 @@ from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.meaning.calendar import Fields, is_day_of_month
 from fuzzytime.language.meaning.expressions import Range, Said, Wall, wall_of
 
-THEN = "then"
-JOINTS = frozenset({"and", "&", "or", ",", THEN})
+JOINTS = frozenset({"and", "&", "or", ",", "then"})
 """What joins times of the same thing."""
 
 ENDS = frozenset({"", ".", "!", ";", ","})
@@ -55,7 +54,7 @@ class Further(Standing):
         found = [p for p in found if not any(one.start == p.end and _is_clocked(one) for one in chosen)]
         if joint == "," and found and self.around.follower(found[0]) not in {",", "and", "or"}:
             return []
-        if joint == THEN and found and self.around.follower(found[0]) not in ENDS:
+        if joint == "then" and found and self.around.follower(found[0]) not in ENDS:
             return []
         return found + [more for one in found for more in self.continued(one, cells, chosen)]
 
@@ -72,7 +71,7 @@ class Further(Standing):
         """Give what joins a further time at a place, and where that begins: "or" of "at nine, or | ten"."""
         joint = ""
         for text in self.texts[place:]:
-            if text not in JOINTS or (joint and joint != "," and text != THEN):
+            if text not in JOINTS or (joint and joint != "," and text != "then"):
                 break
             joint, place = text, place + 1
         return joint, place
@@ -80,7 +79,7 @@ class Further(Standing):
     def before(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
         """Give the typed day of a month in front of another: "the play 25th & 26th at seven"."""
         place = piece.start - 1
-        joined = place > 2 and self.texts[place] in JOINTS - {THEN} and _is_dated(piece)
+        joined = place > 2 and self.texts[place] in JOINTS - {"then"} and _is_dated(piece)
         typed = joined and self.texts[place - 1] in self.beside.ordinal_endings
         if not typed or self.texts[place - 3] in self.closed.noun_openers:
             # "Hang the 2nd & 3rd at six"

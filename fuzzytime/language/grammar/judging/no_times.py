@@ -12,17 +12,13 @@ from fuzzytime.language.grammar.judging.look_alikes.proper_names import (
     is_whom,
 )
 from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_spoken_of
-from fuzzytime.language.grammar.judging.look_alikes.things_of_times import is_of_street
+from fuzzytime.language.grammar.judging.look_alikes.things_of_times import ENDS, is_of_street
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall, wall_of
 from fuzzytime.requirement import Unit
 
-OF = "of"
-
 FAR = 6
 """Words between a verb and how far something goes, at most, with those of its number."""
-
-ENDS = frozenset({".", ",", "!", "?", ";"})
 
 
 class NoTime(Standing):
@@ -62,7 +58,7 @@ class NoTime(Standing):
 
     def _is_of_idiom(self, piece: Piece) -> bool:
         """Whether it is in an idiom: "up to date", "call it a day"."""
-        return not self.around.named.isdisjoint(range(piece.start, piece.end))
+        return not self.around.known_names.isdisjoint(range(piece.start, piece.end))
 
     def _is_somebody(self, piece: Piece) -> bool:
         """Whether it begins with who is given something, or spoken to: "give it to April on monday"."""
@@ -71,8 +67,8 @@ class NoTime(Standing):
 
     def _is_told_of(self, piece: Piece) -> bool:
         """Whether it is a feast that something is of: "a copy of Twelfth Night"."""
-        joint = piece.start - (self.texts[piece.start] != OF)
-        if joint < 1 or self.texts[joint] != OF or joint + 1 >= len(self.texts):
+        joint = piece.start - (self.texts[piece.start] != "of")
+        if joint < 1 or self.texts[joint] != "of" or joint + 1 >= len(self.texts):
             return False
         feast = any(one.category == "feast" for one in self.around.pieces(joint + 1))
         thing = self.texts[joint - 1]
@@ -153,7 +149,7 @@ class NoTime(Standing):
         days = None if wall.is_timed else wall.days
         if days is None or days.grain in {Unit.DAY, Unit.WEEK}:
             return False
-        if piece.value.preposition == OF and days.grain is Unit.YEAR:
+        if piece.value.preposition == "of" and days.grain is Unit.YEAR:
             # "The class of 2020"; but "the summer of 2031"
             thing = piece.start - 1
             return thing >= 0 and self.texts[thing].isalpha() and not self.around.timely(thing)

@@ -8,14 +8,12 @@ from fuzzytime.language.grammar.surroundings.surroundings import Around
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.times_of_day import Clock
 
-LAST = "and"
 HOURS = 12
 FEWEST_MINUTES = 10
 MINUTES = 60
 LEAST = 2
 """Clock times behind the first of such a list, at least."""
 
-OPENING = frozenset({"at", "@"})
 JOINTS = frozenset({"and", "or", "&"})
 
 Stretch = tuple[int, int]
@@ -35,7 +33,7 @@ class RunOnHours(Around):
     def _rest(self, place: int, first: int, before: int) -> list[Stretch]:
         """Give the clock times from a place on, each so many minutes after the first, and after the last."""
         place += self.texts[place : place + 1] == [","]
-        last = self.texts[place : place + 1] == [LAST]
+        last = self.texts[place : place + 1] == ["and"]
         for end, minutes in self._clocks(place + last):
             behind = (minutes - first) % (HOURS * MINUTES)
             if behind <= before:
@@ -75,7 +73,7 @@ class RunOnHours(Around):
 def typed_apart(words: Sequence[Word]) -> list[Word]:
     """Give the words of a list of hours that was typed without spaces as if it had some: "at 1,2 or 3"."""
     found = list(words)
-    for place in (p + 1 for p, word in enumerate(words) if word.text in OPENING):
+    for place in (p + 1 for p, word in enumerate(words) if word.text in {"at", "@"}):
         end = place
         while _is_hour(words, end) and [word.text for word in words[end + 1 : end + 2]] == [","]:
             end += 2

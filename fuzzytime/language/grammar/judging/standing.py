@@ -10,8 +10,6 @@ from fuzzytime.language.grammar.judging.run_on_hours import RunOnHours
 from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import Around
 
-WITH = "with"
-
 
 class Standing(Around):
     """Words, what measures stand among them, and what stands around any of them."""
@@ -77,5 +75,5 @@ class Standing(Around):
         # "Pay Bob 10"
         person = noun in self.lexicon.persons - self.lexicon.workers
         person = person or (bool(before) and self.words[place - 1].capital)
-        met = before & (self.lexicon.doing.meeting | self.lexicon.addressing | {WITH})
+        met = before & (self.lexicon.doing.meeting | self.lexicon.addressing | {"with"})
         return person and bool(met or (not before and not looks_plural(noun)))

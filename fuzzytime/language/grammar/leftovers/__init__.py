@@ -1,4 +1,4 @@
 """What looks like a time and is part of none: ``leftovers``.
 
-Of ``unknown_days`` and ``unknown_hours``, and ``countdowns``, but not of ``called_things``.
+Of ``unknown_days`` and ``unknown_hours``.
 """

@@ -4,8 +4,6 @@ from collections.abc import Iterator
 
 from fuzzytime.language.grammar.spans import Scanned
 
-WEEKEND, IN, BETWEEN = "weekend", "in", "between"
-
 LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
 
@@ -14,8 +12,6 @@ SHORTEST_MOMENT, LONGEST_MOMENT = 3, 4
 
 DAY = "day"
 """What words of days end in: "holidays", "match days", "birthday"."""
-
-HOLIDAY = "holiday"
 
 
 def unknown_days(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
@@ -29,7 +25,7 @@ def _weekends(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
     around = scanned.around
     binding, openers = around.beside.before_weekends, around.closed.noun_openers
     for place, word in enumerate(scanned.words):
-        if word.text != WEEKEND or place in known:
+        if word.text != "weekend" or place in known:
             continue
         near = range(place - 2, max(-1, place - LONGEST_WEEKEND), -1)
         led = next((p for p in near if around.texts[p] in binding and around.texts[p + 1] in openers), None)
@@ -61,10 +57,14 @@ def _dates(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
 
 
 def _moments(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
-    """Give the places of a time of which it is not known when that is: "at the usual time"."""
+    """Give the places of a time of which it is not known when that is: "at the usual time", "in between"."""
     around = scanned.around
     closed = around.closed
     for place, word in enumerate(scanned.words):
+        if around.texts[max(0, place - 1) : place + 1] == ["in", "between"] and place not in known:
+            # But "put the notes in between the pages"
+            alone = not any(map(str.isalnum, around.texts[place + 1 : place + 2]))
+            yield from (place - 1, place) if alone else ()
         if word.text not in closed.named_moments or place in known:
             continue
         for led in range(place - SHORTEST_MOMENT, max(-1, place - LONGEST_MOMENT - 1), -1):
@@ -79,7 +79,7 @@ def _untold(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
     """Give the places of days of which nobody said when they are: "on his birthday", "over half term"."""
     around = scanned.around
     beside, texts = around.beside, around.texts
-    binding = beside.before_weekends - around.closed.prepositions_of_recipients | {IN}
+    binding = beside.before_weekends - around.closed.prepositions_of_recipients | {"in"}
     for place, word in enumerate(scanned.words):
         first = place - (" ".join(texts[max(0, place - 1) : place + 1]) in beside.untold_days)
         untold = " ".join(texts[first : place + 1]) in beside.untold_days
@@ -92,11 +92,8 @@ def _untold(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
         near = range(first - 1, max(-1, first - LONGEST_MOMENT), -1)
         led = next((p for p in near if texts[p] in binding), -1)
         behind = "".join(texts[place + 1 : place + 2])
-        if word.text == BETWEEN and behind[:1].isalnum():
-            # "Put the notes in between the pages"; but "have a snack in between"
-            continue
         more = behind.isalpha() and behind not in around.lexicon.function_words
-        if led < 0 or (more and not around.opens(led)) or (led == first - 1 and word.text == HOLIDAY):
+        if led < 0 or (more and not around.opens(led)) or (led == first - 1 and word.text == "holiday"):
             # "Write it on my birthday card"; "book a week on holiday"
             continue
         if led == first - 1 or texts[led + 1] in around.closed.noun_openers:

@@ -36,9 +36,10 @@ class BehindTimes(LookedUp):
 
         But "at six friendly shops", "at six meeting points".
         """
-        how = self.texts[place].endswith((PARTICIPLE, *self.closed.endings_of_manner))
+        text, acts = self.texts[place], self.texts[place].endswith(PARTICIPLE)
+        how = acts or any(map(text.endswith, self.closed.endings_of_manner))
         behind = self.texts[place + 1] if place + 1 < len(self.texts) else ""
-        apart = not behind[:1].isalnum() and not self.texts[place].endswith(PARTICIPLE)
+        apart = not behind[:1].isalnum() and not acts
         return how and (apart or behind in self.lexicon.function_words)
 
     def _is_polite_end(self, place: int) -> bool:
@@ -123,14 +124,14 @@ class BehindTimes(LookedUp):
         if alone or self.texts[piece.end - 1] in self.closed.singular_determiners:
             return False
         hedged = isinstance(piece.value, Said) and bool(piece.value.hedges)
-        if hedged and piece.value.preposition is None and self.is_counting(piece.end - 1):
+        if hedged and piece.value.preposition is None and self.is_number(piece.end - 1):
             # "Only 5 left"
             return False
         # A hedge behind the number ends it.
         ends = range(piece.start if hedged else piece.end - 1, piece.end)
         # "On friday the thirteenth add a film night"
         dated = self.texts[piece.end - 2] == "the" and self.is_weekday(piece.end - 3)
-        return dated or any(map(self.is_counting, ends))
+        return dated or any(map(self.is_number, ends))
 
     def _is_done_to(self, place: int) -> bool:
         """Whether a word is what is done to so many, or to somebody: "in july buy 3 eggs", "watch Dune"."""
@@ -140,7 +141,7 @@ class BehindTimes(LookedUp):
             return False
         # "On the 12th make sure the gate is shut"
         sure = behind[0].text in self.lexicon.doing.sure
-        return behind[0].capital or sure or self.is_counting(place + 1)
+        return behind[0].capital or sure or self.is_number(place + 1)
 
     def opens(self, place: int) -> bool:
         """Whether nothing but who is called, or asked, stands before a place: "hey olly", "could you"."""

@@ -1,14 +1,9 @@
 """Whether a clause compares a thing to a number, which is no time: "when the queue is over 4"."""
 
-from collections.abc import Sequence
-
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.surroundings.looked_up import LookedUp
 from fuzzytime.language.grammar.timetables import has_time
-from fuzzytime.language.grammar.words import Word
-
-AT = "at"
-BETWEEN = "between"
 
 NEARLY = frozenset({"around", "about"})
 
@@ -22,13 +17,8 @@ STATED = frozenset({"when", "if"})
 """Kinds of clauses that say what must be so."""
 
 
-class Compared:
+class Compared(LookedUp):
     """The words of a text, and what clauses in it compare to numbers."""
-
-    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
-        self.words = words
-        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
-        self.texts = [word.text for word in words]
 
     def says_how_much(self, piece: Piece) -> bool:
         """Whether a clause says that a thing is a number: "when the queue is over 4", "if load > 4"."""
@@ -48,7 +38,7 @@ class Compared:
         if verb in SIGNS or verb in self.closed.stative_verbs:
             # "Two hours before the fight, which is at eight"
             stated = self.lexicon.clauses.get(marker) in STATED and "," not in self.texts[begin:place]
-            return (untimed and stated) or self.texts[piece.start] != AT
+            return (untimed and stated) or self.texts[piece.start] != "at"
         return untimed and self._compares(piece, verb)
 
     def _compares(self, piece: Piece, verb: str) -> bool:
@@ -57,7 +47,7 @@ class Compared:
         What is open past 12, or on, is so by the clock.
         """
         form = longest_match(self.words, piece.start, self.lexicon.comparisons)
-        if form is None or form in {(AT,), (BETWEEN,)}:
-            return self.texts[piece.start] in {*NEARLY, BETWEEN} and verb in self.beside.kept_at
+        if form is None or form in {("at",), ("between",)}:
+            return self.texts[piece.start] in {*NEARLY, "between"} and verb in self.beside.kept_at
         state = self.lexicon.standing | self.lexicon.particles.keys() | self.lexicon.doing.hours
         return verb.isalpha() and (verb == "up" or verb not in state)

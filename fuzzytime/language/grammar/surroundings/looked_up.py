@@ -1,11 +1,10 @@
-"""Words of a text with what the tables say of each, looked up once."""
+"""Words of a text with what the tables say of each, looked up once; names that hold words about time."""
 
 from collections.abc import Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings.known_names import named_in
+from fuzzytime.language.grammar.lexicon import Lexicon, form_of, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.days.relations import Relative
 
@@ -33,7 +32,7 @@ class LookedUp:
         return self._pieces[place]
 
     @cached_property
-    def named(self) -> frozenset[int]:
+    def known_names(self) -> frozenset[int]:
         """The places of words of known names, and of idioms."""
         return named_in(self.words, self.lexicon)
 
@@ -49,9 +48,10 @@ class LookedUp:
         """Whether the word at a place begins a time."""
         return any(piece.category in TIMELY for piece in self.pieces(place))
 
-    def is_counting(self, place: int) -> bool:
-        """Whether the word at a place is a number, in words or in digits."""
-        return self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
+    def is_number(self, place: int) -> bool:
+        """Whether there is a word at a place, and it is a number, in words or in digits."""
+        inside = 0 <= place < len(self.words)
+        return inside and (self.words[place].is_digits or self.texts[place] in self.lexicon.numbers)
 
     def is_day(self, place: int) -> bool:
         """Whether the word at a place names a day."""
@@ -83,3 +83,35 @@ class LookedUp:
     def is_unit(self, place: int) -> bool:
         """Whether the word at a place is a unit, which a number before it counts."""
         return any(piece.category == "unit" and len(piece.value.form) > 1 for piece in self.pieces(place))
+
+
+@lru_cache(maxsize=4)
+def _forms(texts: frozenset[str]) -> dict[str, list[tuple[str, ...]]]:
+    """Give forms of some words by their first."""
+    found: dict[str, list[tuple[str, ...]]] = {}
+    for form in map(form_of, sorted(texts)):
+        found.setdefault(form[0], []).append(form)
+    return found
+
+
+def named_in(words: Sequence[Word], lexicon: Lexicon) -> frozenset[int]:
+    """Give the places of words of such names: of idioms, and of titles, those with capitals if so typed.
+
+    A name with capitals is one where other words have none: not in "Call Ann After Eight".
+    """
+    kinds, found = lexicon.no_times, set[int]()
+    for start, word in enumerate(words):
+        for texts in (kinds.idioms, kinds.capital_names):
+            forms = _forms(texts).get(word.text)
+            form = longest_match(words, start, forms) if forms else None
+            if form is not None and (texts is kinds.idioms or _is_typed(words, start, len(form), lexicon)):
+                found.update(range(start, start + len(form)))
+    return frozenset(found)
+
+
+def _is_typed(words: Sequence[Word], start: int, length: int, lexicon: Lexicon) -> bool:
+    """Whether a name is typed with its capitals, where other words are small."""
+    inside, others = words[start : start + length], (*words[:start], *words[start + length :])
+    small = lexicon.closed.of_titles
+    capitals = all(word.capital or not word.is_letters or word.text in small for word in inside)
+    return capitals and any(word.is_letters and not word.capital for word in others)

@@ -1,11 +1,9 @@
 """Whether a number is an amount: "volume by 10", "bake it at 180", "cut it in two"."""
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.surroundings.compared import AT, NEAR, NEARLY, STATED, Compared
+from fuzzytime.language.grammar.surroundings.compared import NEAR, NEARLY, STATED, Compared
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
 from fuzzytime.requirement import MOMENTS, STRETCHES, Unit
-
-TO = "to"
 
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 """Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
@@ -17,12 +15,8 @@ CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
 
-COLON = ":"
-
 LARGEST_SHARE = 8
 """The largest number that things are parted by, as a rule: "5/8 cup"."""
-
-HOURS = "hours"
 
 
 class Measures(Compared):
@@ -45,7 +39,7 @@ class Measures(Compared):
 
     def tells_hour(self, piece: Piece) -> bool:
         """Whether its last word says that it is an hour: "measure it sixish"; but "dim it to sixish"."""
-        raised = TO in self.texts[max(0, piece.start - 1) : piece.start + 1]
+        raised = "to" in self.texts[max(0, piece.start - 1) : piece.start + 1]
         return self.texts[piece.end - 1] in self.beside.telling_hours and not raised
 
     def _switches(self, piece: Piece) -> bool:
@@ -68,7 +62,7 @@ class Measures(Compared):
         while self.is_number(place):
             place += 1
         hour = not self.beside.of_clocks.isdisjoint(self.texts[place : place + 1])
-        if self.texts[at] != AT or place == at + 1 or hour or self.texts[place : place + 1] == ["."]:
+        if self.texts[at] != "at" or place == at + 1 or hour or self.texts[place : place + 1] == ["."]:
             return False
         if at > 1 and self.texts[at - 1] in self.closed.stative_verbs and self.says_how_much(piece):
             # "Once the room is at ten"
@@ -91,7 +85,7 @@ class Measures(Compared):
     def counts_hundreds(self, piece: Piece) -> bool:
         """Whether hundreds in it are how much there is: "when it's two hundred and five | inside"."""
         hundreds = [p for p in range(piece.start, piece.end) if self.texts[p] in self.lexicon.magnitudes]
-        if not hundreds or HOURS in self.texts[piece.start : piece.end]:
+        if not hundreds or "hours" in self.texts[piece.start : piece.end]:
             # "When it's fourteen hundred hours"
             return False
         behind = self.texts[piece.end : piece.end + 1]
@@ -205,12 +199,6 @@ class Measures(Compared):
             return self.is_number(piece.start) or self.is_number(piece.start + 1)
         return self.texts[piece.start] == "per" and self.is_number(piece.start - 2)
 
-    def is_number(self, place: int) -> bool:
-        """Whether a word is a number."""
-        return 0 <= place < len(self.words) and (
-            self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
-        )
-
     def is_sure(self, place: int) -> bool:
         """Whether four digits are a clock time: "0815"."""
         return self.words[place].is_digits and len(self.texts[place]) == CLOCK_DIGITS
@@ -232,7 +220,7 @@ class Measures(Compared):
         # "Flight 6:40 am on friday" leaves then.
         bare = bare and self.lexicon.beside.of_hours.isdisjoint(self.texts[piece.start : piece.end])
         nouns = self.lexicon.called_by_number if bare else self.lexicon.amount_nouns
-        if bare and COLON in self.texts[piece.start : piece.end]:
+        if bare and ":" in self.texts[piece.start : piece.end]:
             # "Concrete truck 8:30", "first race 9:45": few things have a number of two parts.
             nouns = self.lexicon.amount_nouns | self.lexicon.no_times.numbered_in_two
         # "Turn it down a degree at ten": how much is said. "The temperature sixish": when.

@@ -14,9 +14,6 @@ from fuzzytime.language.meaning.feasts import Feast, Season
 THING = "thing"
 """The last word of a time that may be any thing: "first thing"."""
 
-HER = "her"
-"""Who is asked, or whose something is."""
-
 
 class Surroundings(BehindTimes):
     """The words of a text, and what stands around a piece of it."""
@@ -43,7 +40,7 @@ class Surroundings(BehindTimes):
             before = self.texts[piece.start]
         if before not in self.closed.before_numbers | self.closed.possessives:
             return False
-        if before == HER and self._is_behind_person(piece):
+        if before == "her" and self._is_behind_person(piece):
             return False
         # "A monday morning call": times behind it describe the same noun.
         last = piece._replace(
@@ -159,7 +156,7 @@ class Surroundings(BehindTimes):
     def is_owned(self, piece: Piece) -> bool:
         """Whether whose it is stands before it: "my three o'clock", "tomorrow's ten o'clock"."""
         before = self.before(piece)
-        if before == HER and self._is_behind_person(piece):
+        if before == "her" and self._is_behind_person(piece):
             return False
         return before in self.closed.possessives or before.endswith("'s")
 

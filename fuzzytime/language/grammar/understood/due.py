@@ -10,8 +10,6 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Edge, Phrase
 from fuzzytime.requirement import MOMENTS, Constraint
 
-FOR, BY, GET = "for", "by", "get"
-
 NAME = 4
 """Words of a place at most, behind its preposition: "at the new swimming pool"."""
 
@@ -27,7 +25,7 @@ def is_due(texts: Sequence[str], place: int, lexicon: Lexicon) -> bool:
 
     "Take it off the heat for ten" and "bring it to the boil for ten" are minutes: nothing is anywhere then.
     """
-    if not place or texts[place] != FOR:
+    if not place or texts[place] != "for":
         return False
     beside, before = lexicon.beside, texts[place - 1]
     if before in beside.ready:
@@ -41,7 +39,7 @@ def is_due(texts: Sequence[str], place: int, lexicon: Lexicon) -> bool:
         return True
     what = clause[verb + 1 : verb + 2]
     several = bool(what) and looks_plural(what[0])
-    if clause[verb] == GET and (several or not lexicon.closed.indefinite_determiners.isdisjoint(what)):
+    if clause[verb] == "get" and (several or not lexicon.closed.indefinite_determiners.isdisjoint(what)):
         # "Get tickets to the show for two", "get a room at the inn for two"
         return False
     behind = range(verb + 1, len(clause))
@@ -64,8 +62,8 @@ def due_then(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     """Read "for" before a clock time as "by", behind what must be there, or ready, then."""
     said = phrase.said
     clocked = said.wall.clock is not None
-    at = said.constraint in MOMENTS and said.preposition == FOR
+    at = said.constraint in MOMENTS and said.preposition == "for"
     if not clocked or not at or not is_due([word.text for word in words], phrase.first, lexicon):
         return phrase
-    due = replace(said, preposition=BY, constraint=Constraint.BEFORE, edge=Edge.DUE)
+    due = replace(said, preposition="by", constraint=Constraint.BEFORE, edge=Edge.DUE)
     return replace(phrase, said=due)

@@ -23,9 +23,7 @@ STOPS = frozenset({".", ";", "!", "?"})
 FEW_HOURS = 8
 """Hours below which "1h30" is how long one bakes or drives; others are of a clock."""
 
-AFTER = "after"
-
-FROM_NOW = frozenset({"in", AFTER})
+FROM_NOW = frozenset({"in", "after"})
 """The prepositions of a length that begins now."""
 
 NOON = 12 * 3600
@@ -51,7 +49,7 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
         alone = said.time.bare_end and said.time.until is None and len(said.time.terms) == 1
         hours = near and alone and said.time.terms[0][0] <= DAY_HOURS
         return phrase.at(_counted(said.time, unit) if hours else said.time)
-    if AFTER == said.preposition == length.preposition and isinstance(said.time, Wall) and said.time.bare:
+    if said.preposition == length.preposition == "after" and isinstance(said.time, Wall) and said.time.bare:
         return _further_after(phrase, length.time, unit, near=not _ends_between(before, phrase, words))
     if length.constraint is not Constraint.FOR:
         return phrase

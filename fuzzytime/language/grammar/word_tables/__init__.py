@@ -1,7 +1,7 @@
 """Reading the word tables: YAML to a `Lexicon`, with every mistake at its line and column.
 
-``tables`` are read in ``layers``: of ``calendar.yaml`` the ``days``, ``feasts`` (with ``feast_names``)
-and ``policies``; of ``lexicon.yaml`` the ``speech`` and the ``groups``.
+``tables`` are read in ``layers``: of ``calendar.yaml`` the ``days`` and ``feasts``; of ``lexicon.yaml`` the
+``speech``.
 """
 
 from collections.abc import Iterable
@@ -15,13 +15,19 @@ from fuzzytime.language.grammar.lexicon.spelling import clipped, misspellings
 from fuzzytime.language.grammar.lexicon.transliteration import Names
 from fuzzytime.language.grammar.lexicon.verb_groups import Doing
 from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses
-from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
+from fuzzytime.language.grammar.word_tables.days import (
+    read_clocks,
+    read_days,
+    read_parts,
+    read_policy,
+    read_units,
+    read_usual_hours,
+)
 from fuzzytime.language.grammar.word_tables.feasts import is_transliterated, read_feasts
-from fuzzytime.language.grammar.word_tables.groups import read_groups
-from fuzzytime.language.grammar.word_tables.policies import read_policy, read_usual_hours
 from fuzzytime.language.grammar.word_tables.speech import (
     read_amounts,
     read_comparisons,
+    read_groups,
     read_hedges,
     read_prepositions,
     read_words,
@@ -76,15 +82,10 @@ def _lexicon(speech: Tables, days: Tables) -> Lexicon:
     for entry in (*speech.entries, *days.entries):
         entries.setdefault(entry.words[0], []).append(entry)
     number_words = numbers(days, "numbers")
-    function_words = speech.single_words("function_words")
-    given_names = speech.single_words("persons", "names")
-    kept = {form[0] for form in speech.words("spelling", "kept")}
-    known = kept | entries.keys() | number_words.keys() | function_words
-    groups: dict[str, Any] = {name: speech.single_words(name) for name in _SECTIONS}
-    groups |= {name: speech.single_words("verbs", name) for name in _ROWS["verbs"]}
-    groups |= {name: _by_use(speech, name) for name in _BY_USE}
+    kept = speech.single_words("spelling", "kept") | speech.single_words("function_words")
+    known = kept | entries.keys() | number_words.keys()
     return Lexicon(
-        **groups,
+        **_groups(speech),
         entries={first: tuple(found) for first, found in entries.items()},
         numbers=number_words,
         magnitudes={
@@ -92,60 +93,50 @@ def _lexicon(speech: Tables, days: Tables) -> Lexicon:
         },
         ordinals=numbers(days, "ordinals"),
         ambiguous=days.single_words("ambiguous"),
-        indicators={" ".join(form): name for form, name in by_form(speech, "indicators").items()},
-        connectives=by_form(speech, "connectives"),
-        clauses=by_form(speech, "clauses"),
         comparisons=read_comparisons(speech),
-        corrections=Forms.of(speech.words("corrections")),
-        courtesies=frozenset(speech.words("courtesies")),
-        called_behind=frozenset((*speech.words("courtesies", "behind times"), *speech.words("addresses"))),
         amounts=Forms(dict(read_amounts(speech))),
-        results=frozenset(" ".join(form) for form in speech.words("results")),
-        particles={
-            form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
-            for name, node in speech.rows("particles")
-            for form in (form_of(name.text),)
-        },
         doing=read_groups(speech, "doing", Doing),
         closed=read_groups(speech, "closed_classes", ClosedClasses),
         beside=read_groups(speech, "beside_times", BesideTimes),
         no_times=read_groups(speech, "no_times", NoTimes),
-        moments=frozenset(speech.words("moments")),
-        instances={name: frozenset(speech.words("instances", name)) for name in _ROWS["instances"]},
-        timing=speech.single_words("timing", "verbs"),
-        timing_alone=speech.single_words("timing", "alone"),
-        persons=speech.single_words("persons") | given_names,
-        names=given_names,
-        names_like_words=speech.single_words("persons", "like words"),
-        moving=speech.single_words("rescheduling", "moving"),
-        switching=speech.single_words("rescheduling", "switching"),
-        rescheduling=frozenset(
-            form[0] for key in ("moving", "verbs") for form in speech.words("rescheduling", key)
-        ),
-        events=speech.single_words("rescheduling", "events"),
-        measure_verbs=speech.single_words("measures", "verbs"),
-        measure_nouns=speech.single_words("measures", "nouns"),
-        dividing=speech.single_words("measures", "dividing"),
-        changing=frozenset(speech.words("measures", "changing")),
-        counting=speech.single_words("measures", "counting"),
-        rating=speech.single_words("measures", "rating"),
-        reading=speech.single_words("measures", "reading"),
-        amount_nouns=speech.single_words("measures", "amounts"),
-        questions={name: Forms.of(speech.words("questions", name)) for name in _ROWS["questions"]},
-        conversation={
-            name.text: frozenset(speech.words("conversation", name.text))
-            for name, _ in speech.rows("conversation")
-        },
-        function_words=function_words,
         misspelt={
-            **misspellings((form[0] for form in speech.words("spelling", "words")), known),
+            **misspellings(speech.single_words("spelling", "words"), known),
             **{"".join(form[:-1]): form[-1] for form in speech.words("spelling", "short")},
         },
-        clipped=clipped((form[0] for form in speech.words("spelling", "ending")), known),
+        clipped=clipped(speech.single_words("spelling", "ending"), known),
         transliterated=Names.of((entry.words, entry) for entry in days.entries if is_transliterated(entry)),
         usual_hours=read_usual_hours(days),
         policy=read_policy(days),
     )
+
+
+def _groups(speech: Tables) -> dict[str, Any]:
+    """Give words that do not mean a time, by their fields."""
+    found: dict[str, Any] = {name: speech.single_words(name) for name in _SECTIONS}
+    found |= {name: speech.single_words("verbs", name) for name in _ROWS["verbs"]}
+    found |= {name: speech.single_words(*where) for name, where in _LISTS.items()}
+    found |= {name: _by_use(speech, name) for name in _BY_USE}
+    called = (*speech.words("courtesies", "behind times"), *speech.words("addresses"))
+    return found | {
+        "indicators": {" ".join(form): name for form, name in by_form(speech, "indicators").items()},
+        "connectives": by_form(speech, "connectives"),
+        "clauses": by_form(speech, "clauses"),
+        "corrections": Forms.of(speech.words("corrections")),
+        "courtesies": frozenset(speech.words("courtesies")),
+        "called_behind": frozenset(called),
+        "results": frozenset(" ".join(form) for form in speech.words("results")),
+        "particles": {form_of(name)[0]: verbs for name, verbs in _by_use(speech, "particles").items()},
+        "moments": frozenset(speech.words("moments")),
+        "instances": {name: frozenset(speech.words("instances", name)) for name in _ROWS["instances"]},
+        "persons": speech.single_words("persons") | found["names"],
+        "rescheduling": found["moving"] | speech.single_words("rescheduling", "verbs"),
+        "changing": frozenset(speech.words("measures", "changing")),
+        "questions": {name: Forms.of(speech.words("questions", name)) for name in _ROWS["questions"]},
+        "conversation": {
+            name.text: frozenset(speech.words("conversation", name.text))
+            for name, _ in speech.rows("conversation")
+        },
+    }
 
 
 def _by_use(speech: Tables, section: str) -> dict[str, frozenset[str]]:
@@ -218,9 +209,20 @@ _SECTIONS = (
     "addresses", "places", "vague_adverbs", "becoming", "fillers", "other_calendars", "levels", "passing",
     "appointing", "lasting", "playing", "catching", "circling", "dosing", "coming_in", "dining", "citing",
     "animals", "machines", "workers", "landmarks", "travelling", "impersonal", "taken", "happening", "frames",
-    "standing", "foreign",
+    "standing", "foreign", "function_words",
 )  # fmt: skip
 """Sections that are one group of words, in the field of that name."""
+
+_LISTS = {
+    "timing": ("timing", "verbs"), "timing_alone": ("timing", "alone"),
+    "names": ("persons", "names"), "names_like_words": ("persons", "like words"),
+    "moving": ("rescheduling", "moving"), "switching": ("rescheduling", "switching"),
+    "events": ("rescheduling", "events"), "measure_verbs": ("measures", "verbs"),
+    "measure_nouns": ("measures", "nouns"), "dividing": ("measures", "dividing"),
+    "counting": ("measures", "counting"), "rating": ("measures", "rating"),
+    "reading": ("measures", "reading"), "amount_nouns": ("measures", "amounts"),
+}  # fmt: skip
+"""Groups of words by their fields: the section of each, and the list in it."""
 
 _BY_USE = ("called", "past", "undoing", "told", "asides", "spacing")
 """Sections whose words stand by what they do."""

@@ -1,17 +1,18 @@
-"""Reading ``calendar.yaml``: units, days, parts of the day, clock words, zones."""
+"""Reading ``calendar.yaml``: units, days, parts of the day, clock words, zones, and the policy."""
 
 from collections.abc import Iterable, Mapping
 from datetime import time
 from typing import Any
 
-from fuzzytime.documents.nodes import Node, Scalar
+from fuzzytime.documents.nodes import Scalar
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language.grammar.lexicon import Form, form_of
-from fuzzytime.language.grammar.word_tables.tables import FULL_STOP_BELOW, Tables
+from fuzzytime.language.grammar.lexicon import Form, Forms, form_of
+from fuzzytime.language.grammar.word_tables.tables import FULL_STOP_BELOW, Row, Tables, numbered
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.days.relations import Relative, Which
 from fuzzytime.language.meaning.expressions import Edge, Ending, UnitWord
 from fuzzytime.language.meaning.times_of_day import Half, Part
+from fuzzytime.language.policy import DateOrder, Hours, Midnight, Policy, SameWeekday
 from fuzzytime.requirement import Unit
 from fuzzytime.times import parse_clock, parse_zone
 
@@ -78,28 +79,23 @@ NAMED_PARTS = {
 
 def read_parts(tables: Tables) -> None:
     """Add parts of the day, and shares and edges of longer periods."""
-    reader = tables.reader
     parts: dict[str, Part] = {}
     main: list[Part] = []
 
-    def part(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        key = f"parts.{name}"
-        start, end = tables.clock(fields["from"], f"{key}.from"), tables.clock(fields["to"], f"{key}.to")
-        half = reader.choice(fields["half"], f"{key}.half", tuple(Half)) or Half.DAY
-        meal = "meal" in fields and reader.boolean(fields["meal"], f"{key}.meal")
-        place = "place" in fields and reader.boolean(fields["place"], f"{key}.place")
-        late = tables.clock(fields["late"], f"{key}.late") if "late" in fields else None
+    def part(name: str, row: Row) -> Iterable[tuple[str, Any]]:
+        start, end, half = row.clock("from"), row.clock("to"), row.choice("half", Half.DAY)
+        meal, place = row.flag("meal"), row.flag("place")
+        late = row.clock("late") if row.has("late") else None
         if late is not None and not start <= late <= end:
-            reader.mistake(fields["late"], f"{key}.late", "a part's late half must begin inside it")
-        parts[name] = Part(name, start, end + (86400 if end < start else 0), Half(half), meal, late, place)
+            tables.reader.mistake(*row.at("late"), "a part's late half must begin inside it")
+        parts[name] = Part(name, start, end + (86400 if end < start else 0), half, meal, late, place)
         if not meal and parts[name].start != parts[name].end:
-            tables.add(
-                fields["from"], key, "parts", parts[name], [(*form_of(name)[:-1], form_of(name)[-1] + "s")]
-            )
-        if "main" in fields and reader.boolean(fields["main"], f"{key}.main"):
+            plural = (*form_of(name)[:-1], form_of(name)[-1] + "s")
+            tables.add(row.fields["from"], row.key, "parts", parts[name], [plural])
+        if row.flag("main"):
             main.append(parts[name])
-        if "each" in fields:
-            tables.add(fields["each"], key, "parts", parts[name], tables.forms(fields["each"], f"{key}.each"))
+        if row.has("each"):
+            tables.add(row.fields["each"], row.key, "parts", parts[name], row.forms("each"))
         return [("meal" if meal else "part", parts[name])]
 
     tables.table(
@@ -118,18 +114,15 @@ def read_parts(tables: Tables) -> None:
 
 def _read_named_parts(tables: Tables, parts: Mapping[str, Part]) -> None:
     """Add what names a part of the day by another word: halves of days, and parts of certain days."""
-    reader = tables.reader
-
     for section, category in NAMED_PARTS.items():
         for name, node in tables.rows(section):
             key = f"{section}.{name.text}"
-            chosen = reader.choice(name, key, tuple(parts))
+            chosen = tables.reader.choice(name, key, tuple(parts))
             if chosen:
                 tables.add(node, key, category, parts[chosen], tables.forms(node, section))
 
-    def day_part(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        day = reader.whole(fields["day"], f"day_parts.{name}.day", -9, 9)
-        chosen = reader.choice(fields["part"], f"day_parts.{name}.part", tuple(parts))
+    def day_part(_: str, row: Row) -> Iterable[tuple[str, Any]]:
+        day, chosen = row.whole("day", -9, 9), row.chosen("part", tuple(parts))
         return [("day_part", (Relative(day), parts[chosen]))] if chosen else []
 
     tables.table("day_parts", {"day": True, "part": True}, day_part)
@@ -137,21 +130,17 @@ def _read_named_parts(tables: Tables, parts: Mapping[str, Part]) -> None:
 
 def _read_shares(tables: Tables) -> None:
     """Add shares and edges of periods."""
-    reader = tables.reader
+    reader, ends = tables.reader, ("start", "end")
 
-    def share(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        low = reader.number(fields["from"], f"shares.{name}.from", 0, 1)
-        return [("share", (low, reader.number(fields["to"], f"shares.{name}.to", 0, 1)))]
+    def share(_: str, row: Row) -> Iterable[tuple[str, Any]]:
+        return [("share", (row.number("from", 0, 1), row.number("to", 0, 1)))]
 
     tables.table("shares", {"from": True, "to": True}, share)
-    tables.plain(
-        "edges", lambda n: [("edge", Edge(reader.choice(n, "edges", ("start", "end")) or "end"))], named=False
-    )
+    tables.plain("edges", lambda n: [("edge", Edge(reader.choice(n, "edges", ends) or "end"))], named=False)
 
-    def edge(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        chosen = reader.choice(fields["edge"], f"abbreviated_edges.{name}.edge", ("start", "end")) or "end"
-        unit = reader.choice(fields["unit"], f"abbreviated_edges.{name}.unit", tuple(Unit)) or Unit.DAY
-        return [("ending", Ending(Edge(chosen), Cycle(Unit(unit))))]
+    def edge(_: str, row: Row) -> Iterable[tuple[str, Any]]:
+        chosen = row.choice("edge", Edge.END, Edge.START, Edge.END)
+        return [("ending", Ending(chosen, Cycle(row.choice("unit", Unit.DAY))))]
 
     tables.table("abbreviated_edges", {"edge": True, "unit": True}, edge)
 
@@ -181,3 +170,64 @@ def _offset(text: str) -> time | None:
         return parse_clock(text[1:])
     except FuzzytimeError:
         return None
+
+
+def read_usual_hours(tables: Tables) -> Forms[Hours]:
+    """Give the hours at which people do things, by the words for them."""
+    found: dict[Form, Hours] = {}
+    for name, node in tables.rows("usual_hours"):
+        key = f"usual_hours.{name.text}"
+        row = Row(tables, key, tables.reader.mapping(node, key, ("from", "to", "also"), ("from",)))
+        if row.has("from"):
+            hours = (_time(row, "from"), _time(row, "to") if row.has("to") else None)
+            found.update(dict.fromkeys([form_of(name.text), *row.forms("also")], hours))
+    return Forms(found)
+
+
+NAMES = (
+    "plausible", "soon_hours", "night", "ahead_from", "hours_before", "workday_from", "same_weekday",
+    "midnight", "week_starts", "weekend", "date_order", "bare_pair_from", "planned_from",
+    "round_the_clock_hours", "kept_off", "ask",
+)  # fmt: skip
+"""What a policy says: all of it."""
+
+
+def read_policy(tables: Tables) -> Policy:
+    """Give the policy that a file says, the default one where it says none, or not all of it."""
+    node = tables.sections.get("policy")
+    said = Row(tables, "policy", {} if node is None else tables.reader.mapping(node, "policy", NAMES, NAMES))
+    if not said.has(*NAMES):
+        return Policy()
+    plausible = said.part("plausible", "from", "to")
+    night = said.part("night", "from", "to", "hours")
+    weekend = said.part("weekend", "from", "days")
+    if not (plausible.has("from", "to") and night.has("from", "to", "hours") and weekend.has("from", "days")):
+        return Policy()
+    weekdays = numbered(tables, "weekdays")
+    return Policy(
+        plausible_from=_time(plausible, "from"),
+        plausible_to=_time(plausible, "to"),
+        soon_hours=said.whole("soon_hours", 0, 12),
+        night_from=_time(night, "from"),
+        night_to=_time(night, "to"),
+        night_hours=night.whole("hours", 0, 12),
+        ahead_from=_time(said, "ahead_from"),
+        hours_before=said.whole("hours_before", 0, 24),
+        workday_from=_time(said, "workday_from"),
+        same_weekday=said.choice("same_weekday", SameWeekday.NEXT),
+        midnight=said.choice("midnight", Midnight.END),
+        week_starts=weekdays.get(said.chosen("week_starts", weekdays), 0),
+        weekend_from=weekdays.get(weekend.chosen("from", weekdays), 5),
+        weekend_days=weekend.whole("days", 1, 6),
+        date_order=said.choice("date_order", DateOrder.MONTH_DAY),
+        planned_from=said.whole("planned_from", 1, 9999),
+        bare_pair_from=said.whole("bare_pair_from", 0, 24),
+        round_the_clock_hours=said.whole("round_the_clock_hours", 1, 24),
+        kept_off=said.whole("kept_off", 0, 720),
+        ask=said.flag("ask"),
+    )
+
+
+def _time(row: Row, name: str) -> time:
+    seconds = row.clock(name)
+    return time(seconds // 3600, seconds // 60 % 60, seconds % 60)

@@ -1,14 +1,13 @@
-"""Reading ``calendar.yaml``: feasts and seasons."""
+"""Reading ``calendar.yaml``: feasts and seasons, and how their names are written: "st. andrews day"."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from fuzzytime.documents.nodes import Node, Scalar, Sequence
 from fuzzytime.language.grammar.lexicon import Entry, Form
-from fuzzytime.language.grammar.word_tables.feast_names import otherwise
-from fuzzytime.language.grammar.word_tables.tables import Tables, numbered
+from fuzzytime.language.grammar.word_tables.tables import Row, Tables, numbered
 from fuzzytime.language.meaning.calendars.east_asian import (
     CHINA,
     KOREA,
@@ -47,14 +46,21 @@ PERSIAN_MONTHS = (31,) * 6 + (30,) * 5 + (29,)
 Read = Callable[[Node, str], Observance]
 OnDay = Callable[[int, int], Observance]
 
+POSSESSIVE = "'s"
+
+APOSTROPHE = "'"
+
+MOST = 64
+"""Ways that are given of one name, at most."""
+
 
 def read_feasts(tables: Tables) -> None:
     """Add feasts and seasons."""
     _Feasts(tables).read()
 
-    def season(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        begins = _month_day(tables, fields["from"], f"seasons.{name}.from")
-        return [("season", Season(name, begins, _month_day(tables, fields["to"], f"seasons.{name}.to")))]
+    def season(name: str, row: Row) -> Iterable[tuple[str, Any]]:
+        begins, ends = (_month_day(tables, *row.at(edge)) for edge in ("from", "to"))
+        return [("season", Season(name, begins, ends))]
 
     tables.table("seasons", {"from": True, "to": True}, season)
 
@@ -109,50 +115,43 @@ class _Feasts:
                 found[key] = short
         return found
 
-    def _feast(self, name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        key = f"holidays.{name}"
-        calendar = next(calendar for calendar in self.calendars if calendar in fields)
-        kept = self.calendars[calendar](fields[calendar], f"{key}.{calendar}")
+    def _feast(self, name: str, row: Row) -> Iterable[tuple[str, Any]]:
+        calendar = next(filter(row.has, self.calendars))
+        kept = self.calendars[calendar](*row.at(calendar))
         for field, of in OF_SOME.items():
-            if field in fields and calendar not in of:
+            if row.has(field) and calendar not in of:
                 message = f"{field!r} goes with {' or '.join(map(repr, of))}, got {calendar!r}"
-                self.reader.mistake(fields[field], f"{key}.{field}", message)
+                self.reader.mistake(*row.at(field), message)
         if isinstance(kept, OnSunsEntry):
-            kept = self._behind(kept, key, fields)
+            kept = self._behind(kept, row)
         elif isinstance(kept, OnLunarDay):
-            kept = self._prevailing(kept, key, fields)
+            kept = self._prevailing(kept, row)
         feast = Feast(
             name,
             kept,
-            days=self._whole(fields, key, "days", -MOST_DAYS, 0),
-            moves=self._moves(fields, key),
-            lasts=self._whole(fields, key, "lasts", 1, 1),
-            until=self._until(fields, key),
+            days=row.whole("days", -MOST_DAYS, MOST_DAYS),
+            moves=self._moves(row),
+            lasts=row.whole("lasts", 1, MOST_DAYS, 1),
+            until=self._until(row),
             from_evening=calendar in FROM_EVENING,
-            doubtful="doubtful" in fields and self.reader.boolean(fields["doubtful"], f"{key}.doubtful"),
+            doubtful=row.flag("doubtful"),
         )
         self.found[name] = feast
         return [("feast", feast)]
 
-    def _whole(self, fields: dict[str, Node], key: str, name: str, low: int, usual: int) -> int:
-        return self.reader.whole(fields[name], f"{key}.{name}", low, MOST_DAYS) if name in fields else usual
-
-    def _moves(self, fields: dict[str, Node], key: str) -> tuple[tuple[int, int], ...]:
-        if "moves" not in fields:
+    def _moves(self, row: Row) -> tuple[tuple[int, int], ...]:
+        if not row.has("moves"):
             return ()
-        days = self.reader.mapping(fields["moves"], f"{key}.moves", self.weekdays)
-        return tuple(
-            (self.weekdays[weekday], self.reader.whole(node, f"{key}.moves.{weekday}", -7, 7))
-            for weekday, node in days.items()
-        )
+        node, key = row.at("moves")
+        moves = Row(self.tables, key, self.reader.mapping(node, key, self.weekdays))
+        return tuple((self.weekdays[weekday], moves.whole(weekday, -7, 7)) for weekday in moves.fields)
 
-    def _until(self, fields: dict[str, Node], key: str) -> Feast | None:
-        if "until" not in fields:
+    def _until(self, row: Row) -> Feast | None:
+        if not row.has("until"):
             return None
-        if "lasts" in fields:
-            message = "a holiday has one of 'lasts' and 'until', got both"
-            self.reader.mistake(fields["until"], f"{key}.until", message)
-        return self._above(fields["until"], f"{key}.until")
+        if row.has("lasts"):
+            self.reader.mistake(*row.at("until"), "a holiday has one of 'lasts' and 'until', got both")
+        return self._above(*row.at("until"))
 
     # -- calendars --------------------------------------------------------------------------------------
 
@@ -187,17 +186,17 @@ class _Feasts:
         sign = self.reader.whole(items[0], f"{key}[0]", 0, 11)
         return OnStar(sign, self.reader.whole(items[1], f"{key}[1]", 1, 27))
 
-    def _behind(self, kept: OnSunsEntry, key: str, fields: dict[str, Node]) -> Observance:
+    def _behind(self, kept: OnSunsEntry, row: Row) -> Observance:
         """Read behind which time of the day it is on the next."""
-        time = self.reader.choice(fields["at"], f"{key}.at", list(At)) if "at" in fields else ""
+        time = row.chosen("at", list(At))
         return replace(kept, at=At(time)) if time else kept
 
-    def _prevailing(self, kept: OnLunarDay, key: str, fields: dict[str, Node]) -> Observance:
+    def _prevailing(self, kept: OnLunarDay, row: Row) -> Observance:
         """Read at which times of the day it is to prevail, and which of two such days it is."""
-        items = self._items(fields["at"], f"{key}.at") if "at" in fields else ()
+        items = self._items(*row.at("at")) if row.has("at") else ()
         said = (self.reader.choice(item, path, list(At)) for item, path in items)
-        later = "later" in fields and self.reader.boolean(fields["later"], f"{key}.later")
-        return replace(kept, at=tuple(At(time) for time in said if time) or kept.at, later=later)
+        at = tuple(At(time) for time in said if time) or kept.at
+        return replace(kept, at=at, later=row.flag("later"))
 
     def _one_of(self, node: Node, key: str) -> Observance:
         """Read feasts that stand above, on the days of any of which it is."""
@@ -232,3 +231,32 @@ def _month_day(
     message = f"month and day must look like 12-24, and be in every year, got {node.text!r}"
     tables.reader.mistake(node, key, message)
     return 1, 1
+
+
+def otherwise(form: Form, shortened: Mapping[str, list[Form]]) -> Iterator[Form]:
+    """Give other ways to write a name, given what its words are shortened to.
+
+    >>> list(otherwise(("ash", "wednesday"), {"wednesday": [("wed",)]}))
+    [('ash', 'wed')]
+    >>> [" ".join(way) for way in otherwise(("father's", "day"), {})]
+    ['fathers day', "fathers ' day", 'father day']
+    """
+    ways: list[Form] = [()]
+    place = 0
+    while place < len(form):
+        text, behind = form[place], form[place + 1 : place + 2]
+        owned = place + 1 < len(form) and (text.endswith(POSSESSIVE) or behind == (APOSTROPHE,))
+        here = _owners(text) if owned else [(text,), *shortened.get(text, ())]
+        ways = [(*before, *word) for before in ways for word in here][:MOST]
+        place += 2 if owned and behind == (APOSTROPHE,) else 1
+    yield from (way for way in dict.fromkeys(ways) if way != form)
+
+
+def _owners(text: str) -> list[Form]:
+    """Give the ways to write whose day it is: "father's", "fathers", "fathers'", "father"."""
+    owner = text.removesuffix(POSSESSIVE)
+    if owner != text:
+        several = owner + ("es" if owner.endswith("s") else "s")
+        return [(text,), (several,), (several, APOSTROPHE), (owner,)]
+    one = text.removesuffix("s")
+    return [(text, APOSTROPHE), (text,), (one + POSSESSIVE,)]

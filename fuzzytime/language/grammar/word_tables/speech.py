@@ -1,31 +1,31 @@
-"""Reading ``lexicon.yaml``: prepositions, hedges, time words, comparisons, amounts."""
+"""Reading ``lexicon.yaml``: prepositions, hedges, time words, comparisons, amounts, and groups of words."""
 
 from collections.abc import Iterable
-from typing import Any
+from dataclasses import fields
+from typing import Any, TypeVar
 
 from fuzzytime.documents.nodes import Node
 from fuzzytime.language.grammar.lexicon import Entry, Form, Forms, Preposition, form_of
-from fuzzytime.language.grammar.word_tables.tables import Tables
+from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
+from fuzzytime.language.grammar.lexicon.verb_groups import Doing
+from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses, Words
+from fuzzytime.language.grammar.word_tables.tables import Row, Tables
 from fuzzytime.language.meaning.expressions import Edge, Quantity, TimeWord
 from fuzzytime.requirement import Constraint, Side
+from fuzzytime.spelling import suggestion
+
+_Groups = TypeVar("_Groups", ClosedClasses, BesideTimes, Doing, NoTimes)
 
 
 def read_prepositions(tables: Tables) -> None:
     """Add prepositions."""
-    reader = tables.reader
+    sides = (Constraint.AT, Constraint.BEFORE, Constraint.AFTER)
 
-    def make(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        key = f"prepositions.{name}"
-        sides = (Constraint.AT, Constraint.BEFORE, Constraint.AFTER)
-        constraint = reader.choice(fields["constraint"], f"{key}.constraint", sides) or Constraint.AT
-        edge = reader.choice(fields["edge"], f"{key}.edge", tuple(Edge)) if "edge" in fields else ""
-        counts = (
-            reader.choice(fields["counts"], f"{key}.counts", ("forward", "back"))
-            if "counts" in fields
-            else ""
-        )
-        value = Preposition(name, Constraint(constraint), Edge(edge or Edge.START))
-        if counts and constraint == Constraint.BEFORE:
+    def make(name: str, row: Row) -> Iterable[tuple[str, Any]]:
+        constraint = row.choice("constraint", Constraint.AT, *sides)
+        counts = row.chosen("counts", ("forward", "back"))
+        value = Preposition(name, constraint, row.choice("edge", Edge.START))
+        if counts and constraint is Constraint.BEFORE:
             return [("within", value)]
         return [(counts or f"preposition_{constraint}", value)]
 
@@ -34,36 +34,29 @@ def read_prepositions(tables: Tables) -> None:
 
 def read_hedges(tables: Tables) -> None:
     """Add hedges, and quantities that are hedges in themselves."""
-    reader = tables.reader
 
-    def make(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        if "number" in fields:
-            number = reader.number(fields["number"], f"hedges.{name}.number", 0, 1000)
-            return [("quantity", Quantity(number, (name,)))]
+    def make(name: str, row: Row) -> Iterable[tuple[str, Any]]:
+        if row.has("number"):
+            return [("quantity", Quantity(row.number("number", 0, 1000), (name,)))]
         sides = {
             "before": ("hedge",),
             "after": ("hedge_after",),
             "either": ("hedge", "hedge_after"),
             "anchor": ("beside",),
         }
-        if "front" in fields:
-            key = f"hedges.{name}.front"
-            tables.add(fields["front"], key, "hedge", name, tables.forms(fields["front"], key))
-        if "side" not in fields:
-            return []
-        side = reader.choice(fields["side"], f"hedges.{name}.side", sides)
-        return [(category, name) for category in sides.get(side, ())]
+        if row.has("front"):
+            tables.add(*row.at("front"), "hedge", name, row.forms("front"))
+        return [(category, name) for category in sides.get(row.chosen("side", sides), ())]
 
     tables.table("hedges", {"side": False, "number": False, "front": False}, make)
 
 
 def read_words(tables: Tables) -> None:
     """Add time words and corrections."""
+    kinds = (Constraint.AT, Constraint.VAGUE, Constraint.EVERY, Constraint.FOR)
 
-    def make(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        kinds = (Constraint.AT, Constraint.VAGUE, Constraint.EVERY, Constraint.FOR)
-        constraint = tables.reader.choice(fields["constraint"], f"words.{name}.constraint", kinds)
-        return [("word", TimeWord(name, Constraint(constraint or Constraint.VAGUE)))]
+    def make(name: str, row: Row) -> Iterable[tuple[str, Any]]:
+        return [("word", TimeWord(name, row.choice("constraint", Constraint.VAGUE, *kinds)))]
 
     tables.table("words", {"constraint": True}, make)
     for form in tables.words("corrections"):
@@ -90,18 +83,42 @@ def read_amounts(
     """Give vague amounts by their forms: canonical form, and corners of a trapezoid where they are known."""
     for name, node in tables.rows("amounts"):
         key = f"amounts.{name.text}"
-        fields = tables.reader.mapping(node, key, ("quantity", "also"))
+        row = Row(tables, key, tables.reader.mapping(node, key, ("quantity", "also")))
         quantity = None
-        if "quantity" in fields:
-            items = tables.reader.sequence(fields["quantity"], f"{key}.quantity", 4)
+        if row.has("quantity"):
+            items = tables.reader.sequence(*row.at("quantity"), 4)
             corners = [tables.reader.number(item, f"{key}.quantity[{i}]", 0) for i, item in enumerate(items)]
             if len(corners) == 4:
                 if corners != sorted(corners):
                     tables.reader.mistake(node, key, f"corners must not decrease, got {corners}")
                 quantity = (corners[0], corners[1], corners[2], corners[3])
-        said = [
-            form_of(name.text),
-            *(tables.forms(fields["also"], f"{key}.also") if "also" in fields else []),
-        ]
-        for form in said:
+        for form in (form_of(name.text), *row.forms("also")):
             yield form, (name.text, quantity)
+
+
+def read_groups(tables: Tables, section: str, kind: type[_Groups]) -> _Groups:
+    """Read a section whose rows are the fields of a class: lists of words, and of ``<groups>`` above."""
+    names: dict[str, str] = {field.name.replace("_", " "): field.name for field in fields(kind)}
+    found: dict[str, Words] = {}
+    for name, row in tables.rows(section, names):
+        found[name.text] = _group(tables, row, f"{section}.{name.text}", found)
+    return kind(**{field: found.get(name, frozenset()) for name, field in names.items()})
+
+
+def _group(tables: Tables, node: Node, key: str, above: dict[str, Words]) -> Words:
+    """Read one group: a word may stand in it once, but groups that it holds may share some."""
+    said: set[str] = set()
+    held: set[str] = set()
+    for item in tables.reader.sequence(node, key):
+        text = tables.reader.phrase(item, key)
+        if text.startswith("<") and text.endswith(">"):
+            name = text[1:-1]
+            if name not in above:
+                message = f"a group in another must stand above it, got {text!r}{suggestion(name, above)}"
+                tables.reader.mistake(item, key, message)
+            held |= above.get(name, frozenset())
+        else:
+            if text in said or text in held:
+                tables.reader.mistake(item, key, f"words of a group must differ, got {text!r} twice")
+            said.add(text)
+    return frozenset(said | held)

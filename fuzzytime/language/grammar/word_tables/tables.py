@@ -1,9 +1,11 @@
 """One file of word tables: its sections, and the entries gathered from them."""
 
 from collections.abc import Callable, Collection, Iterable
+from dataclasses import dataclass
+from enum import StrEnum
 from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from fuzzytime.documents.nodes import Mapping, Node, Scalar
 from fuzzytime.language.grammar.lexicon import Entry, Form, Forms, form_of
@@ -26,6 +28,9 @@ WORDS = "words"
 
 CHOICE = "|"
 """Between words one of which is said."""
+
+
+_Choice = TypeVar("_Choice", bound=StrEnum)
 
 
 class Tables:
@@ -78,7 +83,7 @@ class Tables:
         self,
         section: str,
         allowed: dict[str, bool],
-        make: Callable[[str, dict[str, Node]], Iterable[tuple[str, Any]]],
+        make: "Callable[[str, Row], Iterable[tuple[str, Any]]]",
         one_of: Collection[str] = (),
         otherwise: Callable[[Form], Iterable[Form]] | None = None,
     ) -> None:
@@ -97,10 +102,9 @@ class Tables:
                 continue
             if one_of and self.reader.one_of(node, key, one_of, message) is None:
                 continue
-            said = [form_of(name.text)]
-            if "also" in fields:
-                said += self.forms(fields["also"], f"{key}.also")
-            for category, value in make(name.text, fields):
+            row = Row(self, key, fields)
+            said = [form_of(name.text), *row.forms("also")]
+            for category, value in make(name.text, row):
                 self.add(name, key, category, value, said)
                 ways = (way for form in said for way in (otherwise(form) if otherwise else ()))
                 further += ((category, value, way) for way in ways)
@@ -159,6 +163,56 @@ class Tables:
     def single_words(self, section: str, key: str | None = None) -> frozenset[str]:
         """Give a section, or a list within it, of forms that are one word each."""
         return frozenset(form[0] for form in self.words(section, key))
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A row whose values have names: each is read from where it stands, and is ``usual`` where none does."""
+
+    tables: Tables
+    key: str
+    fields: dict[str, Node]
+
+    def at(self, name: str) -> tuple[Node, str]:
+        """Give a value that is there, and its path."""
+        return self.fields[name], f"{self.key}.{name}"
+
+    def part(self, name: str, *names: str) -> "Row":
+        """Give a row in it, which must have some names."""
+        node, key = self.at(name)
+        return Row(self.tables, key, self.tables.reader.mapping(node, key, names, names))
+
+    def has(self, *names: str) -> bool:
+        """Whether it has all of some values."""
+        return all(name in self.fields for name in names)
+
+    def whole(self, name: str, low: int, high: int, usual: int = 0) -> int:
+        """Read a whole number."""
+        return self.tables.reader.whole(*self.at(name), low, high) if name in self.fields else usual
+
+    def number(self, name: str, low: float, high: float) -> float:
+        """Read a number."""
+        return self.tables.reader.number(*self.at(name), low, high)
+
+    def chosen(self, name: str, known: Collection[str]) -> str:
+        """Read one of some words; none where it is not there, or another."""
+        return self.tables.reader.choice(*self.at(name), known) if name in self.fields else ""
+
+    def choice(self, name: str, usual: _Choice, *known: _Choice) -> _Choice:
+        """Read one of the values of an enumeration, or of some of them."""
+        return type(usual)(self.chosen(name, known or tuple(type(usual))) or usual)
+
+    def flag(self, name: str) -> bool:
+        """Read whether something is so."""
+        return name in self.fields and self.tables.reader.boolean(*self.at(name))
+
+    def clock(self, name: str) -> int:
+        """Read a time of day as seconds since midnight."""
+        return self.tables.clock(*self.at(name))
+
+    def forms(self, name: str) -> list[Form]:
+        """Give ways to say something."""
+        return self.tables.forms(*self.at(name)) if name in self.fields else []
 
 
 def _ways(text: str) -> Iterable[str]:

@@ -22,9 +22,6 @@ from fuzzytime.requirement import MOMENTS, Constraint, Unit
 COUNTED_FROM_ELSEWHERE = frozenset({LATER, EARLIER, INTO, LEFT, LAST, HALFWAY})
 """Prepositions of times that count from another instruction."""
 
-STARTING = "starting"
-FOR = "for"
-
 
 def first_time(said: Said) -> Time | None:
     """Give the moment, or the stretch, in which a time lets the first of several be; None for other times."""
@@ -47,7 +44,7 @@ def first_time(said: Said) -> Time | None:
 
 def is_release(said: Said) -> bool:
     """Whether a time says from when on, and no more: "from noon", "starting at eight"."""
-    return said.constraint is Constraint.AFTER or said.preposition == STARTING
+    return said.constraint is Constraint.AFTER or said.preposition == "starting"
 
 
 def beginning(repeat: Repeat, first: Time) -> Repeat:
@@ -68,7 +65,7 @@ def closing_of(said: Said) -> Duration | None:
 
 def opening_of(said: Said) -> Duration | None:
     """Give how much of the beginning of something a time is: "for the first ten minutes"."""
-    opening = said.preposition == FOR and said.constraint is Constraint.BETWEEN
+    opening = said.preposition == "for" and said.constraint is Constraint.BETWEEN
     return said.time.duration if opening and isinstance(said.time, Coming) else None
 
 

@@ -1,5 +1,5 @@
 """What is handed on: the requirement that the rest of the program works with.
 
-``requirements``, with their ``grains`` and the ``edges`` that count; what the policy decided (``decisions``);
+``requirements``, with the ``edges`` that count; what the policy decided (``decisions``);
 when something is not to be done (``denied_times``); one of several times (``offered``, ``offered_days``).
 """

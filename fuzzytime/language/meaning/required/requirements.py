@@ -29,7 +29,6 @@ from fuzzytime.language.meaning.recurrences.series import recurrence_that_comes
 from fuzzytime.language.meaning.required.decisions import Deciding
 from fuzzytime.language.meaning.required.denied_times import beside
 from fuzzytime.language.meaning.required.edges import Edges
-from fuzzytime.language.meaning.required.grains import grain_of, zone_in
 from fuzzytime.language.meaning.required.offered_days import on_each_day_offered
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.language.meaning.ungrounded import UngroundedError
@@ -272,3 +271,21 @@ def _bounded(said: Said) -> Said:
     ):
         return said
     return replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST)
+
+
+def grain_of(wall: Wall) -> Unit:
+    """Give the finest unit that it names: the hour, for a part of the day."""
+    if wall.clock is not None:
+        return wall.clock.grain
+    return Unit.HOUR if wall.part is not None or wall.days is None else wall.days.grain
+
+
+def zone_in(time: Time) -> str | None:
+    """Give the zone of its clock, or that of the one that it counts from."""
+    if isinstance(time, Wall):
+        return time.zone
+    if isinstance(time, Range):
+        return zone_in(time.first) or zone_in(time.last)
+    if isinstance(time, Offset) and time.anchor is not None:
+        return zone_in(time.anchor)
+    return None

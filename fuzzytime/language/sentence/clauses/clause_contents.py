@@ -9,7 +9,6 @@ from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.conditions import (
     ITS,
-    POSSESSIVE,
     being,
     compared,
     condition_of,
@@ -24,9 +23,6 @@ STATED = frozenset({"when", "if", "until"})
 
 NAMING = frozenset({"after", "before", "until", "into", "within", "halfway"})
 """Clauses that may name an event."""
-
-AS = "as"
-"""A marker of what goes on, which is one of roles, too."""
 
 NAMED = ("NN", "JJ", "DT", "PDT", "PRP$", "CC", ",")
 """How tags of words begin that name things one by one."""
@@ -62,7 +58,7 @@ class Contents:
             if condition is not None:
                 return replace(clause, condition=condition)
         # "While its cooking", "while the baby's asleep"; but "as mum's treat"
-        its = clause.marker != AS or self.tree.nodes[nodes[0]].lower == ITS
+        its = clause.marker != "as" or self.tree.nodes[nodes[0]].lower == ITS
         goes_on = None
         if clause.kind == "while" and its:
             goes_on = being(self.tree, nodes, said) or state(self.tree, nodes, said)
@@ -191,7 +187,7 @@ class Contents:
             node = self.tree.nodes[place]
             timed = any(a <= node.start < b for a, b in (phrase.span for phrase in self.phrases))
             # "After everyone's in bed"
-            is_so = self.tree.nodes[last].tag == POSSESSIVE and node.lower in self.lexicon.places
+            is_so = self.tree.nodes[last].tag == "POS" and node.lower in self.lexicon.places
             if place > nodes[0] and (
                 timed
                 or (not is_so and node.tag in {"IN", "TO", "CC", ",", ".", ":", "WDT", "WP", "MD"})

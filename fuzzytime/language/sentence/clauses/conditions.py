@@ -7,19 +7,12 @@ from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJ
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Condition
 
-UNLESS = "unless"
-"""The marker whose clause must not hold."""
-
-IF = "if"
-"""The marker whose clause may have a bare verb: "if the bell ring", as in "should the bell ring"."""
-
 WISHING = (["if", "you", "could"], ["if", "you", "would"])
 """What asks for something where nothing else is said."""
 
 LONGEST_STATE = 3
 """Words that say how something is, at most: "until light and fluffy"."""
 
-POSSESSIVE = "POS"
 ITS = "its"
 """How "it's" is often typed."""
 
@@ -47,7 +40,7 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
         # "Until it thickens": a pronoun right before the verb was taken for what the marker governs.
         subjects = [p for p in nodes if p == verb - 1 and tree.nodes[p].tag in {"PRP", "PRP$"}]
     negated = any(p in inside for p in tree.children(verb, "neg"))
-    negated ^= text.lower().startswith(UNLESS)
+    negated ^= text.lower().startswith("unless")
     if not subjects:
         return Condition(text=text, negated=negated)
     subject = " ".join(
@@ -84,7 +77,7 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     *before, last = (tree.nodes[p] for p in nodes[:end])
     named = [node.lower for node in before if node.tag not in ANY_DETERMINERS]
     bare = named and last.tag in {"NN", "JJ"} and last.may_act
-    if bare and (before[-1].tag == "NNS" or text.lower().startswith(IF)):
+    if bare and (before[-1].tag == "NNS" or text.lower().startswith("if")):
         # "When the edges brown", "should the bell ring"
         return Condition(text=text, subject=" ".join(named), word=last.lower)
     if (
@@ -113,7 +106,7 @@ def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
                 word=None if measured else last.lower,
                 hedges=() if measured else tuple(node.lower for node in hedges),
             )
-    mark = next((p for p in reversed(range(len(said) - 1)) if said[p].tag == POSSESSIVE), 0)
+    mark = next((p for p in reversed(range(len(said) - 1)) if said[p].tag == "POS"), 0)
     subject = [node.lower for node in said[:mark] if node.tag not in ANY_DETERMINERS]
     # "Everyone's in bed", "mum's back from work"
     whereabouts = tree.lexicon.places | tree.lexicon.closed.adverbs_of_arrival

@@ -13,7 +13,6 @@ from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_sides import FIRST, side_of
 from fuzzytime.language.sentence.references.likeness import best_of
 from fuzzytime.language.sentence.references.mentions import (
-    BE,
     Mentions,
     comes,
     comes_by_name,
@@ -232,7 +231,7 @@ class Anchors:
     def goes_on(self, operation: Operation) -> bool:
         """Whether what is told is what something with a time does then, told right before in its text."""
         before = self.operation_at(self.position - 1) if self.position > self.first else None
-        beginning = self.lexicon.doing.beginning | {BE}
+        beginning = self.lexicon.doing.beginning | {"be"}
         begins = before is not None and before.stated and before.lemma in beginning
         return begins and before is not None and before.object == operation.object
 
@@ -277,6 +276,6 @@ def _comes_back(operation: Operation, lexicon: Lexicon) -> bool:
     said = {operation.particle, operation.place, operation.complement, operation.object}
     return (
         operation.stated
-        and operation.lemma in {BE, "get", "come"}
+        and operation.lemma in {"be", "get", "come"}
         and not lexicon.closed.back_home.isdisjoint(said)
     )

@@ -7,7 +7,6 @@ from itertools import chain
 
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors
-from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.named import is_several
 from fuzzytime.requirement import Edge
@@ -18,7 +17,7 @@ WAYS = {"in": Edge.START, "out": Edge.END}
 def edge_inside(clause: Clause, anchors: Anchors) -> Edge | None:
     """Give which end a clause is about of what goes on where something is: it goes in, or comes out."""
     way = "" if clause.where is None else clause.where.split()[0].lower()
-    moves = clause.verb in anchors.lexicon.doing.being_somewhere and clause.verb != BE
+    moves = clause.verb in anchors.lexicon.doing.being_somewhere and clause.verb != "be"
     return WAYS.get(way) if moves else None
 
 

@@ -5,11 +5,10 @@ from collections.abc import Iterable
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.references.mentions import BE, comes, comes_by_name, names_of, nouns_of
+from fuzzytime.language.sentence.references.mentions import comes, comes_by_name, names_of, nouns_of
 from fuzzytime.language.sentence.references.whereabouts import elsewhere, gets_there
 from fuzzytime.language.sentence.trees.content_words import content_words, stems
 
-WHILE = "while"
 SAME_VERB = 2.0
 """The worth of the very verb of a clause, to which words that are shared add 1 each."""
 
@@ -56,7 +55,7 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     if gets_there(clause, operation, lexicon):
         return SAME_VERB + max(shared, 1)
     word = None if clause.condition is None else clause.condition.word
-    if operation.attended and clause.verb == operation.lemma == BE and word == operation.object:
+    if operation.attended and clause.verb == operation.lemma == "be" and word == operation.object:
         # "Half an hour before we're on"
         return SAME_VERB
     if _happens_as(clause, operation):
@@ -75,7 +74,7 @@ def _likeness_of_event(clause: Clause, operation: Operation) -> float:
         shared = len(named & (content_words(operation.object) | content_words(operation.place)))
     same = shared + (not named.isdisjoint(nouns_of(operation.lemma))) if named else 0.0
     # "During the window" is while it goes on, whatever else is done with it.
-    told = ALIKE if operation.stated and clause.kind == WHILE else 0.0
+    told = ALIKE if operation.stated and clause.kind == "while" else 0.0
     # "Into the roast", where the meat is roasted.
     return same + told if same else _named_after(named, operation)
 
@@ -93,7 +92,7 @@ def _is_same_verb(clause: Clause, operation: Operation, lexicon: Lexicon) -> boo
     known = content_words(operation.object) | content_words(operation.place)
     anyone = not named or named <= closed.anaphors | closed.universal_pronouns or not known
     # "While she is there" names no dinner that is at seven.
-    return shared or (anyone and clause.verb != BE)
+    return shared or (anyone and clause.verb != "be")
 
 
 def _happens_as(clause: Clause, operation: Operation) -> bool:
@@ -113,17 +112,17 @@ def _says_when(clause: Clause, operation: Operation, lexicon: Lexicon) -> bool:
         return False
     doing, there = lexicon.doing, clause.is_there(lexicon)
     if (
-        clause.kind != WHILE
+        clause.kind != "while"
         and comes_by_name(operation, lexicon)
         and (there or clause.verb in doing.arriving)
     ):
         # "Before the concrete arrives", where its truck is there at ten
         return True
-    if clause.kind != WHILE and comes(operation, lexicon) and there:
+    if clause.kind != "while" and comes(operation, lexicon) and there:
         # "Once the parts are here", where they arrive at ten.
         return True
     word = None if clause.condition is None else clause.condition.word
-    goes_on = clause.verb == BE and word in doing.going_on and clause.kind == WHILE
+    goes_on = clause.verb == "be" and word in doing.going_on and clause.kind == "while"
     if operation.stated and (goes_on or clause.verb in doing.beginning | doing.ending):
         # "Five minutes before the meeting starts", where the meeting is at three.
         return True

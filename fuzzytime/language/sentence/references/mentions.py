@@ -14,8 +14,6 @@ from fuzzytime.language.sentence.references.told import Told
 from fuzzytime.language.sentence.trees.content_words import content_words, stems
 from fuzzytime.language.sentence.trees.named import is_event, is_several, may_be_it, names_person
 
-BE = "be"
-
 NEAR = 50
 """Among how many that are put somewhere the one is looked for that a clause has there."""
 
@@ -36,7 +34,7 @@ def comes(happening: Operation, lexicon: Lexicon) -> bool:
 def comes_by_name(happening: Operation, lexicon: Lexicon) -> bool:
     """Whether what is told has the name of what comes: a delivery, a truck."""
     last = (happening.object or "").lower().split()[-1:]
-    return happening.stated and happening.lemma == BE and not lexicon.closed.coming.isdisjoint(last)
+    return happening.stated and happening.lemma == "be" and not lexicon.closed.coming.isdisjoint(last)
 
 
 def waits_for(operation: Operation, happening: Operation, lexicon: Lexicon) -> bool:

@@ -15,7 +15,7 @@ from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors, only_counted
-from fuzzytime.language.sentence.references.mentions import BE, waits_for
+from fuzzytime.language.sentence.references.mentions import waits_for
 from fuzzytime.language.sentence.references.same_thing import (
     counted_from,
     is_about_the_same,
@@ -51,7 +51,6 @@ NEAR = {
 HOUR = "time"
 """The end of the name of when a meal is: "lunchtime"."""
 
-WITHIN = "within"
 INSIDE = frozenset({LEFT, LAST, HALFWAY})
 """The prepositions of times that are inside something else, and nothing without that."""
 
@@ -113,10 +112,12 @@ def _at_the_beginning(anchors: Anchors, said: Said, requirement: TimeRequirement
 def _upon_arrival(anchors: Anchors, requirement: TimeRequirement) -> TimeRequirement | None:
     """Count "within an hour" from when that comes which it is about: "the truck comes at ten, …"."""
     operation = anchors.operation_at(anchors.position)
-    if requirement.preposition != WITHIN or requirement.t_spec is None or operation is None:
+    if requirement.preposition != "within" or requirement.t_spec is None or operation is None:
         return None
     for place, happening in anchors.just_before():
-        beside = anchors.first <= place == anchors.position - 1 and happening.lemma == BE and happening.stated
+        beside = (
+            anchors.first <= place == anchors.position - 1 and happening.lemma == "be" and happening.stated
+        )
         if beside and operation.due is not None:
             # "A table of twelve at 7:15, starters must go within ten minutes": from then on.
             anchor = Anchor(text=requirement.text, target=place, edge=Edge.START, lag=requirement.t_spec)

@@ -9,8 +9,6 @@ from fuzzytime.language.sentence.references.mentions import shares_thing, undoes
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.times import seconds_between
 
-AFTER, IN, WITHIN = "after", "in", "within"
-
 
 def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -> TimeRequirement | None:
     """Count so long "after" from what was asked for of the same thing before; None where it counts from now.
@@ -20,7 +18,7 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
     take it out in forty minutes".
     """
     own, distance = anchors.operation_at(anchors.position), requirement.t_spec
-    if own is not None and distance is not None and said.preposition in {IN, WITHIN}:
+    if own is not None and distance is not None and said.preposition in {"in", "within"}:
         found = _behind_last(anchors, own, said, requirement)
         if found is not None:
             return found
@@ -32,14 +30,14 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
             text=requirement.text, target=anchors.position - 1, edge=Edge.FREE, lag=distance, exact=True
         )
         return only_counted(requirement, anchor, Constraint.AFTER)
-    lent = said.preposition == AFTER and _is_lent(requirement, anchors)
+    lent = said.preposition == "after" and _is_lent(requirement, anchors)
     if lent and anchors.position - 1 in anchors.told.since:
         # "After 3 minutes the beans, after 5 the corn, after 8 turn it off": all since the same
         told = anchors.told.since[anchors.position - 1]
         return (
             None if told is None else only_counted(requirement, replace(told, lag=distance), Constraint.AFTER)
         )
-    target = _asked_before(anchors) if said.preposition in {AFTER, IN} else None
+    target = _asked_before(anchors) if said.preposition in {"after", "in"} else None
     if target is None or _is_said_before(anchors, target, requirement):
         return None
     start = anchors.told.start(target)
@@ -47,7 +45,7 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
     too_early = begun is not None and distance < begun
     other = anchors.operation_at(target)
     undone = other is not None and undoes(own, other, anchors.lexicon)
-    after = said.preposition == AFTER and (own.again or undone or too_early)
+    after = said.preposition == "after" and (own.again or undone or too_early)
     if not after and not (own.again and too_early):
         return None
     edge = Edge.FREE if tells_length_of(anchors, target) else Edge.END
@@ -76,7 +74,7 @@ def _behind_last(
     reports = (
         own.lemma in anchors.lexicon.addressing and own.object in anchors.lexicon.closed.first_person_objects
     )
-    within = said.preposition == WITHIN
+    within = said.preposition == "within"
     counted = (reports or is_about_the_same(anchors, last)) if within else again
     if (
         not counted
@@ -95,7 +93,7 @@ def _counts_on(anchors: Anchors, own: Operation, said: Said, requirement: TimeRe
     """
     last = anchors.position - 1
     before = anchors.operation_at(last) if last >= anchors.first else None
-    if before is None or not before.is_asked or said.preposition not in {AFTER, IN}:
+    if before is None or not before.is_asked or said.preposition not in {"after", "in"}:
         return False
     if _is_said_before(anchors, last, requirement):
         return False
@@ -106,7 +104,7 @@ def _counts_on(anchors: Anchors, own: Operation, said: Said, requirement: TimeRe
     begun = None if start is None or anchors.now is None else seconds_between(anchors.now, start)
     # "Boil it at six and call mum after ten minutes" is not sure to.
     in_front = requirement.span[0] < own.span[0]
-    return said.preposition == AFTER and in_front and begun is not None and distance < begun
+    return said.preposition == "after" and in_front and begun is not None and distance < begun
 
 
 def _is_said_before(anchors: Anchors, target: int, requirement: TimeRequirement) -> bool:

@@ -14,7 +14,6 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import TimeRequirement
 
 BOTH = 2
-EITHER = "either"
 
 
 def of_several(clause: Clause, anchors: Anchors, text: str) -> list[TimeRequirement]:
@@ -40,7 +39,7 @@ def one_is_enough(clause: Clause, anchors: Anchors, text: str) -> bool:
     over = condition is not None and condition.word in anchors.lexicon.results
     words = {word.text for word in words_of(text[slice(*clause.content)])}
     offered = not words.isdisjoint(anchors.lexicon.closed.denied_alternatives)
-    return clause.kind in BEHIND and (EITHER in words or (offered and (over or bool(clause.further))))
+    return clause.kind in BEHIND and ("either" in words or (offered and (over or bool(clause.further))))
 
 
 def only_one(clause: Clause, text: str) -> Remark:

@@ -6,8 +6,6 @@ from datetime import datetime, timedelta
 from fuzzytime.language.instruction import Instruction
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 
-AFTER = "after"
-
 WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 """What says when something begins, and not only when at the latest or at the earliest."""
 
@@ -32,7 +30,7 @@ class Told:
         if start is not None:
             self.starts[position] = start
         for part in instruction.requirements:
-            if part.preposition == AFTER and part.number:
+            if part.preposition == "after" and part.number:
                 self.since[position] = part.anchor
         repetition = next((part for part in instruction.requirements if part.recurrence is not None), None)
         if repetition is not None:

@@ -8,9 +8,6 @@ from fuzzytime.language.sentence.references.mentions import ways_of
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.named import is_several
 
-BE = "be"
-WHEN = "when"
-
 SIDES = frozenset({"when", "after", "before", "by the time"})
 """Clauses for which it counts when something gets where they say that it is."""
 
@@ -60,7 +57,7 @@ def gets_there(clause: Clause, operation: Operation, lexicon: Lexicon) -> bool:
         return operation.object is not None and (
             is_several(operation.object, lexicon) == (subject not in closed.singular_anaphors)
         )
-    read = clause.verb == BE and clause.kind == WHEN and condition.word is not None
+    read = clause.verb == "be" and clause.kind == "when" and condition.word is not None
     return not read and not content_words(subject).isdisjoint(content_words(operation.object))
 
 

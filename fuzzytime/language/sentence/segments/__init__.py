@@ -1,9 +1,8 @@
 """Where instructions begin and end: the first pass, which ends in ``drafts``.
 
 A ``segment`` has ``openings``, and ends at a sentence, at "then" (``connectives``), or before a
-verb; ``order_words`` say where it comes. It waits for its tree (``waiting``), with its
-``leading_markers`` and ``fronts``, and is cut again in ``rounds`` once it has one (``cuts``,
-``asked_by_name``, ``orders_beside_times``). What is ``borrowed`` is said once and holds for both.
+verb. It waits for its tree (``waiting``), with its ``leading_markers`` and ``fronts``, and is cut again in
+``rounds`` once it has one (``cuts``, ``orders_beside_times``). What is ``borrowed`` holds for both.
 
 ``lists``
     Lines, their marks, and the entries on them.

@@ -1,18 +1,19 @@
-"""Orders that a connective says, and how soon after another: "then, within ten minutes"; but "next bus"."""
+"""Where orders come: behind another, by a connective ("then, within ten minutes"), first or last of all."""
 
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from fuzzytime.language.instruction import Remark, RemarkKind, Span
-from fuzzytime.language.sentence.segments.segment import Segment
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Order, Remark, RemarkKind, Span
+from fuzzytime.language.sentence.segments.segment import ENDS, Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
-WITHIN = "within"
 ORDERING = frozenset({"then", "meanwhile"})
 
-NEXT = "next"
 NAMED = frozenset({"DT", "PRP", "PRP$", "NNPS", "EX", "NNS"})
 """Tags of who does something that begins with no bare noun."""
 
@@ -70,7 +71,7 @@ def within_after(requirements: Sequence[TimeRequirement]) -> list[TimeRequiremen
 
     "Then mount the cover within five minutes" counts from what was done before.
     """
-    within = [part for part in requirements if part.preposition == WITHIN and part.anchor is None]
+    within = [part for part in requirements if part.preposition == "within" and part.anchor is None]
     after = [part for part in requirements if _is_after(part)]
     if len(within) != 1 or len(after) != 1:
         return list(requirements)
@@ -92,7 +93,7 @@ def next_one(one: Waiting, part: Part) -> list[Segment]:
     """Give a segment with the "next" in front, where that describes what does it: "next bus leaves"."""
     segment, tree, root = one.segment, part.tree, part.tree.root
     said = one.source.scanned.text[slice(*segment.connective_span)].lower()
-    if said != NEXT or tree.nodes[root].tag != "VBZ":
+    if said != "next" or tree.nodes[root].tag != "VBZ":
         return []
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
     if not subjects or tree.reach(subjects[0])[0] != 0:
@@ -102,3 +103,21 @@ def next_one(one: Waiting, part: Part) -> list[Segment]:
         return []
     span = (segment.connective_span[0], segment.span[1])
     return [replace(segment, span=span, connective="", connective_span=(0, 0))]
+
+
+def order_words(
+    words: Sequence[Word], covered: AbstractSet[int], lexicon: Lexicon
+) -> Iterator[tuple[Span, Order]]:
+    """Give the words behind what is to be done that say where it comes; ``covered`` are those about time."""
+    closed = lexicon.closed
+    orders = set(Order)
+    for place in range(1, len(words)):
+        word = words[place]
+        before = words[place - 1].text
+        named = before in ENDS or before in closed.no_order_before
+        if word.text not in orders or place in covered or named:
+            continue
+        behind = words[place + 1].text if place + 1 < len(words) else ""
+        ends = not behind[:1].isalnum() or place + 1 in covered or behind in lexicon.function_words
+        if ends and behind not in closed.prepositions_of_length:
+            yield (word.start, word.end), Order(word.text)

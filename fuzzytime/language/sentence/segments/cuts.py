@@ -23,8 +23,6 @@ from fuzzytime.language.sentence.verbs.statements.statements import second_state
 CHAIN = re.compile(r",?w(?:,w)*,?&")
 """Words (w), commas and "and" (&) before the last of some verbs that share an object."""
 
-BE = "be"
-
 
 def reminded(one: Waiting, part: Part) -> list[Segment]:
     """Give what is not to be forgotten, where that happens: "don't forget the plumber comes at four"."""
@@ -233,7 +231,7 @@ def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
         # "Wait two minutes, and paint it": the first has a time of its own.
         return []
     before, last = words[verbs[0] - 1 : verbs[0]], words[verbs[-1]]
-    apart = last.text in part.lexicon.needing_nothing and words[places[-1] + 1].text != BE
+    apart = last.text in part.lexicon.needing_nothing and words[places[-1] + 1].text != "be"
     if apart and before and before[0].text in {",", "and"}:
         # "Clean the bath, hoover and get the bins in by six"; but "…, shower, and be downstairs by six"
         return []

@@ -13,7 +13,8 @@ from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, wall_of
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.segments.events.in_between import said_apart
+from fuzzytime.language.sentence.segments.connectives import order_words
+from fuzzytime.language.sentence.segments.events.event_edges import said_apart
 from fuzzytime.language.sentence.segments.events.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.lists.dividers import divided
 from fuzzytime.language.sentence.segments.lists.hours_of_lines import (
@@ -30,7 +31,6 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.lists.runs import run_apart, switched_apart
 from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed
-from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.rounds import parted
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
 from fuzzytime.language.sentence.segments.told.asides import Aside, asides_of, beside_each_other

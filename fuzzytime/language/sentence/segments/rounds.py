@@ -6,12 +6,11 @@ and where there is none, either, where a verb is left out.
 
 from collections.abc import Mapping, Sequence
 
-from fuzzytime.language.sentence.segments.asked_by_name import addressed
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_behind
 from fuzzytime.language.sentence.segments.connectives import next_one
 from fuzzytime.language.sentence.segments.cuts import other_things, pieces_of, reminded
 from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
-from fuzzytime.language.sentence.segments.further.calls import called_first, called_next
+from fuzzytime.language.sentence.segments.further.calls import addressed, called_first, called_next
 from fuzzytime.language.sentence.segments.further.orders_behind_joints import orders_behind_joints
 from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.further.same_doers import done_next

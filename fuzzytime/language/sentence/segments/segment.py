@@ -10,12 +10,14 @@ from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord
 from fuzzytime.language.meaning.joined.distances import LATER
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
-from fuzzytime.language.sentence.segments.events.behind_happenings import (
+from fuzzytime.language.sentence.segments.events.named_events import (
     behind_happening,
     behind_statements,
+    beside,
+    counts_event,
+    heads,
     listed,
 )
-from fuzzytime.language.sentence.segments.events.named_events import beside, counts_event, heads
 from fuzzytime.language.sentence.segments.openings import before_courtesies, behind_opening
 from fuzzytime.language.sentence.segments.taken_back.corrected_things import (
     AFTER_ALL,
@@ -27,8 +29,6 @@ ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 
 JOINED = frozenset({"", "and"})
 """Connectives behind which nothing else says when."""
-
-MEANWHILE = "meanwhile"
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +124,7 @@ def _connective_at(
         # "Do it when you're done": nothing follows.
         return None
     each, name = lexicon.closed.distributives, lexicon.connectives[found]
-    if name == MEANWHILE and words[end].text in each:
+    if name == "meanwhile" and words[end].text in each:
         # "At the same time every evening"
         return None
     if words[place].text in each and not _is_order(words, end, lexicon):

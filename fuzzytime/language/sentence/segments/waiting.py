@@ -6,21 +6,17 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.spans import Scanned
+from fuzzytime.language.grammar.words import is_quoted
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 from fuzzytime.language.meaning.phrases import places_in
-from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.segments.leading_markers import Marker, goes_on_behind, marker_at
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but|or|nor)\b)?[\s,;&]*(\bplease\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
-
-AT = "at"
-"""The preposition of clock times, which holds for the one that corrects them too."""
 
 STATED = frozenset({"when", "if", "while"})
 """Kinds of clauses that say what must be so."""
@@ -78,7 +74,7 @@ class Source:
     def _behind_preposition(self, start: int, end: int) -> int:
         """Give where words begin that are taken back: the "at" in front of them stays."""
         words = {word.start: word for word in self.scanned.words}
-        kept = start in words and end in words and words[start].text == AT != words[end].text
+        kept = start in words and end in words and words[start].text == "at" != words[end].text
         return words[start].end if kept else start
 
     @property
@@ -127,7 +123,7 @@ class Waiting:
         text = self.source.sound[self.segment.span[0] : self.main]
         first = text.partition(" ")[0]
         inverted = first.lower() in self.lexicon.closed.conditional_inversion
-        return IF.ljust(len(first)) + text[len(first) :] if inverted else text
+        return "if".ljust(len(first)) + text[len(first) :] if inverted else text
 
     def markers(self) -> Iterator[Marker]:
         """Give the markers of clauses in front: at its start without a comma, or behind a joint."""

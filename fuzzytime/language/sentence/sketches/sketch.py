@@ -16,13 +16,12 @@ from fuzzytime.language.sentence.sketches.its_times.referred import referred
 from fuzzytime.language.sentence.sketches.its_times.said_of_time import SaidOfTime, said_of_time
 from fuzzytime.language.sentence.sketches.telling import of_which, telling_alone, with_name, with_told
 from fuzzytime.language.sentence.verbs.meant.actions import Action, action_of, says_how_things_are
-from fuzzytime.language.sentence.verbs.meant.remembered import as_remembered
 from fuzzytime.language.sentence.verbs.operations.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.operations.operations import Reader
 from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import due_by_then
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import given_new_time, happening_at, happens
+from fuzzytime.language.sentence.verbs.without_verbs.named_alone import put_there
 from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import chores_at, deed_at, named_moment
-from fuzzytime.language.sentence.verbs.without_verbs.put_there import put_there
 from fuzzytime.requirement import Constraint, Reference
 
 if TYPE_CHECKING:
@@ -267,3 +266,14 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Ac
         verbs = (place for place in verbs if place > action.place)
     found = next(verbs, None) if spends or action.place in timed else None
     return action if found is None else replace(action, place=found)
+
+
+def as_remembered(operation: Operation) -> Operation:
+    """Give what "don't forget" asks for where it names a thing, and no verb: to remember it.
+
+    "Don't forget" alone names nothing to be done.
+    """
+    named = operation.object is not None or operation.place is not None
+    if operation.lemma != "forget" or not operation.negated or operation.stated or not named:
+        return operation
+    return replace(operation, verb="remember", lemma="remember", negated=False)

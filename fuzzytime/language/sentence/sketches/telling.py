@@ -10,7 +10,6 @@ from fuzzytime.language.sentence.segments.told.messages import Message
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.verbs.meant.actions import Action
 
-AS = "as"
 RECIPIENT = "to "
 MARKS = ":, "
 """What may stand in front of what is told."""
@@ -67,7 +66,7 @@ def with_name(part: Part, operation: Operation, action: Action) -> Operation:
     if nodes[action.place].lemma not in lexicon.doing.marking or operation.complement is not None:
         return operation
     for place in range(action.place + 1, len(nodes) - 1):
-        if nodes[place].lower == AS:
+        if nodes[place].lower == "as":
             end = place + 1
             while end < len(nodes) - 1 and nodes[end].lower in lexicon.closed.before_states:
                 end += 1

@@ -20,11 +20,11 @@ from fuzzytime.language.sentence.together.lent.lending import led, repeated, sha
 from fuzzytime.language.sentence.together.none_of_it.after_all import after_all
 from fuzzytime.language.sentence.together.times.again_between import again_between
 from fuzzytime.language.sentence.together.times.at_once import at_once
-from fuzzytime.language.sentence.together.times.both_sides import on_both_sides
 from fuzzytime.language.sentence.together.times.choices_of_repetitions import first_of_choices
 from fuzzytime.language.sentence.together.times.first_offered import first_offered
 from fuzzytime.language.sentence.together.times.first_times import from_first_time
 from fuzzytime.language.sentence.together.times.one_by_one import one_by_one
+from fuzzytime.language.sentence.together.times.pairs import on_both_sides
 from fuzzytime.language.sentence.together.times.said_again import done_again, each_of
 from fuzzytime.language.sentence.together.times.several_times import also_at_events, of_several_times
 from fuzzytime.language.sentence.together.times.turns import counted_apart

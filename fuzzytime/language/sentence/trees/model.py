@@ -18,7 +18,7 @@ from typing import Any
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.quotes import quotes_in
+from fuzzytime.language.grammar.words import quotes_in
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 

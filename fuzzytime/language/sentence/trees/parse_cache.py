@@ -28,7 +28,6 @@ _READING = 0.5
 _WRITING = 5.0
 """Seconds that a lock is waited for."""
 _MOST_KEYS = 500
-_DAMAGED = frozenset({sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT})
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +73,7 @@ class ParseCache:
                     oldest = "SELECT rowid FROM parses ORDER BY rowid LIMIT ?"
                     connection.execute(f"DELETE FROM parses WHERE rowid IN ({oldest})", (count - ROWS,))  # noqa: S608
         except (sqlite3.Error, OSError) as error:
-            if getattr(error, "sqlite_errorcode", None) in _DAMAGED:
+            if getattr(error, "sqlite_errorcode", None) in {sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT}:
                 self._remove()
 
     def _remove(self) -> None:

@@ -14,3 +14,9 @@ IMPERATIVE = frozenset({"VB", "VBP"})
 
 SINGULAR = frozenset({"NN", "NNP"})
 """Tags of nouns that name one."""
+
+NOUNS = frozenset({"NN", "NNS", "NNP"})
+"""Tags of things, and of orders taken for one."""
+
+PAST = frozenset({"VBN", "VBD"})
+"""Tags of what was done; trees mistake one for the other."""

@@ -5,15 +5,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.quotes import is_quoted
+from fuzzytime.language.grammar.words import is_quoted
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.trees.tree import Tree
 
 CLOSING = {">": "<", ")": "(", "]": "["}
 """Marks, and those that they close."""
-
-
-DENYING = "not"
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +121,7 @@ class Wording:
     def _contrasts(self, place: int) -> bool:
         """Whether a "not" denies something else that is named behind it, and no verb or adjective."""
         nodes = self.tree.nodes
-        if nodes[place].lower != DENYING or not 0 < place < len(nodes) - 1:
+        if nodes[place].lower != "not" or not 0 < place < len(nodes) - 1:
             return False
         behind = nodes[place + 1]
         led = nodes[place - 1].text == "," and behind.tag.startswith(("NN", "PRP", "CD", "JJ", "IN", "DT"))

@@ -18,8 +18,6 @@ AGENT = "agent"
 TIMES = ("part", "unit", "weekday", "month", "day")
 """Categories of words that say no place: "on a clear night"."""
 
-WAY = "way"
-
 
 def says_where(word: str, lexicon: Lexicon) -> bool:
     """Say whether a word alone may say where: "upstairs", "backwards"."""
@@ -67,7 +65,7 @@ class Places(Wording):
             words = sorted(self.tree.below(place))
             things = self.tree.children(place, "pobj")
             # "On the way back drop the cheque"
-            where = any(self.tree.nodes[thing].lower != WAY for thing in things)
+            where = any(self.tree.nodes[thing].lower != "way" for thing in things)
             where = where and self.tree.nodes[place].lower in self.lexicon.places
             timely = any(self.lexicon.means(self.tree.nodes[p].lower, *TIMES) or self.timed(p) for p in words)
             led = place == words[0] and all(self.timed(p) for p in range(place))

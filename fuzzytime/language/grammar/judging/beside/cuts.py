@@ -8,7 +8,6 @@ from fuzzytime.language.meaning.expressions import TimeWord, Wall
 LAST_DAY = ["last", "day"]
 """Words for yesterday, which may be those for the end of something."""
 
-HOURLY = "hourly"
 OF_CLOCKS = frozenset({"at", "@"})
 """What stands before a clock time on a day."""
 
@@ -184,7 +183,7 @@ class Cuts(Standing):
 
     def _counts_hourly(self, piece: Piece) -> bool:
         """Whether a number is how many there are each hour: "do four | hourly checks", "take 2 | hourly"."""
-        apart = self.texts[piece.end - 1] == HOURLY and piece.end - piece.start == 2
+        apart = self.texts[piece.end - 1] == "hourly" and piece.end - piece.start == 2
         follower = self.around.follower(piece)
         named = follower.isalpha() and follower not in self.lexicon.function_words
         number = apart and self.texts[piece.start] not in self.closed.articles

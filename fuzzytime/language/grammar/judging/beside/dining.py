@@ -11,10 +11,6 @@ from fuzzytime.language.meaning.expressions import Wall
 BETWEEN = 6
 """Words from what is done at a meal to "for", at most: "meet Sam at the cafe for lunch"."""
 
-FOR = "for"
-
-OVER = "over"
-
 
 class Dining(Around):
     """The meals of a text for which something is done."""
@@ -37,7 +33,7 @@ class Dining(Around):
 
     def is_covered(self, piece: Piece) -> bool:
         """Whether something is put on a meal: "pour the water over the tea"."""
-        over = self.texts[piece.start] == OVER and self.around.is_meal(piece.end - 1)
+        over = self.texts[piece.start] == "over" and self.around.is_meal(piece.end - 1)
         return over and not self.lexicon.doing.covering.isdisjoint(self.texts[: piece.start])
 
     def is_subject(self, piece: Piece) -> bool:
@@ -53,7 +49,7 @@ class Dining(Around):
         return any(part.category == "day_part" and part.end == piece.end for part in said)
 
     def _leads(self, place: int) -> bool:
-        return self.texts[place] == FOR and place + 1 < len(self.texts) and self.around.is_meal(place + 1)
+        return self.texts[place] == "for" and place + 1 < len(self.texts) and self.around.is_meal(place + 1)
 
     def _ends_preposition(self, start: int, led: int) -> bool:
         """Whether "for" is the end of a longer preposition: "in time for dinner"."""

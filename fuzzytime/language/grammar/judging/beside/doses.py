@@ -5,8 +5,6 @@ from fuzzytime.language.grammar.surroundings.surroundings import Around
 BETWEEN = 3
 """Words from a verb to the number that it governs, at most: "give the cat two"."""
 
-AT = "at"
-
 
 class Doses(Around):
     """The numbers of a text that count what is given, taken or used."""

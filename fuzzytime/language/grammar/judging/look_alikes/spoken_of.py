@@ -4,14 +4,9 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.meaning.expressions import Said, Wall
 
-ASKED = "what"
-"""The word that asks for a meaning."""
-
 TOPICAL = frozenset({"about", "of"})
 """Prepositions before what is spoken of."""
 
-SAY, ABOUT, TO = "say", "about", "to"
-CONVERT = "convert"
 
 RECKONED = frozenset({("what", "is"), ("what's",), ("how", "much", "is"), ("how", "long", "is")})
 """Beginnings of questions that a number answers."""
@@ -64,13 +59,13 @@ def _is_topic(piece: Piece, around: Surroundings) -> bool:
         return True
     wall = piece.value.wall if isinstance(piece.value, Said) else Wall()
     clocked, dated = wall.clock is not None, wall.days is not None
-    verbs = kinds.speaking | (kinds.sending if dated and texts[joint] == ABOUT else frozenset())
+    verbs = kinds.speaking | (kinds.sending if dated and texts[joint] == "about" else frozenset())
     first = next((p for p in range(joint - 1, max(-1, joint - FARTHEST - 1), -1) if texts[p] in verbs), None)
-    if first is None or clocked or not (around.opens(first) or texts[first - 1] == TO):
+    if first is None or clocked or not (around.opens(first) or texts[first - 1] == "to"):
         return False
     # "Ring mum tonight about sunday", "talk to Ann about friday"; but "ask Ann to come about friday"
-    parting = around.closed.coordinators | {TO}
-    between = texts[first + 1 + (texts[first + 1] == TO) : joint]
+    parting = around.closed.coordinators | {"to"}
+    between = texts[first + 1 + (texts[first + 1] == "to") : joint]
     return parting.isdisjoint(between) and all(text.isalpha() for text in between)
 
 
@@ -98,21 +93,21 @@ def _is_translated(piece: Piece, around: Surroundings) -> bool:
     # "Find the word for tomorrow" may be when.
     sure = around.texts[joint] == "of" or not around.is_day_from_now(joint + 1)
     led = not around.closed.articles.isdisjoint(around.texts[max(0, joint - 3) : joint - 1])
-    return around.texts[joint] in {"for", "of"} and known and led and (sure or ASKED in around.texts)
+    return around.texts[joint] in {"for", "of"} and known and led and (sure or "what" in around.texts)
 
 
 def _has_meaning(piece: Piece, around: Surroundings) -> bool:
     """Whether its meaning is asked for: "what does noon mean", "explain what tomorrow means"."""
-    asked = ASKED in around.texts[max(0, piece.start - FAR) : piece.start]
+    asked = "what" in around.texts[max(0, piece.start - FAR) : piece.start]
     return asked and around.follower(piece) in around.lexicon.no_times.meaning
 
 
 def _is_said_how(piece: Piece, around: Surroundings) -> bool:
     """Whether it is how something is said, or rhymes: "how do you say noon", "what rhymes with june"."""
     # "Say" may be a hedge, and "with" bind it.
-    inner = around.texts[piece.start] in {"with", SAY}
+    inner = around.texts[piece.start] in {"with", "say"}
     *_, before, last = ("", "", *around.texts[: piece.start + inner])
-    how = last == SAY and before in {"you", "to", "i", "we", "they"}
+    how = last == "say" and before in {"you", "to", "i", "we", "they"}
     asked = "how" in around.texts[max(0, piece.start - FAR) : piece.start]
     return (how and asked) or before in around.lexicon.no_times.rhyming
 
@@ -145,4 +140,4 @@ def is_converted(place: int, around: Surroundings) -> bool:
     """Whether a unit at a place is one of two: "convert 3 hours to minutes", "what is 1 hour in seconds"."""
     before = around.texts[place - 1] if place else ""
     asked = any(tuple(around.texts[: len(form)]) == form for form in RECKONED)
-    return CONVERT in around.texts[:place] or (asked and before == "in")
+    return "convert" in around.texts[:place] or (asked and before == "in")

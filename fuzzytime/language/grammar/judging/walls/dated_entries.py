@@ -21,8 +21,6 @@ STOPS = frozenset({",", ".", "!"})
 HEADS = frozenset({":", "-"})
 """Marks behind a date in front of an entry."""
 
-SLASH = "/"
-
 FEW = 5
 """Up to here an ordinal with a mark behind it counts steps: "2nd: rinse"."""
 
@@ -44,7 +42,7 @@ def dates_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -
         return False
     if not words[start + (words[start].text == "the")].is_digits:
         return False
-    typed = any(word.text == SLASH for word in words[start:end])
+    typed = any(word.text == "/" for word in words[start:end])
     numbers = [int(word.text) for word in words[start:end] if word.is_digits]
     if not typed and (words[end - 1].text not in lexicon.beside.ordinal_endings or numbers[0] <= FEW):
         return False

@@ -3,9 +3,8 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.judging.walls.bare_hours import BareHours
-from fuzzytime.language.grammar.judging.walls.counts import Counts
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS, LINE_STARTS
-from fuzzytime.language.grammar.judging.walls.naming import Naming
+from fuzzytime.language.grammar.judging.walls.naming import Counts, Naming
 from fuzzytime.language.grammar.judging.walls.weak_walls import WeakWalls
 from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import THING, Surroundings
@@ -27,9 +26,6 @@ BOUND = 2
 
 LEADING = frozenset({"to", "on", "at", "by"})
 """Prepositions of a place, or of a verb, that stand before a noun, too: "to christmas island"."""
-
-ONE = "one"
-"""What stands for a thing behind a word for which: "a new one"."""
 
 
 class Walls(Standing):
@@ -94,7 +90,7 @@ class Walls(Standing):
 
     def _is_one(self, piece: Piece, wall: Wall) -> bool:
         """Whether it begins with one of some things, and a day: "order a new one | fri"."""
-        if not piece.start or wall.days is None or wall.clock is None or self.texts[piece.start] != ONE:
+        if not piece.start or wall.days is None or wall.clock is None or self.texts[piece.start] != "one":
             return False
         hour = (
             self.measures.is_number(piece.start + 1) or self.texts[piece.start + 1] in self.beside.of_clocks

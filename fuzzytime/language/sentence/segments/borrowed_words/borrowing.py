@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.borrowed_words.frames import (
-    DONE,
     acts_too,
     is_asked_too,
     is_done_too,
@@ -19,11 +18,10 @@ from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import S
 from fuzzytime.language.sentence.segments.borrowed_words.other_things import is_done_elsewhere, is_given_too
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
+from fuzzytime.language.sentence.trees.tags import PAST
 from fuzzytime.language.sentence.trees.tree import Tree
 
 JOINTS = frozenset({"and", "&", ",", ";", "but"})
-
-THEN = "then"
 
 Kind = Callable[[Wish], list[Stretch] | None]
 
@@ -93,7 +91,7 @@ def wishes_behind(source: Source, parts: Mapping[int, Part]) -> Iterator[Part]:
 
 def _joins(said: str) -> bool:
     """Whether what stands between two parts lets the second be as the first is: ", and then"."""
-    return bool(said.strip()) and ENDS.isdisjoint(said) and JOINTS.union({THEN}).issuperset(said.split())
+    return bool(said.strip()) and ENDS.isdisjoint(said) and JOINTS.union({"then"}).issuperset(said.split())
 
 
 def _behind(source: Source, ordered: Part, part: Part) -> tuple[Borrowed, ...] | None:
@@ -119,7 +117,7 @@ def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[tuple[int, Sequence
             continue
         while before and tree.nodes[before].lower in JOINTS:
             before -= 1
-        if before in timed or tree.nodes[before].tag in DONE:
+        if before in timed or tree.nodes[before].tag in PAST:
             yield place, KINDS if before in timed else DONE_TOO
 
 

@@ -11,12 +11,9 @@ from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import (
     front_of,
 )
 from fuzzytime.language.sentence.trees.named import takes_verb
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, PAST, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
-
-DONE = frozenset({"VBN", "VBD"})
-"""Tags of what is done with something; trees mistake one for the other."""
 
 NUMBERED = 2
 """Words of "robot 2"."""
@@ -29,7 +26,7 @@ def is_done_too(wish: Wish) -> list[Stretch] | None:
     if action is None or action.negated:
         return None
     # "I want the car washed": a tree may have that for what was.
-    done = (p for p in tree.children(action.place, "ccomp") if tree.nodes[p].tag in DONE)
+    done = (p for p in tree.children(action.place, "ccomp") if tree.nodes[p].tag in PAST)
     verb = next(done, action.place)
     subject = _subject(tree, verb)
     if subject is None or verb >= wish.start:
@@ -67,12 +64,12 @@ def _subject(tree: Tree, verb: int) -> tuple[int, int] | None:
 def _predicate(wish: Wish, verb: int) -> int | None:
     """Give where it is said what is to be done with it; where the time begins if that is said once."""
     nodes, tag = wish.tree.nodes, wish.tree.nodes[verb].tag
-    if tag in DONE and wish.end < len(nodes) and wish.names(wish.start, wish.end):
+    if tag in PAST and wish.end < len(nodes) and wish.names(wish.start, wish.end):
         return wish.end
-    fitting = DONE if tag in DONE else {tag} if tag == "VBG" else frozenset()
+    fitting = PAST if tag in PAST else {tag} if tag == "VBG" else frozenset()
     found = next((p for p in range(wish.start + 1, wish.end) if nodes[p].tag in fitting), None)
     last = wish.end - 1
-    if found is None and (tag in DONE or nodes[verb].lemma == "be"):
+    if found is None and (tag in PAST or nodes[verb].lemma == "be"):
         # "The grill must be lit by five and the meat on by six"
         found = last if nodes[last].lower in wish.lexicon.particles else None
     if found is None or not wish.names(wish.start, found):
@@ -140,11 +137,11 @@ def lets_too(wish: Wish) -> list[Stretch] | None:
     first = next((p for p, node in enumerate(tree.nodes) if p not in wish.timed and node.may_act), None)
     if first is None or tree.nodes[first].lemma not in lexicon.letting | lexicon.causing:
         return None
-    verbs = (p for p in range(first + 2, wish.start) if tree.nodes[p].tag in {"VB", *DONE})
+    verbs = (p for p in range(first + 2, wish.start) if tree.nodes[p].tag in {"VB", *PAST})
     verb = next(verbs, None)
     if verb is None or not wish.names(first + 1, verb) or wish.timed & {*range(first, verb)}:
         return None
-    if tree.nodes[verb].tag in DONE:
+    if tree.nodes[verb].tag in PAST:
         # "Have the hall swept by three and the bins emptied by four"
         return (
             [(wish.start, front_of(wish, first + 1))]

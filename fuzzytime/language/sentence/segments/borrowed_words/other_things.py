@@ -10,8 +10,6 @@ from fuzzytime.language.sentence.trees.named import is_of_its_own
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree
 
-NOUNS = "NN"
-
 LEADING = frozenset({"TO", "PRP", "MD", "CC", "UH", "RB"})
 """Tags of words that an order may stand behind: "can you", "to", "please"."""
 
@@ -86,7 +84,7 @@ def _acting(wish: Wish) -> range | None:
         verb = range(place, place + 1 + carried)
         thing = nodes[verb.stop]
         somebody = openers | lexicon.people
-        if verb.stop in wish.timed or not (thing.lower in somebody or thing.tag.startswith(NOUNS)):
+        if verb.stop in wish.timed or not (thing.lower in somebody or thing.tag.startswith("NN")):
             continue
         asked = lexicon.addressing - lexicon.doing.recalling
         asks = any(
@@ -111,7 +109,7 @@ def _others(wish: Wish, here: int, end: int, first: int) -> int:
     numbered = all(nodes[p + 1].tag == "CD" for p in (here, first) if p + 1 < len(nodes))
     acts = node.may_act and not numbered
     acts = acts or node.lower in lexicon.addressing | lexicon.closed.negative_pronouns
-    bare = not acts and node.tag.startswith(NOUNS) and nodes[first].lower not in openers
+    bare = not acts and node.tag.startswith("NN") and nodes[first].lower not in openers
     if not (somebody or called or bare):
         return 0
     ends = (p for p in range(here + 1, end) if not wish.names(p, p + 1) or nodes[p].lower in openers)

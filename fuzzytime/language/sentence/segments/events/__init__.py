@@ -1,4 +1,4 @@
-"""What goes on beside what is to be done: ``named_events``, ``event_edges``, what is ``in_between``.
+"""What goes on beside what is to be done: ``named_events``, ``event_edges``.
 
-Several of one kind with a time each are ``instances``; where orders begin ``behind_happenings``.
+Several of one kind with a time each are ``instances``.
 """

@@ -17,7 +17,6 @@ MARKS = frozenset({",", ":", "-", "–", "—", ";", "("})
 
 ONE = ("one",)
 TWO = 2
-TWICE = "twice"
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +81,7 @@ def _marked(scanned: Scanned) -> Instances:
         counting.append((before.start if marked else words[place].start, words[behind - 1].end))
     if len(starts) == TWO:
         # "Walk the dog twice, once at eight and once at four"
-        counting += [(w.start, w.end) for w in words if w.text == TWICE and w.end <= counting[0][0]]
+        counting += [(w.start, w.end) for w in words if w.text == "twice" and w.end <= counting[0][0]]
     number = next(_counts(words, counting, lexicon), None) if len(starts) > 1 else None
     if number is not None and lexicon.numbers.get(number.text, number.text) in {
         len(starts),

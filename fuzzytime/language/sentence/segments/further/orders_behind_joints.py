@@ -21,8 +21,6 @@ from fuzzytime.language.sentence.verbs.meant.actions import action_of
 LEAST = 3
 """Words of an order with its thing and a joint behind them, at least."""
 
-NOUN = "NN"
-
 
 @dataclass(frozen=True, slots=True)
 class _Try:
@@ -113,7 +111,7 @@ def _may_act_on(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     opens = behind.tag in DETERMINERS or behind.lower in tree.lexicon.closed.indefinite_determiners
     carried = node.lower in tree.lexicon.particles.get(behind.lower, ()) and third in DETERMINERS
     # "Discharge bed four"
-    counted = behind.tag == NOUN and third == "CD"
+    counted = behind.tag == "NN" and third == "CD"
     return node.text.isalpha() and node.tag not in DETERMINERS and (opens or carried or counted)
 
 

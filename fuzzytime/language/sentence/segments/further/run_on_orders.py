@@ -21,9 +21,7 @@ from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
 LEAST = 2
 """Words of an order that another may stand behind, at least."""
 
-COMMA = ","
 APOSTROPHES = frozenset({"'", "’"})
-NOUNS = "NN"
 
 OBJECTS = ("dobj", "prt", "dative", "npadvmod", "prep", "advmod")
 """What an order governs that is whole."""
@@ -94,7 +92,7 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     source, end, timed = one.source, one.segment.span[1], one.timed(tree)
     tells = not tree.nodes[0].may_act
     for here in range(LEAST, len(tree.nodes) - 1):
-        behind_time = (here - 2 if tree.nodes[here - 1].text == COMMA else here - 1) in timed
+        behind_time = (here - 2 if tree.nodes[here - 1].text == "," else here - 1) in timed
         apart = behind_time or _is_parted(tree, here)
         told = not tells and apart and here not in timed and _may_tell(tree, here)
         if here in timed or not (told or _may_begin(tree, here, timed)):
@@ -132,7 +130,7 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
         # "Walk him round the block", "put it back the way it was"
         return False
     if _is_listed(tree, place, timed):
-        return behind.tag.startswith(NOUNS) and not tree.children(place, "aux", "mark")
+        return behind.tag.startswith("NN") and not tree.children(place, "aux", "mark")
     joints = (
         lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}
     ) - lexicon.beside.contrary
@@ -150,7 +148,7 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     led = behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns
     if place - 1 in timed:
         # "The fair is on friday book two tickets", "… at six order pizza", "… at six lock up"
-        named = node.lower in lexicon.orders - lexicon.persons and behind.tag.startswith(NOUNS)
+        named = node.lower in lexicon.orders - lexicon.persons and behind.tag.startswith("NN")
         bare = is_bare_order(tree, place, timed) or _is_carried(tree, place, timed)
         led = led or behind.tag == "CD" or named or bare
     further = tree.nodes[place + 2 : place + 3]
@@ -218,9 +216,9 @@ def _has_object(tree: Tree) -> bool:
 
 def _is_listed(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether a word begins a stretch with its time behind another: "feed fish at 8, | walk dog at 9"."""
-    if place < LEAST or tree.nodes[place - 1].text != COMMA or place - LEAST not in timed:
+    if place < LEAST or tree.nodes[place - 1].text != "," or place - LEAST not in timed:
         return False
-    behind = (at for at in range(place, len(tree.nodes)) if tree.nodes[at].text == COMMA)
+    behind = (at for at in range(place, len(tree.nodes)) if tree.nodes[at].text == ",")
     return next(behind, len(tree.nodes)) - 1 in timed
 
 

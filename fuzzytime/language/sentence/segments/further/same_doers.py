@@ -12,8 +12,6 @@ from fuzzytime.language.sentence.verbs.statements.called import worker_doing
 JOINTS = frozenset({"", ",", "and", ", and", "&"})
 """What stands between what one does first and next, beside "then"."""
 
-THEN = "then"
-
 
 def done_next(source: Source, parts: Mapping[int, Part]) -> Iterator[Part]:
     """Give the parts, by where they begin, that say what the one of the part before does next.
@@ -61,7 +59,7 @@ def _goes_on(source: Source, before: Part, part: Part) -> bool:
     """Whether a part begins with a verb that only one can do, in the sentence of the part before."""
     text, first = source.scanned.text, part.segment.span[0]
     between = text[before.segment.span[1] : first].lower()
-    then = part.segment.connective == THEN and not ENDS & set(between)
+    then = part.segment.connective == "then" and not ENDS & set(between)
     joint = between.strip()
     if part.offset != first or not (then or joint in JOINTS):
         return False

@@ -22,8 +22,6 @@ SHORTEST_GAP = 2
 THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH", "CD"})
 """Tags of words that name a thing, or what is called out: "goodbye"."""
 
-MORE = "more"
-
 NAMES = frozenset({"NN", "NNS", "NNP", "NNPS"})
 """Tags of what names something, where a sentence has no verb."""
 
@@ -209,5 +207,5 @@ def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:
     plural = node.tag == "VBZ" and not part.tree.children(place, *SUBJECTS)
     ordered = plural and not part.tree.children(part.tree.root, *SUBJECTS)
     # "Two more"
-    more = node.lower == MORE and place > 0 and part.tree.nodes[place - 1].tag == "CD"
+    more = node.lower == "more" and place > 0 and part.tree.nodes[place - 1].tag == "CD"
     return node.tag in THINGS or node.lower in things or ordered or more

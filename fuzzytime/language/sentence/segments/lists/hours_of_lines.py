@@ -32,8 +32,6 @@ LEADING = re.compile(r"\s*(?:2[0-3]|[01]?\d)(\.)[0-5]\d(?=\s+(?:[-–—]\s+)?[^
 ALONE = re.compile(r"\s*(?P<hour>1[0-2]|[1-9])\s+(?P<dash>[-–—]\s+)?(?=[^\W\d])")
 """A number alone in front of a line."""
 
-IN = "in"
-
 PLACED = 3
 """Words of a thing that is in some place at least: "joint in the oven"."""
 
@@ -224,8 +222,8 @@ def _has_state(before: Sequence[Word], lexicon: Lexicon) -> bool:
     thing, state = before[-2:] if len(before) > 1 else (before[-1], before[-1])
     there = state.text in lexicon.beside.states - lexicon.closed.prepositions_of_points
     first = _entry_of(before)[-1:]
-    ordered = any(word.text in lexicon.orders - lexicon.particles[IN] for word in first)
-    from_now = state.text == IN and (ordered or thing.text in lexicon.beside.states)
+    ordered = any(word.text in lexicon.orders - lexicon.particles["in"] for word in first)
+    from_now = state.text == "in" and (ordered or thing.text in lexicon.beside.states)
     named = thing.is_letters and thing.text not in lexicon.function_words
     return there and (named or thing.text in SEPARATORS) and not from_now
 

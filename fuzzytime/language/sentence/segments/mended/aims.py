@@ -8,8 +8,6 @@ from collections.abc import Set as AbstractSet
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
-TO = "to"
-
 
 def with_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give a tree in which the aim right behind a thing is said of it, or is what that is set to."""
@@ -18,7 +16,7 @@ def with_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:
     for thing in tree.children(root, "dobj"):
         to = max((p for p in tree.below(thing)), default=thing) + 1
         aim = to + 1
-        if aim >= len(tree.nodes) or tree.nodes[to].lower != TO or tree.nodes[to].head != aim:
+        if aim >= len(tree.nodes) or tree.nodes[to].lower != "to" or tree.nodes[to].head != aim:
             continue
         if tree.nodes[aim].head != root or tree.nodes[aim].relation not in {"advcl", "xcomp"}:
             continue

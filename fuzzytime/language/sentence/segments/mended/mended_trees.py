@@ -5,13 +5,11 @@ from fuzzytime.language.sentence.segments.mended.mended_verbs import (
     with_thing_done,
     with_verb,
 )
+from fuzzytime.language.sentence.trees.tags import NOUNS
 from fuzzytime.language.sentence.trees.tree import Tree
 
 LEAST_DONE = 3
 """Words of "do ward 7"."""
-
-NOUNS = frozenset({"NN", "NNS", "NNP"})
-"""Tags of things that are listed."""
 
 NTH = 3
 """Words before the thing in "prune the second rose"."""

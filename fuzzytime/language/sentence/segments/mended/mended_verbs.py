@@ -1,7 +1,7 @@
 """Orders whose tree takes another word for their verb, given it: "feed grandpa", "press start"."""
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, NOUNS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 LEAST_DONE = 3
@@ -10,13 +10,8 @@ LEAST_DONE = 3
 LET = 2
 """Words of "press start"."""
 
-THAT = "that"
-
 OF_VERBS = frozenset({"dobj", "prep", "npadvmod", "advmod", "prt", "tmod"})
 """Relations of words to the verb in front of them."""
-
-NOUNS = frozenset({"NN", "NNS", "NNP"})
-"""Tags of things, and of orders taken for one."""
 
 
 def with_verb(tree: Tree) -> Tree | None:
@@ -110,7 +105,7 @@ def _has_done(tree: Tree) -> Tree | None:
 def _does_that(tree: Tree) -> Tree | None:
     """Give "check that oven at six" its thing, which a tree takes for where, or for what that does."""
     lexicon = tree.lexicon
-    if tree.root not in {0, LET} or len(tree.nodes) <= LET or tree.nodes[1].lower != THAT:
+    if tree.root not in {0, LET} or len(tree.nodes) <= LET or tree.nodes[1].lower != "that":
         return None
     verb, that, thing = tree.nodes[: LET + 1]
     taken = that.relation in {"dobj", "nsubj", "mark", "det"} and thing.relation != "dobj"

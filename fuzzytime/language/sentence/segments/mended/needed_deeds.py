@@ -9,8 +9,6 @@ from fuzzytime.english import PARTICIPLE
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tree import Tree
 
-NOUNS = "NN"
-
 OF_THINGS = frozenset({"det", "poss", "amod", "compound", "nummod"})
 """Relations of the words before a thing that are said of it."""
 
@@ -33,13 +31,13 @@ def _needs_deed(tree: Tree, need: int, timed: AbstractSet[int]) -> bool:
         node for place, node in enumerate(tree.nodes[need + 2 : need + 3], need + 2) if place not in timed
     ]
     # "The oven needs cleaning": a tree may have several needs there, that are like an oven.
-    called = thing.tag.startswith(NOUNS) or (thing.relation == "amod" and thing.head == need)
+    called = thing.tag.startswith("NN") or (thing.relation == "amod" and thing.head == need)
     called = called or thing.lower in tree.lexicon.closed.universal_pronouns | {"it", "they"}
     needs = word.lower.removesuffix("s") in tree.lexicon.doing.needing and not tree.children(
         need, "neg", "aux"
     )
     done = deed.lower.endswith(PARTICIPLE) and need + 1 not in timed
-    return called and needs and done and not any(node.tag.startswith((NOUNS, "DT", "PRP")) for node in behind)
+    return called and needs and done and not any(node.tag.startswith(("NN", "DT", "PRP")) for node in behind)
 
 
 def _mended(tree: Tree, need: int) -> Tree:

@@ -12,10 +12,6 @@ from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
 LEAST = 3
 """Words of "in a bowl", before what is done there."""
 
-NOUNS = "NN"
-
-COMMA = ","
-
 
 @dataclass(frozen=True, slots=True)
 class _Try:
@@ -67,7 +63,7 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
             return
         if here == root and node.may_act and is_bare(node, tree.lexicon):
             return
-        led = before.text == COMMA or (before.tag.startswith(NOUNS) and not before.lower.endswith(PARTICIPLE))
+        led = before.text == "," or (before.tag.startswith("NN") and not before.lower.endswith(PARTICIPLE))
         if led and may_be_done(tree, here) and nodes[here + 1].lower != "of":
             front, order = tree.text[nodes[first].start : before.end], tree.text[node.start :]
             yield _Try(place, front.rstrip(" ,"), order)

@@ -18,7 +18,6 @@ LONGEST = 4
 """Words of a thing at most: "the old red van"."""
 
 BEGINS = frozenset({".", ";", "!", ",", "-", "…", "\n"})
-ENDS = frozenset({*BEGINS, "?"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,5 +104,5 @@ def retractions(words: Sequence[Word], lexicon: Lexicon, corrected: Sequence[Spa
         found = longest_match(words, place, forms) if words[place - 1].text in BEGINS else None
         end = place + len(found or ())
         mends = any(first <= words[place].start < last for first, last in corrected)
-        if found is not None and not mends and (end == len(words) or words[end].text in ENDS):
+        if found is not None and not mends and (end == len(words) or words[end].text in {*BEGINS, "?"}):
             yield range(place, end)

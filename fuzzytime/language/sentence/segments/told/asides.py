@@ -14,8 +14,6 @@ from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 
 OPENING = frozenset({",", "(", "-"})
-BRACKET = "("
-ENDING = frozenset({".", "!"})
 PURPOSE = 3
 """Words at most of what a length is for: "to cool down"."""
 
@@ -60,10 +58,10 @@ def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
     place -= 1
     while place > 0 and words[place].text in told["helping"]:
         place -= 1
-    bracketed = words[place].text == BRACKET or words[place - 1].text in {BRACKET, "-"}
+    bracketed = words[place].text == "(" or words[place - 1].text in {"(", "-"}
     behind = (
         phrase.end == len(words)
-        or words[phrase.end].text in ENDING
+        or words[phrase.end].text in {".", "!"}
         or _becomes(words, phrase, scanned.lexicon)
     )
     if words[place].text in told["naming"] or (words[place].text in told["back"] and (bracketed or behind)):
@@ -73,7 +71,7 @@ def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
     known = told["naming"] | told["helping"] | told["back"]
     # "Handover at 7, takes a quarter of an hour"
     known |= {word for word in told["taking"] if word.endswith("s")}
-    if words[place].text != BRACKET and words[place + 1].text not in known:
+    if words[place].text != "(" and words[place + 1].text not in known:
         # "Wash up, need 20 minutes"
         return None
     end = _end(scanned, phrase)

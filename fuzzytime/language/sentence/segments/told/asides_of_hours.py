@@ -11,7 +11,7 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.segments.told.asides import BRACKET, OPENING, Aside
+from fuzzytime.language.sentence.segments.told.asides import OPENING, Aside
 from fuzzytime.requirement import MOMENTS, Constraint
 
 HOURS = "hours"
@@ -19,8 +19,6 @@ HOURS = "hours"
 
 NAME = 4
 """Words at most for what opens or closes: "the main post office"."""
-
-AS = "as"
 
 
 def asides_of_hours(scanned: Scanned) -> tuple[Aside, ...]:
@@ -50,7 +48,7 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
     opening, named = _opening(words, verb, lexicon)
     if opening is None or not any(word.is_letters for word in _sentence_before(words, opening)):
         return None
-    bracketed = words[opening].text == BRACKET and words[behind : behind + 1] and words[behind].text == ")"
+    bracketed = words[opening].text == "(" and words[behind : behind + 1] and words[behind].text == ")"
     closing = words[verb].text in doing.closing_up | doing.closing_there
     told = bounding(phrase, closing=closing)
     told = replace(told, first=named, span=(words[named].start, phrase.span[1]), rule=HOURS)
@@ -74,9 +72,9 @@ def _opening(words: Sequence[Word], verb: int, lexicon: Lexicon) -> tuple[int | 
     if mark in reasons:
         marked = place > 0 and words[place - 1].text in OPENING
         # "Lock the drawer as the shop closes at six" may say when.
-        return (place - 1 if marked else None if mark == AS else place), place + 1
+        return (place - 1 if marked else None if mark == "as" else place), place + 1
     alone = not subject or subject[0] in lexicon.asides["naming"]
-    told = mark == BRACKET or (mark in OPENING and alone and not several)
+    told = mark == "(" or (mark in OPENING and alone and not several)
     return place if told else None, place + 1
 
 

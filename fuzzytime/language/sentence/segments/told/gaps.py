@@ -11,7 +11,6 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span, blanked
 from fuzzytime.language.meaning.expressions import Duration
 
-BETWEEN = "between"
 OWNING = frozenset({"'s", "’s", "'", "’"})
 
 APART, EACH_ONE = "apart", "each"
@@ -21,7 +20,7 @@ APART, EACH_ONE = "apart", "each"
 def with_gaps(scanned: Scanned) -> str:
     """Give a text of the same length in which gaps are so long "apart", and turns so long "each"."""
     text = scanned.text
-    if not {BETWEEN, *scanned.lexicon.closed.rates}.isdisjoint(word.text for word in scanned.words):
+    if not {"between", *scanned.lexicon.closed.rates}.isdisjoint(word.text for word in scanned.words):
         for before, (first, end), said in _gaps(scanned):
             text = text[:first] + said.rjust(end - first) + text[end:]
             text = blanked(text, [before])
@@ -41,7 +40,7 @@ def _gaps(scanned: Scanned) -> Iterator[tuple[Span, Span, str]]:
         if place >= len(words):
             continue
         first = words[piece.end].start
-        if words[place].text == BETWEEN:
+        if words[place].text == "between":
             end, led = _end(words, place + 1, lexicon), _led(words, piece.start, lexicon)
             if end is not None and led is not None:
                 yield (words[led].start, words[piece.start].start), (first, words[end - 1].end), APART

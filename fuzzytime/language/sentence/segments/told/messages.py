@@ -8,17 +8,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.words import Word, is_quoted
 from fuzzytime.language.instruction import Remark, Span, overlap
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.segments.told.told_clauses import THAT, is_said, told_from
+from fuzzytime.language.sentence.segments.told.told_clauses import is_said, told_from
 from fuzzytime.language.sentence.segments.waiting import JOINT
 
-KNOW = "know"
 SAYING = (("saying",), ("that", "says"), ("which", "says"), ("to", "say"))
 
 FARTHEST = 5
@@ -147,7 +145,7 @@ def _known_from(source: _Source, place: int) -> int | None:
     """Give where that begins which somebody is let know: "let grandma know we'll be there by noon"."""
     words = source.words
     known = next(
-        (p for p in range(place + 2, min(place + FARTHEST, len(words) - 1)) if words[p].text == KNOW), None
+        (p for p in range(place + 2, min(place + FARTHEST, len(words) - 1)) if words[p].text == "know"), None
     )
     if known is None:
         return None
@@ -167,7 +165,7 @@ def _noted_from(source: _Source, place: int) -> int | None:
     words, closed = source.words, source.lexicon.closed
     form = longest_match(words, place, (tuple(form.split()) for form in source.lexicon.doing.noting))
     that = place + len(form or ())
-    if form is None or that + 2 >= len(words) or words[that].text != THAT:
+    if form is None or that + 2 >= len(words) or words[that].text != "that":
         return None
     told = words[that + 1].text in closed.first_person
     obliged = words[that + 2].text in closed.verbs_of_obligation | closed.told_auxiliaries | closed.future
@@ -196,7 +194,7 @@ def _says_in_letter(source: _Source, place: int) -> bool:
     article, letter = (words[p].text if p >= 0 else "" for p in (place - 2, place - 1))
     if letter not in source.lexicon.doing.letters or article not in closed.singular_determiners:
         return False
-    first = place + (words[place].text == THAT)
+    first = place + (words[place].text == "that")
     told = words[first].text.partition("'")[0] in closed.first_person
     return told and ("'" in words[first].text or (first > place and is_said(words, first, source.lexicon)))
 
@@ -205,7 +203,7 @@ def _replied_from(source: _Source, place: int) -> int | None:
     """Give where that begins which is said to somebody: "reply to kate that i can't come on friday"."""
     words = source.words
     whom = place + 1 + (words[place + 1 : place + 2] != () and words[place + 1].text == "to")
-    if whom < len(words) and words[whom].text == THAT:
+    if whom < len(words) and words[whom].text == "that":
         return whom if is_said(words, whom + 1, source.lexicon) else None
     return told_from(words, whom, source.ends, source.covered, source.lexicon)
 

@@ -13,8 +13,6 @@ from fuzzytime.requirement import Constraint
 TOLD = frozenset({"VBZ", "VBP", "VBD", "MD"})
 """Tags of what is so."""
 
-IT = "it"
-
 LEAST = 3
 """Words of "lunch is at one", at least, before its time."""
 
@@ -30,7 +28,7 @@ def without_threats(scanned: Scanned) -> str:
     words, text, closed = scanned.words, scanned.text, scanned.lexicon.closed
     for place in range(1, len(words) - 1):
         joint, subject = words[place], SUBJECT.match(words[place + 1].text)
-        told = subject is not None and subject[0] in closed.personal_pronouns | {IT}
+        told = subject is not None and subject[0] in closed.personal_pronouns | {"it"}
         offers = not closed.tentative_modals.isdisjoint(word.text for word in words[place + 2 : place + 3])
         if joint.text not in closed.alternatives or not told or offers:
             continue

@@ -10,8 +10,6 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.segments.segment import ENDS
 
-THAT = "that"
-
 LONGEST_NAME = 3
 """Words of who is told, at most: "my big sister", "mum and dad"."""
 
@@ -45,7 +43,7 @@ def told_from(
         if known and words[end].text == "," and _opens(words, end + 1, covered, lexicon, sure=True):
             return end
         behind = times.get(end, end)
-        that = known and behind < len(words) and words[behind].text == THAT
+        that = known and behind < len(words) and words[behind].text == "that"
         if that and is_said(words, behind + 1, lexicon):
             # "Text mike at six that i'm late"; but "email the file that we signed"
             return behind

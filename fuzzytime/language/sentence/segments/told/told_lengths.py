@@ -15,8 +15,6 @@ from fuzzytime.requirement import Constraint, Unit
 PARTS = frozenset({"part", "meal"})
 """Categories of parts of the day, some of which are places too."""
 
-AND, THEN = "and", "then"
-"""Words before what is done next."""
 
 OWNING = frozenset({"'s", "'"})
 """What makes a length that of what is behind it: "an hour's drive", "40 minutes' drive"."""
@@ -80,7 +78,7 @@ class _Telling:
         """
         if " ".join(self._said(before)) not in self.told["leaving"]:
             return False
-        return joint == AND or THEN in before or length.seconds >= UNIT_SECONDS[Unit.DAY]
+        return joint == "and" or "then" in before or length.seconds >= UNIT_SECONDS[Unit.DAY]
 
     def _said(self, before: Sequence[str]) -> list[str]:
         """Give the words before a length that say what it is of."""

@@ -13,8 +13,6 @@ from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Edge, TimeRequirement
 
-AT = "at"
-NEXT = "next"
 LONGEST = 4
 """Words of the name of an event at most: "the first tea break"."""
 
@@ -29,8 +27,8 @@ def at_events(
         return found, remarks
     for span, is_moment in events_in(sketch, words):
         said = text[slice(*span)]
-        name = said[len(AT) :].strip()
-        clause = Clause("while", AT, span, span, object=name, is_event=True, edge=Edge.START)
+        name = said.removeprefix("at").strip()
+        clause = Clause("while", "at", span, span, object=name, is_event=True, edge=Edge.START)
         target = anchors.target_of(clause)
         operation = None if target is None else anchors.operation_at(target)
         happens = operation is not None and operation.stated
@@ -54,7 +52,7 @@ def events_in(sketch: Sketch, words: Sequence[Word]) -> Iterator[tuple[Span, boo
     places = [place for place, word in enumerate(words) if first <= word.start < end]
     for place in places:
         behind = [p for p in places if place < p <= place + LONGEST]
-        if words[place].text != AT or any(overlap(_span(words, place), span) for span in sketch.heard):
+        if words[place].text != "at" or any(overlap(_span(words, place), span) for span in sketch.heard):
             continue
         for last in behind:
             texts = [words[p].text for p in range(place + 1, last + 1)]
@@ -62,7 +60,7 @@ def events_in(sketch: Sketch, words: Sequence[Word]) -> Iterator[tuple[Span, boo
             happens = texts[-1] in lexicon.happening | lexicon.taken | lexicon.events
             # "Change the oil at the next service"
             moment = any(tuple(texts[-len(form) :]) == form for form in lexicon.moments)
-            moment = moment or (happens and texts[-2:-1] == [NEXT])
+            moment = moment or (happens and texts[-2:-1] == ["next"])
             if over and (moment or happens):
                 yield (words[place].start, words[last].end), moment
                 break

@@ -16,7 +16,6 @@ from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 
-BETWEEN = "between"
 SEVERAL = 2
 LONGEST = 4
 """Words of the name of what is between which something is done, at most: "the second shift's breaks"."""
@@ -49,7 +48,7 @@ def _between(
     first, end = sketch.part.segment.span
     words = [word for word in draft.scanned.words if first <= word.start < end]
     for place, word in enumerate(words):
-        if word.text == BETWEEN and not any(overlap((word.start, word.end), span) for span in sketch.heard):
+        if word.text == "between" and not any(overlap((word.start, word.end), span) for span in sketch.heard):
             # "Between patients wash your hands"
             behind = [one for one in words[place + 1 :] if not word.start < operation.span[0] <= one.start]
             name = _several(behind, anchors)
@@ -72,7 +71,7 @@ def _several(words: list[Word], anchors: Anchors) -> list[Word]:
 
 def _turns(name: str, anchors: Anchors) -> tuple[int, ...]:
     """Give the instructions that a noun means, where they are several or one is repeated."""
-    targets = every_one(Clause(BETWEEN, BETWEEN, (0, 0), (0, 0), object=name, is_event=True), anchors)
+    targets = every_one(Clause("between", "between", (0, 0), (0, 0), object=name, is_event=True), anchors)
     asked = {
         one.lemma for place in targets if (one := anchors.operation_at(place)) is not None and one.is_asked
     }
@@ -98,5 +97,5 @@ def _counted(
     said: str, span: Span, name: str, targets: tuple[int, ...], constraint: Constraint
 ) -> TimeRequirement:
     anchor = Anchor(text=name, object=name, target=targets[0], each=targets)
-    word = BETWEEN if constraint is Constraint.BETWEEN else None
+    word = "between" if constraint is Constraint.BETWEEN else None
     return TimeRequirement(text=said, span=span, constraint=constraint, preposition=word, anchor=anchor)

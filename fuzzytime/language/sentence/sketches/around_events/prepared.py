@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.instruction import Instruction
 from fuzzytime.language.meaning.expressions import HourMark
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
-from fuzzytime.language.sentence.sketches.its_times.retimed import is_there
+from fuzzytime.language.sentence.sketches.its_times.referred import is_there
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 

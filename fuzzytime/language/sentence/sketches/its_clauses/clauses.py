@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.judging.beside.titles import written_out
 from fuzzytime.language.grammar.lexicon import longest_match
-from fuzzytime.language.grammar.surroundings.known_names import named_in
+from fuzzytime.language.grammar.surroundings.looked_up import named_in
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Wall
 from fuzzytime.language.meaning.joined.beside import joined
@@ -13,33 +13,32 @@ from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_contents import Contents
-from fuzzytime.language.sentence.clauses.clause_sides import BEHIND, at_most_after, sided
-from fuzzytime.language.sentence.clauses.conditions import IF
-from fuzzytime.language.sentence.clauses.times_of_events import dates, happens, is_apart
+from fuzzytime.language.sentence.clauses.clause_sides import (
+    BEHIND,
+    at_most_after,
+    dates,
+    happens,
+    is_apart,
+    sided,
+)
 from fuzzytime.language.sentence.segments.events.event_edges import BY, OF_EDGES, is_length
 from fuzzytime.language.sentence.sketches.its_clauses.ends import ClauseEnds
 from fuzzytime.language.sentence.sketches.its_clauses.markers import ClauseMarkers
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Constraint, Edge, Unit
 
-BEFORE = "before"
 BY_THEN = "by the time"
 EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
 AFTER = ("after",)
-DAYS_APART = ((BEFORE,), AFTER)
-"""Markers before which a part of a day is that of a day before or after: "the evening before the trip"."""
+COUNTED_FROM = (("before",), AFTER)
+"""Markers of what distances and parts of the day count from: "the evening before the trip"."""
 
 A_DAY = Duration(((1, Unit.DAY),))
 
 WITHIN = (("of",), ("after",))
 """Markers behind which a bound counts from what they name: "within an hour of calling"."""
-
-OFF = (("before",), ("after",))
-"""Markers of what a distance counts from."""
-
-EVEN = "even"
 
 
 def clauses_of(
@@ -105,7 +104,7 @@ class _Clauses:
         behind = place + len(form)
         ends = (p.end for p in self.phrases if p.first == behind and isinstance(p.said.time, Duration))
         return any(
-            longest_match(self.words, end, self.lexicon.clauses) in OFF
+            longest_match(self.words, end, self.lexicon.clauses) in COUNTED_FROM
             for end in ends
             if end < len(self.words)
         )
@@ -113,7 +112,7 @@ class _Clauses:
     def _kind(self, form: tuple[str, ...], bound: Phrase | None, edge: Edge | None) -> str:
         """Give the kind of the clause that a marker begins."""
         inverted = form[0] in self.lexicon.closed.conditional_inversion
-        kind = self.lexicon.clauses.get(form, IF if inverted else "until")
+        kind = self.lexicon.clauses.get(form, "if" if inverted else "until")
         if edge is not None:
             return OF_EDGES.get(form[0], {}).get(edge, kind)
         if bound is not None:
@@ -169,7 +168,7 @@ class _Clauses:
         distance = bound or self.before.distance(place)
         start, duration, side = self._so_far(place, distance, kind)
         day_part = self._day_part(place, form) if distance is None else None
-        if day_part is not None and form in DAYS_APART:
+        if day_part is not None and form in COUNTED_FROM:
             start, duration = day_part.span[0], A_DAY
         if kind == "into" and duration is None:
             return None
@@ -179,23 +178,33 @@ class _Clauses:
             span=(start, content[1]),
             content=content,
             distance=duration,
-            beside=self._beside(form) if (kind,) in {(BEFORE,), AFTER} else None,
+            beside=self._beside(form) if (kind,) in COUNTED_FROM else None,
             edge=edge,
             side=side,
             day_part=day_part,
         )
+        names = edge is not None or form == BY or (form == (OF,) and bound is None)
+        return self._told(clause, nodes, (place, first), time, names=names)
+
+    def _told(
+        self,
+        clause: Clause,
+        nodes: list[int],
+        begins: tuple[int, int],
+        time: Phrase | None,
+        *,
+        names: bool,
+    ) -> Clause | None:
+        """Give what a clause tells, as far as it goes on, with its time; None where it tells nothing.
+
+        ``begins`` are the places of its marker and of what is behind that, which it ``names``, or tells.
+        """
+        place, first = begins
         named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
-        if named is not None and (time is None or time.said.is_day) and kind in EVENTFUL:
+        if named is not None and (time is None or time.said.is_day) and clause.kind in EVENTFUL:
             event = self.contents.event(clause, nodes)
             return event and _named_at(event, named, time)
-        named_event = edge is not None or form == BY or (form == (OF,) and bound is None)
-        told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
-        return self._with_time(told, clause, place, time)
-
-    def _with_time(
-        self, told: Clause | None, clause: Clause, place: int, time: Phrase | None
-    ) -> Clause | None:
-        """Give what a clause tells, as far as it goes on, with its time; None where it tells nothing."""
+        told = self.contents.event(clause, nodes) if names else self.contents.told(clause, nodes)
         # "By the time the night shift clocks off at six", where a tree finds no verb.
         told = clause if told is None and clause.kind == BY_THEN and time is not None else told
         found = self._gone_on(self._denied(told, place))
@@ -223,7 +232,7 @@ class _Clauses:
         """Give the part of a day beside a marker: "the evening before it", "on the morning of the trip"."""
         if form[-1] == OF:
             return self.before.part_of_day(place + len(form) - 1)
-        return self.before.part_of_day(place) if form in DAYS_APART else None
+        return self.before.part_of_day(place) if form in COUNTED_FROM else None
 
     def _beside(self, form: tuple[str, ...]) -> str | None:
         """Give the hedge that a marker is: "just before", "right after"."""
@@ -257,7 +266,7 @@ class _Clauses:
         excepted = self.lexicon.beside.excepting & {*before[-1:]} or before == ["except", "for"]
         if clause is None or not excepted:
             return clause
-        if clause.condition is None or clause.kind not in {"when", "if", "while"} or before[-1:] == [EVEN]:
+        if clause.condition is None or clause.kind not in {"when", "if", "while"} or before[-1:] == ["even"]:
             return replace(clause, excepted=True)
         condition = replace(clause.condition, negated=not clause.condition.negated)
         return replace(

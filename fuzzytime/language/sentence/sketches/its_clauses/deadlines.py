@@ -9,8 +9,6 @@ from fuzzytime.language.meaning.joined.distances import later_by
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.requirement import Constraint
 
-WITHIN = "within"
-
 DEADLINE = "deadline of a clause"
 """The rule of such a time."""
 
@@ -60,7 +58,7 @@ def _is_length(said: Said) -> bool:
     """Whether something must be so within a length of time."""
     time = said.time
     counted = isinstance(time, Duration) or (isinstance(time, (Offset, Coming)) and time.direction > 0)
-    return said.preposition == WITHIN and counted and not (isinstance(time, Offset) and time.anchor)
+    return said.preposition == "within" and counted and not (isinstance(time, Offset) and time.anchor)
 
 
 def _is_of(clause: Clause, phrase: Phrase, text: str, lexicon: Lexicon) -> bool:

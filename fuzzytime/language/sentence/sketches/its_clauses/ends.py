@@ -13,9 +13,6 @@ from fuzzytime.requirement import Constraint
 ENDS = frozenset({",", ":", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
 
-SO = "so"
-"""What begins a purpose, before "that" or somebody: "so that we can leave", "so we can leave"."""
-
 OR_ELAPSED = "elapsed.or_elapsed"
 """The rule of a length that is over, behind "or"."""
 
@@ -82,7 +79,7 @@ class ClauseEnds:
         closed, text = self.lexicon.closed, self.words[place].text
         behind = {word.text for word in self.words[place + 1 : place + 2]}
         # "… | so that we can leave", "… | so we can leave"
-        so = text == SO and not behind.isdisjoint(closed.subordinators_of_purpose | closed.subject_pronouns)
+        so = text == "so" and not behind.isdisjoint(closed.subordinators_of_purpose | closed.subject_pronouns)
         courtesy = longest_match(self.words, place, self.lexicon.courtesies)
         return courtesy is not None or so or text in closed.subordinators_of_reason
 

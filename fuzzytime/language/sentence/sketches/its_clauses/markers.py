@@ -5,12 +5,10 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
-from fuzzytime.language.sentence.clauses.conditions import IF, is_wish
+from fuzzytime.language.sentence.clauses.conditions import is_wish
 from fuzzytime.language.sentence.segments.events.event_edges import BY, OF_EDGES, edge_of, is_event
 from fuzzytime.language.sentence.sketches.its_clauses.ends import ASKED, ClauseEnds
 from fuzzytime.requirement import Edge
-
-AFTER, AS, WHEN = "after", "as", "when"
 
 
 class ClauseMarkers:
@@ -33,7 +31,7 @@ class ClauseMarkers:
 
     def _is_of_verb(self, place: int) -> bool:
         """Whether it belongs to the verb right before it: "look after the baby"."""
-        if not place or self.words[place].text != AFTER:
+        if not place or self.words[place].text != "after":
             return False
         before = self.words[place - 1]
         lemmas = {self.tree.nodes[p].lemma for p in self.tree.at(before.start, before.end)}
@@ -62,11 +60,11 @@ class ClauseMarkers:
 
     def _inquires(self, place: int, form: tuple[str, ...]) -> bool:
         """Whether "if" begins what is asked or found out: "ask Tom if he's free", "see if it's dry"."""
-        if form not in {(IF,), (WHEN,)}:
+        if form not in {("if",), ("when",)}:
             return False
         before = [word.text for p, word in enumerate(self.words[:place]) if p not in self.covered]
         found = " ".join(before[-2:]) in self.lexicon.doing.finding_out
-        if form == (WHEN,):
+        if form == ("when",):
             # "Find out when the shops close"
             return found
         found = found or bool(self.lexicon.doing.inquiring & {*before[-1:]})
@@ -81,7 +79,7 @@ class ClauseMarkers:
         while behind < len(self.words) and self.words[behind].text in self.lexicon.closed.before_states:
             behind += 1
         known = any(word.text in self.lexicon.doing.marking for word in self.words[:place])
-        if form != (AS,) or behind >= len(self.words):
+        if form != ("as",) or behind >= len(self.words):
             return False
         if not known and self.words[behind].text not in self.lexicon.closed.foreseen:
             return False
@@ -98,7 +96,7 @@ class ClauseMarkers:
     def _inverted(self, place: int) -> tuple[str, ...] | None:
         """Give the "should" of "should the bell ring, …", which has a tree of its own, as what begins it."""
         word, node = self.words[place], next(iter(self.tree.nodes), None)
-        leads = place == 0 and node is not None and node.lower == IF != word.text
+        leads = place == 0 and node is not None and node.lower == "if" != word.text
         return (word.text,) if leads and word.text in self.lexicon.closed.conditional_inversion else None
 
     def _edged(self, place: int) -> tuple[str, ...] | None:

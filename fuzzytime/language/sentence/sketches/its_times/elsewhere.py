@@ -19,14 +19,9 @@ from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS, SUBJECT
 from fuzzytime.language.sentence.verbs.meant.actions import FINITE, Action
 from fuzzytime.requirement import BOUNDS, MOMENTS, Constraint
 
-FOR = "for"
-
 NAMING = ("NN", "PRP", "DT", "CD")
 """How tags begin of what a relative clause says more of: "the film that starts at eight"."""
-WITH = "with"
-ARTICLES = frozenset({"a", "an", "one"})
 
-TO = "to"
 LEAST_CASE = 3
 """Words of such a case, at least, behind the first of them."""
 
@@ -74,7 +69,7 @@ def _of_subject(part: Part, phrases: Sequence[Phrase], action: Action, *, told: 
     if verb.tag != "VBZ" or verb.lemma in part.lexicon.doing.happening or not (own or told):
         # "Dinner for Saturday is at eight"
         return []
-    return [phrase for phrase in phrases if phrase not in own and phrase.said.preposition == FOR]
+    return [phrase for phrase in phrases if phrase not in own and phrase.said.preposition == "for"]
 
 
 def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:
@@ -148,7 +143,7 @@ def _of_aim(part: Part, phrases: Sequence[Phrase], action: Action) -> list[Phras
     """Give when that is which something else is for: "remind me tonight to call Bob tomorrow"."""
     nodes = part.tree.nodes
     aims = (
-        p for p in range(action.place + 2, len(nodes) - 1) if nodes[p].lower == TO and nodes[p + 1].is_bare
+        p for p in range(action.place + 2, len(nodes) - 1) if nodes[p].lower == "to" and nodes[p + 1].is_bare
     )
     to = next((nodes[p].start + part.offset for p in aims if nodes[p].head == p + 1), None)
     own = [phrase for phrase in phrases if to is not None and phrase.span[0] < to]
@@ -173,9 +168,9 @@ def _of_prepared(part: Part, phrases: Sequence[Phrase], action: Action) -> list[
     for place, phrase in enumerate(phrases):
         first = next(part.at(phrase.span), None)
         named = first is not None and first > action.place + 1 and nodes[first - 1].tag.startswith("NN")
-        if named and phrase.said.preposition == FOR and phrase.said.constraint is None:
+        if named and phrase.said.preposition == "for" and phrase.said.constraint is None:
             listed = [phrase, *takewhile(_is_listed, phrases[place + 1 :])]
-            others = (other for other in phrases if other not in listed and other.said.preposition != FOR)
+            others = (other for other in phrases if other not in listed and other.said.preposition != "for")
             return listed if any(_says_when(other) for other in others) else []
     return []
 
@@ -187,7 +182,7 @@ def _of_inner(part: Part, phrases: Sequence[Phrase]) -> list[Phrase]:
         first = next(part.at(phrase.span), 0)
         led, article = ["", "", *(node.lower for node in nodes[:first])][-2:]
         inner = isinstance(phrase.said.time, Duration) and phrase.said.preposition is None
-        if inner and led == WITH and article in ARTICLES and len(phrases) > 1:
+        if inner and led == "with" and article in {"a", "an", "one"} and len(phrases) > 1:
             found.append(phrase)
     spans = any(isinstance(phrase.said.time, (Range, Duration)) for phrase in phrases if phrase not in found)
     return found if spans else []

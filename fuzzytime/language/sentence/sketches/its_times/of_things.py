@@ -12,8 +12,7 @@ from fuzzytime.language.sentence.trees.tree import Node
 from fuzzytime.language.sentence.verbs.meant.actions import Action
 from fuzzytime.requirement import BOUNDS
 
-FOR, FROM, SINCE, TO = "for", "from", "since", "to"
-OF_THINGS = frozenset({None, "at", "on", FOR, "from", "in"})
+OF_THINGS = frozenset({None, "at", "on", "for", "from", "in"})
 """Prepositions of a time that a thing has."""
 
 NAMING = ("NN", "JJ", "DT", "PRP$", "CD", "VBG", "POS", "PDT")
@@ -86,8 +85,8 @@ class _Things:
         # "Cancel whatever I've got on the third"
         several = several or self.nodes[self.verb + 1].lower in self.lexicon.closed.free_relatives
         if said.constraint in BOUNDS:
-            return several and said.preposition in {"after", "before", FROM, SINCE}
-        if said.preposition not in OF_THINGS or not (declined or several or said.preposition == FOR):
+            return several and said.preposition in {"after", "before", "from", "since"}
+        if said.preposition not in OF_THINGS or not (declined or several or said.preposition == "for"):
             return False
         return several or self._has_time(place, declined=declined) or self._is_called(phrase, place)
 
@@ -124,17 +123,17 @@ class _Things:
             return False
         if listed:
             # "Put me on the waiting list for saturday"
-            return phrase.said.preposition == FOR
+            return phrase.said.preposition == "for"
         part = phrase.said.wall.part
-        if self.nodes[place + 1].lower == FOR and part is not None and part.meal:
+        if self.nodes[place + 1].lower == "for" and part is not None and part.meal:
             # "Invite Tom for tea tonight"
             return True
-        direct = {"invite": {TO}}.get(self.nodes[self.verb].lemma, {TO, FOR})
+        direct = {"invite": {"to"}}.get(self.nodes[self.verb].lemma, {"to", "for"})
         if phrase.said.preposition in direct:
             # "Invite Tom to the four pm on thursday"
             return True
         named = self.nodes[place].tag.startswith(("NN", "VBG"))
-        return named and self.nodes[place - len(self._name(place))].lower in {TO, FOR}
+        return named and self.nodes[place - len(self._name(place))].lower in {"to", "for"}
 
     def _is_listed(self) -> bool:
         """Whether somebody is put on a list: "put me down", "put us on the guest list"."""
@@ -156,16 +155,16 @@ class _Things:
         if self._is_recorded(phrase, place) or (finds and self._is_sought(phrase, place)):
             return True
         # "Read my schedule for tomorrow"
-        return shows and phrase.said.preposition == FOR and self._has_time(place, declined=False)
+        return shows and phrase.said.preposition == "for" and self._has_time(place, declined=False)
 
     def _is_recorded(self, phrase: Phrase, place: int) -> bool:
         """Whether it is since or from when something is: "read my messages from this morning"."""
         said, time = phrase.said, phrase.said.time
-        if said.preposition == SINCE:
+        if said.preposition == "since":
             return True
         if self._is_told_of(place, said.preposition):
             return True
-        if said.preposition != FROM or not self.nodes[place].tag.startswith("NN"):
+        if said.preposition != "from" or not self.nodes[place].tag.startswith("NN"):
             return False
         days = said.wall.days
         present = isinstance(days, Relative) and days.days <= 0
@@ -175,7 +174,7 @@ class _Things:
     def _is_told_of(self, place: int, preposition: str | None) -> bool:
         """Whether somebody does something with it then: "a recipe I can cook in twenty minutes"."""
         node = self.nodes[place]
-        return node.is_verb and node.relation == "relcl" and preposition in {*OF_THINGS, TO}
+        return node.is_verb and node.relation == "relcl" and preposition in {*OF_THINGS, "to"}
 
     def _is_sought(self, phrase: Phrase, place: int) -> bool:
         """Whether it is of what somebody looks for: "find a sitter for saturday night"."""
@@ -184,7 +183,7 @@ class _Things:
             return not isinstance(phrase.said.time, Offset)
         if not node.tag.startswith("NN") or days is None or phrase.said.constraint in BOUNDS:
             return False
-        if phrase.said.preposition == FOR:
+        if phrase.said.preposition == "for":
             return True
         travels = self._sought_things(place) & self.lexicon.beside.travel_things
         seeks = not self.said.isdisjoint(self.lexicon.doing.seeking)
@@ -223,7 +222,7 @@ class _Things:
         """Whether a name that ends at a place is of what "for" or "about" begins, behind an own time."""
         led = place - len(self._name(place))
         inside = next(self.part.at(own.span), 0) < led
-        return inside and self.nodes[led].lower in {FOR, "about", TO}
+        return inside and self.nodes[led].lower in {"for", "about", "to"}
 
 
 def _is_day(phrase: Phrase) -> bool:

@@ -5,20 +5,17 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span
-from fuzzytime.language.meaning.expressions import Phrase, Range
+from fuzzytime.language.meaning.expressions import Edge, Phrase, Range, Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.clauses.times_of_events import AHEAD, OVER
+from fuzzytime.language.sentence.clauses.clause_sides import AHEAD, BEHIND
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.its_clauses.deadlines import DEADLINE
 from fuzzytime.language.sentence.sketches.its_times.elsewhere import is_of_subject
 from fuzzytime.language.sentence.sketches.its_times.own_times import OwnTimes
-from fuzzytime.language.sentence.sketches.its_times.retimed import by_that_day, is_there, on_that_day, put_off
 from fuzzytime.language.sentence.sketches.its_times.said_of_time import DATED
 from fuzzytime.language.sentence.verbs.meant.actions import Action
 from fuzzytime.language.sentence.verbs.meant.small_clauses import reference_of
-from fuzzytime.requirement import Reference
-
-LEAVE = "leave"
+from fuzzytime.requirement import MOMENTS, Constraint, Reference
 
 
 def referred(
@@ -49,7 +46,7 @@ def referred(
 
 def _is_gone(operation: Operation, lexicon: Lexicon) -> bool:
     """Whether "leave" is to go: "leave the house between seven and eight" is no "leave the lamp on"."""
-    if operation.phrase != LEAVE or operation.complement is not None:
+    if operation.phrase != "leave" or operation.complement is not None:
         return False
     if operation.object is None:
         return operation.place is not None and operation.place.lower().startswith(("for ", "to "))
@@ -61,7 +58,7 @@ def _reference(part: Part, phrase: Phrase, action: Action, clauses: Sequence[Cla
     if phrase.rule in {DATED, DEADLINE}:
         # What its clause is about starts or ends then, not what is to be done.
         return action.reference
-    if any(clause.kind in OVER | AHEAD and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
+    if any(clause.kind in BEHIND | AHEAD and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
         # "Lock up when everyone has left on friday"
         return action.reference
     if action.reference is Reference.FINISH and is_of_subject(part, phrase, action):
@@ -81,3 +78,42 @@ def _reference_at(part: Part, span: Span, action: Action) -> Reference | None:
             if part.tree.nodes[above].is_verb and not inside:
                 return reference_of(part.tree, above) or action.reference
     return action.reference
+
+
+def by_that_day(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
+    """Bind what is to be done before an event by the end of its day: "before the show on Saturday"."""
+    said = phrase.said
+    ahead = (c for c in clauses if c.kind in AHEAD and c.distance is None and c.span[1] + 1 == phrase.span[0])
+    day = isinstance(said.time, Wall) and not said.wall.is_timed and said.constraint in MOMENTS
+    if not day or next(ahead, None) is None:
+        return phrase
+    return replace(phrase, said=replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST))
+
+
+def is_there(operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether somebody is somewhere then, or no longer: what nobody does a day ahead."""
+    alone = operation.complement is None and (operation.object is None or operation.place is None)
+    if operation.phrase in lexicon.doing.being_there:
+        # "Leave the keys at reception" is done at any time until then.
+        return alone
+    return (
+        operation.phrase in lexicon.doing.getting_there
+        and operation.object is None
+        and operation.place is not None
+    )
+
+
+def put_off(phrase: Phrase) -> Phrase:
+    """Take until when something is put off as when it is: "postpone the demo until thursday"."""
+    said = phrase.said
+    if said.preposition != "until" or said.constraint is not Constraint.BEFORE:
+        return phrase
+    return replace(phrase, said=replace(said, constraint=None, edge=Edge.START))
+
+
+def on_that_day(phrase: Phrase) -> Phrase:
+    """Bind a deadline of some day by that day: "be at the station by seven tomorrow"."""
+    said, wall = phrase.said, phrase.said.wall
+    if wall.days is None or wall.clock is None or said.constraint is not Constraint.BEFORE:
+        return phrase
+    return replace(phrase, said=replace(said, within=replace(wall, clock=None, weak=False)))

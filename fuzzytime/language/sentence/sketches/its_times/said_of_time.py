@@ -29,9 +29,6 @@ BOUNDS = {
 }
 """How the time of an event binds what is said to be at, before or after it."""
 
-UNTIL = "until"
-"""The kind of clauses that end what is done."""
-
 DATED = "clause"
 """The rule of a phrase that is a clause with a time of its own."""
 
@@ -107,7 +104,7 @@ def _with_lengths_told(
 def _bounding(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
     """Give a length that is over, behind "or", as when it is done: "when it rings or an hour is up"."""
     before = [clause for clause in clauses if clause.span[1] <= phrase.span[0]]
-    if phrase.rule != OR_ELAPSED or not before or before[-1].kind == UNTIL:
+    if phrase.rule != OR_ELAPSED or not before or before[-1].kind == "until":
         return phrase
     said = replace(phrase.said, constraint=Constraint.AT, preposition="in", alternative=True)
     return replace(phrase, said=said)

@@ -20,9 +20,6 @@ TURNED = {
 LONGER = "more than"
 """The hedge of a length of time that is not to be exceeded."""
 
-NEVER = "never"
-"""What denies for good."""
-
 
 def awaiting(sketch: Sketch) -> Sketch:
     """Read "don't serve it until the guests arrive" as: serve it, when they do."""
@@ -115,7 +112,7 @@ def _denied_times(
     """
     joining = None if connected is None else connected.span
     denied = (one for one in requirements if one.span != joining and _is_turned(one))
-    for_good = NEVER in said.lower().split()
+    for_good = "never" in said.lower().split()
     return {one.span for one in denied if not for_good or _is_before_day(one)}
 
 

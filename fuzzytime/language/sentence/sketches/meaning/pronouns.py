@@ -13,8 +13,6 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.named import is_several, may_be_it
 
-HAVE = "have"
-
 
 def resolved_object(
     operation: Operation, own: Sequence[Operation | None], mentions: Mentions, first: int
@@ -131,7 +129,7 @@ def _changed(sketch: Sketch, clause: Clause, operation: Operation, anchors: Anch
         return None
     several = (operation.object or "").lower() in lexicon.closed.plural_anaphors
     perfect = any(
-        node.tag == "VBN" and any(front.nodes[p].lemma == HAVE for p in front.children(place, "aux"))
+        node.tag == "VBN" and any(front.nodes[p].lemma == "have" for p in front.children(place, "aux"))
         for place, node in enumerate(front.nodes)
     )
     position = anchors.mentions.about(content_words(condition.subject), anchors.first)

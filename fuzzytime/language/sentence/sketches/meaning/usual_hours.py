@@ -14,8 +14,6 @@ from fuzzytime.language.sentence.segments.told.asides_of_hours import HOURS
 from fuzzytime.language.sentence.sketches.its_times.said_of_time import DATED
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
-IT = "it"
-
 CLAUSE = re.compile("[,;:.(–]|-(?= )")
 """What ends before a clause that says when somewhere opens."""
 
@@ -30,8 +28,8 @@ def at_usual_hours(moment: Moment, sketch: Sketch, text: str) -> Moment:
     dated = [text[slice(*phrase.span)] for phrase in sketch.phrases if phrase.rule == DATED]
     hours = [phrase for phrase in sketch.phrases if phrase.rule == HOURS]
     # "(Opens at eight)" does not say what does, nor does "they open at eight".
-    dated += [f"{IT} {CLAUSE.split(text[: phrase.span[1]])[-1]}" for phrase in hours]
-    named += [f"{IT} {name}" for name in named if sketch.operation and sketch.operation.stated]
+    dated += [f"it {CLAUSE.split(text[: phrase.span[1]])[-1]}" for phrase in hours]
+    named += [f"it {name}" for name in named if sketch.operation and sketch.operation.stated]
     if hours and len(hours) == len(sketch.phrases):
         # They were said of something else, which tells which half of the day is meant.
         moment = replace(moment, since=None)

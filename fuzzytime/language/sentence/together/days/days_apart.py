@@ -9,19 +9,19 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Entry
 from fuzzytime.language.meaning.calendar import Fields, is_weekday
+from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Duration, Ending, Offset, Phrase, Range, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
 from fuzzytime.language.meaning.joined.intervals_on_days import is_interval, on_days
 from fuzzytime.language.meaning.joined.repeats_beside import names_day_of, without_clocks
 from fuzzytime.language.meaning.joined.throughout import each_day, is_clock_time, is_rest_of_days
 from fuzzytime.language.meaning.joined.told_apart import ending_on, told_apart
-from fuzzytime.language.meaning.times_of_day import Half, Part
+from fuzzytime.language.meaning.times_of_day import NOON, Half, Part
 from fuzzytime.language.sentence.segments.drafts import Heading
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.days.below_headings import under_heading
 from fuzzytime.language.sentence.together.days.listed_days import listed_below_day
-from fuzzytime.language.sentence.together.times.mornings import is_morning_after, part_before
 from fuzzytime.requirement import Constraint, Unit
 
 
@@ -241,3 +241,30 @@ def _day_of(sketch: Sketch, *, heads: bool) -> _Day | None:
             # "Every evening at six feed the hens, and at seven shut the coop"
             return _Day(Said(daily, Constraint.EVERY))
     return None
+
+
+def is_morning_after(said: Said, before: Part) -> bool:
+    """Whether it is a morning, without its day, behind a part of the day that was said before."""
+    part = said.wall.part
+    alone = said.wall.days is None and said.wall.clock is None
+    if not alone or part is None or part.end > NOON:
+        return False
+    return before.half.is_late or part.end <= before.start
+
+
+def part_before(sketch: Sketch, said: Said) -> Part | None:
+    """Give the part of the day behind which a morning is; of what happens on a day to come, none.
+
+    "The party is tomorrow evening, buy drinks in the morning" is before it.
+    """
+    operation = sketch.operation
+    happens = operation is not None and operation.stated and said.wall.days not in {None, Relative(0)}
+    return None if happens else said.wall.part
+
+
+def follows_night(sketches: Sequence[Sketch], place: int) -> bool:
+    """Whether an instruction is in the morning behind the part of the day that was said last before it."""
+    before = ((one, phrase.said) for one in sketches[:place][::-1] for phrase in one.phrases[::-1])
+    said = (part_before(one, said) for one, said in before)
+    last = next((part for part in said if part is not None), None)
+    return last is not None and any(is_morning_after(one.said, last) for one in sketches[place].phrases)

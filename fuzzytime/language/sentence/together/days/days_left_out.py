@@ -12,8 +12,6 @@ from fuzzytime.language.meaning.expressions import Phrase, Repeat
 from fuzzytime.language.meaning.joined.weekdays_left_out import weekdays_in, without_weekdays
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
-DO = "do"
-
 
 def without_days_left_out(sketch: Sketch) -> Sketch:
     """Let a repetition be on its other weekdays, in every week that it goes on."""
@@ -76,7 +74,7 @@ def _denied(sketch: Sketch) -> tuple[Phrase, ...]:
 def _is_denied_again(before: Sketch, operation: Operation) -> bool:
     """Whether what is not to be done is what was asked for right before it."""
     first = before.operation
-    if first is None or not operation.negated or operation.lemma not in {first.lemma, DO}:
+    if first is None or not operation.negated or operation.lemma not in {first.lemma, "do"}:
         return False
     thing = (operation.object or "").lower()
     return not thing or thing in before.lexicon.closed.all_anaphors or operation.object == first.object

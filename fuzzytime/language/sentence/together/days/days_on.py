@@ -4,14 +4,13 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Edge, Phrase, Repeat, Said, TimeWord, Wall
-from fuzzytime.language.meaning.joined.first_times import STARTING, beginning
+from fuzzytime.language.meaning.joined.first_times import beginning
 from fuzzytime.language.meaning.joined.throughout import in_part, in_parts_of_each_day, is_clock_time
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Constraint
 
-FROM = "from"
-HABITS = frozenset({STARTING, FROM})
+HABITS = frozenset({"starting", "from"})
 """Prepositions of days from which on something is done again and again; "not before monday" is done once."""
 
 

@@ -28,9 +28,6 @@ from fuzzytime.language.sentence.together.days.titles import (
 TOMORROW = Relative(1)
 NEXT_DAY = "tomorrow"
 
-MARK = ":"
-"""What ends a heading."""
-
 CALLED = 2
 """Words that call a worker: "Robot 2:"."""
 
@@ -99,7 +96,7 @@ def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
     """Give what a line names that says a time, and nothing else, or that ``heads`` others."""
     if heads:
         return Heading(name_of(draft), draft.text, draft.scanned, held(draft, draft.phrases))
-    marked = draft.text.rstrip(" *_").endswith(MARK)
+    marked = draft.text.rstrip(" *_").endswith(":")
     if marked and (called := _called(draft)) is not None:
         return Heading(called, draft.text, draft.scanned, addressee=called)
     if marked and _is_title(draft):

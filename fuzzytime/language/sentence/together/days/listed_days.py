@@ -7,10 +7,6 @@ from fuzzytime.language.meaning.expressions import Repeat
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.verbs.without_verbs.named_alone import named_alone
 
-STOP = ";"
-"""The end of an entry of a list."""
-
-COLON = ":"
 HEADS = (":", "- ", "– ", "— ")
 """What stands behind a day that heads a list."""
 
@@ -22,14 +18,14 @@ def heads_list(first: Sketch, text: str) -> bool:
         return False
     if not isinstance(day.said.time, Repeat) and day.said.wall.days is None:
         return False
-    named, _, behind = text[slice(*day.span)].partition(COLON)
+    named, _, behind = text[slice(*day.span)].partition(":")
     return text[day.span[1] :].lstrip().startswith(HEADS) or (bool(behind) and named.strip().isalpha())
 
 
 def listed_below_day(first: Sketch, sketch: Sketch, between: str, text: str) -> bool:
     """Whether an entry is in the list that a day heads, or in one whose entries begin with their hours."""
     day = next(iter(first.phrases), None)
-    if between.strip() != STOP or day is None or text[: day.span[0]].strip():
+    if between.strip() != ";" or day is None or text[: day.span[0]].strip():
         return False
     if heads_list(first, text):
         return True

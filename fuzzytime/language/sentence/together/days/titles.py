@@ -34,7 +34,6 @@ FEW_DATED = 4
 LONGEST = 6
 """Words of a title, at most."""
 
-PART = "part"
 SEVERAL = "parts"
 """What a part of the day means, and several of it."""
 
@@ -43,8 +42,6 @@ FROM_TO = 2
 
 SHIFT = (Clock(19, full_day=True), Clock(9, full_day=True))
 """From when to when those are at work who work at night, at most; estimated."""
-
-OF = "of"
 
 APART = ",:-–—("
 """What may stand between the name of a title and its day: "Brew day, Saturday"."""
@@ -91,7 +88,7 @@ def _night_of(first: Draft) -> Phrase | None:
         entry.value
         for word in words
         for entry in first.lexicon.entries.get(word.text, ())
-        if entry.category == SEVERAL or (entry.category == PART and word.text in worked)
+        if entry.category == SEVERAL or (entry.category == "part" and word.text in worked)
     ]
     night = any(part.half is Half.NIGHT and part.start for part in named)
     if not night or begins_order(first):
@@ -206,7 +203,7 @@ def _only_names(first: Draft) -> bool:
 def _is_numbered(first: Draft) -> bool:
     """Whether it begins with the number of a day, or week, of something: "Day 4 - harbour", "Day 9 of 22"."""
     unit, number, behind = ([word.text for word in first.scanned.words] + [""] * 3)[:3]
-    return _is_unit(unit, first.lexicon) and number.isdecimal() and behind in {*APART, OF, ""}
+    return _is_unit(unit, first.lexicon) and number.isdecimal() and behind in {*APART, "of", ""}
 
 
 def _numbers_day(first: Draft, time: Phrase) -> bool:

@@ -6,7 +6,6 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord
 from fuzzytime.language.meaning.joined.distances import HALFWAY, INTO, LATER
-from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.lent.requested_too import requested_too
 from fuzzytime.language.sentence.together.lent.verbs_again import done_again_of
@@ -136,12 +135,12 @@ def _beside(before: Operation, sketch: Sketch, operation: Operation, *, joined: 
         return operation
     node = tree.nodes[tree.root]
     alone = not sketch.times
-    begins = before.stated and before.lemma in doing.beginning | {BE} and bool(sketch.phrases)
+    begins = before.stated and before.lemma in doing.beginning | {"be"} and bool(sketch.phrases)
     if before.object is None or before.attended:
         # "We're on at nine and play for an hour"; but "I'm out at noon, feed the cat"
         goes_on = begins and (alone or operation.lemma in doing.ending) and joined and not operation.stated
         # "We leave at eight and get back at six"
-        comes = before.stated and before.lemma != BE and not before.attended and bool(sketch.phrases)
+        comes = before.stated and before.lemma != "be" and not before.attended and bool(sketch.phrases)
         goes_on = goes_on or (comes and joined and not operation.stated)
         return replace(operation, object=before.object, stated=True) if goes_on else operation
     if before.stated and joined and not operation.stated and node.tag in {"VBZ", "VB", "VBP"}:
@@ -172,7 +171,7 @@ def shared(sketches: list[Sketch], text: str) -> list[Sketch]:
         first, second = found[place - 1], found[place]
         if not second.part.segment.shares(text) or first.operation is None or second.operation is None:
             continue
-        if second.operation.lemma == BE:
+        if second.operation.lemma == "be":
             # "Shower, and be downstairs in twenty minutes": by then one is there.
             continue
         operation = first.operation

@@ -10,10 +10,7 @@ from fuzzytime.language.meaning.joined.distances import LATER
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.named import takes_verb
 from fuzzytime.language.sentence.verbs.places import says_where
-from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import BE, MUST, MUST_BE
 from fuzzytime.requirement import Constraint
-
-DO = "do"
 
 
 def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | None:
@@ -97,8 +94,8 @@ def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
         # "Stop for a brew at ten and for lunch at noon"
         return replace(before, place=rest) if [led] == (before.place or "").split()[:1] else None
     # "Kids fed by six, in bed by eight"
-    there = before.due == MUST_BE and led in lexicon.beside.states
-    return replace(before, verb=BE, lemma=BE, due=MUST, place=rest) if there else None
+    there = before.due == "must be" and led in lexicon.beside.states
+    return replace(before, verb="be", lemma="be", due="must", place=rest) if there else None
 
 
 def _is_led_later(sketch: Sketch, said: Span) -> bool:
@@ -147,5 +144,5 @@ def _particle_alone(before: Operation, text: str, lexicon: Lexicon) -> str | Non
 
 def _is_it_after_all(before: Operation, operation: Operation, lexicon: Lexicon) -> bool:
     """Whether "do it" asks for what was not to be done before."""
-    does = operation.lemma == DO and (operation.object or "").lower() in lexicon.closed.singular_anaphors
+    does = operation.lemma == "do" and (operation.object or "").lower() in lexicon.closed.singular_anaphors
     return does and before.negated and not operation.negated and not before.stated

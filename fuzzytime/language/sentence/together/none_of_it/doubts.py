@@ -20,9 +20,6 @@ OBJECTS = ("dobj", "attr", "oprd")
 GREETED = 2
 """Words behind a greeting that are no time."""
 
-DENYING = "not"
-WHAT_WAS = "what was"
-
 
 def doubts_of(text: str, span: Span, words: Sequence[Word], sketch: Sketch) -> Iterator[Remark]:
     """Give what makes a stretch of a text no instruction; ``sketch`` is that of its words."""
@@ -90,7 +87,7 @@ def _tells(sketch: Sketch) -> str | None:
         return "what nobody does"
     if _is_denied(tree, root):
         return "what is not to be"
-    return WHAT_WAS if tells_what_was(sketch) else None
+    return "what was" if tells_what_was(sketch) else None
 
 
 def _is_denied(tree: Tree, root: int) -> bool:
@@ -128,7 +125,7 @@ def _takes_back(said: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words do nothing but deny: "wait, not now"."""
     marks = {word for form in lexicon.corrections for word in form} | lexicon.beside.taken_back
     texts = [word.text for word in said if word.text.isalpha()]
-    return DENYING in texts and all(text in marks for text in texts)
+    return "not" in texts and all(text in marks for text in texts)
 
 
 def _repeats(operation: Operation | None, lexicon: Lexicon) -> bool:

@@ -17,8 +17,6 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 HOURS = 12
 """The last hour of a clock: a larger number is none."""
 
-FOR = "for"
-
 BINDING = frozenset({"at", "by", "before", "after"})
 """Prepositions before an hour."""
 
@@ -51,12 +49,12 @@ def counted(draft: Draft, sketch: Sketch) -> Iterator[Remark]:
     if not joint and (bound := _bound_inside(draft, said)) is not None:
         hour = f"{text[slice(*bound)]} o'clock"
         yield Remark.noted(text, bound, f"is not taken as a time: say {hour!r} if it is")
-    if not joint or sketch.phrases or (joint == 1 and said[joint].text == FOR):
+    if not joint or sketch.phrases or (joint == 1 and said[joint].text == "for"):
         # "Table for seven"
         return
     number = said[-1].text
     people = "how many it is for", f"at {number}"
-    how, meant = people if said[joint].text == FOR else ("how much", f"{number} o'clock")
+    how, meant = people if said[joint].text == "for" else ("how much", f"{number} o'clock")
     span = (said[joint].start, said[-1].end)
     yield Remark.noted(text, span, f"is taken for {how}: say {meant!r} for a time")
 
@@ -70,7 +68,7 @@ def _joint(said: Sequence[Word], lexicon: Lexicon) -> int:
         _is_hour(said[place], lexicon) or said[place].text in lexicon.closed.range_joints_or_and
     ):
         place -= 1
-    return place if said[place].text in AMOUNTED | {FOR} else 0
+    return place if said[place].text in AMOUNTED | {"for"} else 0
 
 
 def _number_at_end(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | None:

@@ -3,8 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.quotes import is_quoted
-from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.grammar.words import Word, is_quoted, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
@@ -15,9 +14,6 @@ BESIDE = frozenset({"advcl", "ccomp", "conj", "parataxis", "dep"})
 """Relations of a verb that may be a further order, and was not cut off."""
 NAMES = ("NN", "CD")
 """How tags of words begin that name or count something."""
-
-SO = "so"
-"""What begins a purpose, alone or before "that"."""
 
 
 def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[Span]) -> Iterator[Remark]:
@@ -90,7 +86,9 @@ def _reasons(tree: Tree) -> frozenset[int]:
     marks = [p for p, node in enumerate(nodes) if node.lower in closed.subordinators_of_reason]
     for place, node in enumerate(nodes):
         # "So we can …", "so that we can …"
-        aims = node.lower in closed.subordinators_of_purpose and SO in tree.said(range(place - 1, place + 1))
+        aims = node.lower in closed.subordinators_of_purpose and "so" in tree.said(
+            range(place - 1, place + 1)
+        )
         marks += [place] if aims and place and place < node.head != tree.root else []
     led = (nodes[p].head for p in marks if nodes[p].relation in {"mark", "advmod"})
     return frozenset(place for verb in led for place in tree.below(verb))

@@ -11,8 +11,6 @@ from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Rep
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import MOMENTS, Unit
 
-THEN = "then"
-
 JUST = Duration(((1, Unit.MINUTE),))
 """How long before the last of them nothing is repeated any more."""
 
@@ -28,7 +26,7 @@ def again_between(sketches: Sequence[Sketch]) -> list[Sketch]:
             continue
         behind = place + 1 < len(sketches) and _goes_on(sketches, place + 1)
         end = _time_of(sketches[place + 1]) if behind and not sketch.clauses else None
-        then = sketch.part.segment.connective == THEN
+        then = sketch.part.segment.connective == "then"
         phrases = tuple(_bounded(phrase, begin, end, then=then) for phrase in sketch.phrases)
         found[place] = replace(sketch, phrases=phrases)
     return found

@@ -12,9 +12,6 @@ from fuzzytime.requirement import Unit
 AT_ONCE = frozenset({"immediately", "right now"})
 """The words for the moment of speaking that may be the moment of something else, too."""
 
-NOW = "now"
-"""The word that makes them the moment of speaking: "right now"."""
-
 WAITED_FOR = frozenset({"when", "if", "after"})
 """Clauses that say what comes before."""
 
@@ -40,7 +37,7 @@ def at_once(sketches: list[Sketch], text: str) -> list[Sketch]:
 def _is_at_once(phrase: Phrase, text: str) -> bool:
     time = phrase.said.time
     said = text[slice(*phrase.span)].lower().split()
-    return isinstance(time, TimeWord) and time.word in AT_ONCE and NOW not in said
+    return isinstance(time, TimeWord) and time.word in AT_ONCE and "now" not in said
 
 
 def _without(sketch: Sketch, left_out: Phrase) -> Sketch:

@@ -12,8 +12,6 @@ from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
-MOMENTS = frozenset({None, Constraint.AT, Constraint.BETWEEN})
-
 
 def first_of_choices(sketch: Sketch, words: Sequence[Word]) -> tuple[Sketch, list[Span]]:
     """Keep the first of the times of day that "or" joins in a repetition; give where those left out stand.
@@ -76,4 +74,4 @@ def _is_days(phrase: Phrase) -> bool:
 
 def _is_of_any_day(phrase: Phrase) -> bool:
     """Whether it is a time of a day that is not said."""
-    return is_of_day(phrase.said.time) and phrase.said.constraint in MOMENTS
+    return is_of_day(phrase.said.time) and phrase.said.constraint in {None, Constraint.AT, Constraint.BETWEEN}

@@ -6,14 +6,11 @@ from itertools import pairwise
 
 from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Wall
-from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.sketches.meaning.alternatives import not_used
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import MOMENTS, Constraint
 
-UNTIL = "until"
-
-STATES = frozenset({"when", IF})
+STATES = frozenset({"when", "if"})
 """Kinds of clauses that say what must be so when something begins."""
 
 
@@ -26,7 +23,7 @@ def first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Remark]]:
     lasting = {p.span for p in sketch.phrases if p.said.constraint is Constraint.FOR}
     clauses = {clause.span for clause in sketch.clauses}
     moments = {p.span for p in sketch.phrases if p.said.constraint in MOMENTS}
-    ends = {clause.span for clause in sketch.clauses if clause.kind == UNTIL}
+    ends = {clause.span for clause in sketch.clauses if clause.kind == "until"}
     left = [
         second
         for first, second in pairwise(sorted(sketch.heard))
@@ -57,7 +54,7 @@ def first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Remark]]:
 
 def _with_condition(sketch: Sketch, left: Collection[Span], text: str) -> dict[Span, Span]:
     """Give the conditions of the second of two times, with that time."""
-    conditions = {clause.span for clause in sketch.clauses if clause.kind == IF}
+    conditions = {clause.span for clause in sketch.clauses if clause.kind == "if"}
     times = {phrase.span for phrase in sketch.phrases}
     heard = sorted(sketch.heard)
     found: dict[Span, Span] = {}
@@ -89,7 +86,7 @@ def _until_the_latest(
 
     Whichever is first ends it, and when the event is may not be known.
     """
-    events = {clause.span for clause in sketch.clauses if clause.is_event and clause.kind == UNTIL}
+    events = {clause.span for clause in sketch.clauses if clause.is_event and clause.kind == "until"}
     phrases = {phrase.span: phrase for phrase in sketch.phrases}
     heard = pairwise(sorted(sketch.heard))
     found = {b: a for a, b in heard if a in events and b in left and isinstance(phrases[b].said.time, Wall)}
@@ -108,7 +105,7 @@ def _until_the_latest(
 
 def _until(phrase: Phrase) -> Phrase:
     """Give a time as what something goes on until."""
-    return replace(phrase, said=replace(phrase.said, constraint=Constraint.BEFORE, preposition=UNTIL))
+    return replace(phrase, said=replace(phrase.said, constraint=Constraint.BEFORE, preposition="until"))
 
 
 def _times_or_states(sketch: Sketch, left: Collection[Span], moments: set[Span]) -> set[Span]:

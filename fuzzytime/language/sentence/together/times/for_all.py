@@ -24,14 +24,11 @@ from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import LASTING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
-from fuzzytime.language.sentence.together.told.consequences import leads_to_consequence
+from fuzzytime.language.sentence.together.told.reasons_told import leads_to_consequence
 from fuzzytime.requirement import MOMENTS, STRETCHES, Constraint
 
 HELD = frozenset({"when", "if", "after", "before"})
 """Kinds of clauses that hold for all that is joined."""
-
-IF = "if"
-"""The kind of clauses that hold for what has a time of its own, too."""
 
 STEPS = JOINED | {"first", "then"}
 """Connectives of steps, which a deadline may be for."""
@@ -67,7 +64,7 @@ def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
             continue
         # "Buy milk, and if they have eggs buy six, and be back by noon": that is of its own order alone.
         inserted = inserted and "," in (text_between(found[-1], sketch, text) if found else "")
-        conditions = () if inserted else tuple(clause for clause in clauses if clause.kind == IF)
+        conditions = () if inserted else tuple(clause for clause in clauses if clause.kind == "if")
         if conditions and sketch.asks and sketch.part.segment.connective in JOINED and not sketch.clauses:
             # "If it rains, bring in the chairs and call mum at six"
             found.append(sketch.under((), conditions))

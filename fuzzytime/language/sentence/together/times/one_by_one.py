@@ -17,7 +17,6 @@ from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
-EACH, FOR = "each", "for"
 SEVERAL, MOST = 2, 1000
 
 NUMBERED = re.compile(r"(\d+) ?(?:-|–|to) ?(\d+)\b")
@@ -39,7 +38,7 @@ def one_by_one(sketch: Sketch, words: Sequence[Word]) -> Sketch:
         return sketch
     for place, phrase in enumerate(sketch.phrases):
         length = phrase.said.time
-        said_for = FOR in {word.text for word in words[phrase.first : phrase.end]}
+        said_for = "for" in {word.text for word in words[phrase.first : phrase.end]}
         bare = phrase.said.constraint in {None, Constraint.FOR} and not said_for
         first, end = sketch.part.segment.span
         said = " ".join(word.text for word in words if first <= word.start < end)
@@ -64,7 +63,7 @@ def one_by_one(sketch: Sketch, words: Sequence[Word]) -> Sketch:
 
 
 def _is_each(phrase: Phrase, words: Sequence[Word]) -> bool:
-    return any(word.text == EACH for word in words[phrase.first : phrase.end])
+    return any(word.text == "each" for word in words[phrase.first : phrase.end])
 
 
 def _counts(named: str, said: str, lexicon: Lexicon) -> Iterator[int]:

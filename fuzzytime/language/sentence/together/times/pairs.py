@@ -1,11 +1,15 @@
 """Two times of one thing that a sentence joins: "unlock it at 7:45 and lock it at 18:10" are of one day."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Operation, Span
+from fuzzytime.language.meaning.expressions import Edge, Phrase
 from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.times_of_day import Clock, Half
+from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.mentions import undoes
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
@@ -130,3 +134,33 @@ def _clock_of(sketch: Sketch) -> Clock | None:
     said = sketch.phrases[0].said
     alone = said.wall.days is None and said.wall.part is None and said.constraint in MOMENTS
     return said.wall.clock if alone else None
+
+
+def on_both_sides(sketch: Sketch, words: Sequence[Word]) -> list[Sketch]:
+    """Give one sketch for either side of what an instruction is to be done before and after."""
+    span = _both(sketch, words)
+    if span is None or sketch.operation is None:
+        return [sketch]
+    joint, behind = span
+    phrases = tuple(_before(p, joint) if p.span[0] == behind else p for p in sketch.phrases)
+    clauses = tuple(_clause_before(c, joint) if c.span[0] == behind else c for c in sketch.clauses)
+    first = replace(sketch, phrases=phrases, clauses=clauses, joints=(*sketch.joints, joint))
+    return [first, replace(sketch, joints=(*sketch.joints, joint))]
+
+
+def _both(sketch: Sketch, words: Sequence[Word]) -> tuple[Span, int] | None:
+    """Give the stretch of "before and", and where the time or clause behind begins; None for none."""
+    starts = {span[0] for span in sketch.heard}
+    for one, other, third in zip(words, words[1:], words[2:], strict=False):
+        if [one.text, other.text, third.text] == ["before", "and", "after"] and third.start in starts:
+            return (one.start, other.end), third.start
+    return None
+
+
+def _before(phrase: Phrase, joint: Span) -> Phrase:
+    said = replace(phrase.said, constraint=Constraint.BEFORE, preposition="before", edge=Edge.START)
+    return replace(phrase, said=said, span=(joint[0], phrase.span[1]))
+
+
+def _clause_before(clause: Clause, joint: Span) -> Clause:
+    return replace(clause, kind="before", marker="before", span=(joint[0], clause.span[1]))

@@ -15,7 +15,6 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint, Unit
 
 SEVERAL = 2
-OF = "of"
 ONE_OF = "one of the "
 """What is said of one of several: "one of the alarms"."""
 
@@ -109,7 +108,7 @@ def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
 def with_shared_part(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase]:
     """Give days of a list the part that the first is of: "on the nights of the 4th and 5th"."""
     walls = [phrase.said.wall for phrase in phrases]
-    of = OF in (word.text for word in words[phrases[0].first : phrases[0].end])
+    of = "of" in (word.text for word in words[phrases[0].first : phrases[0].end])
     parted = walls[0].part is not None and not any(wall.part for wall in walls[1:])
     if not of or not parted or not all(map(_is_listed, walls)):
         return list(phrases)

@@ -24,7 +24,6 @@ LIST = 2
 TYPED_JOINTS = frozenset({"/", "+"})
 """Marks between two clock times that are both meant."""
 
-AT = "at"
 MERIDIEMS = frozenset({"am", "pm", "noon", "midnight"})
 """Words that end a clock time, and are no day."""
 
@@ -132,7 +131,7 @@ def _ends_with_day(phrase: Phrase, words: Sequence[Word]) -> bool:
     wall, last = phrase.said.wall, words[phrase.end - 1].text
     dated = wall.clock is not None and (wall.days is not None or wall.part is not None)
     before = [word.text for word in words[phrase.first : phrase.end - 1]]
-    return dated and last.isalpha() and AT not in before[1:] and last not in MERIDIEMS
+    return dated and last.isalpha() and "at" not in before[1:] and last not in MERIDIEMS
 
 
 def _with_month_behind(phrases: Sequence[Phrase]) -> list[Phrase]:

@@ -15,8 +15,6 @@ from fuzzytime.requirement import Constraint
 MOST = 100
 """Times at most that something counted is done."""
 
-EACH = "each"
-
 
 def counted_apart(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     """Do what is counted one by one, where it is said to be so long apart, or that each turn is so long."""
@@ -55,7 +53,7 @@ def counted_apart(sketch: Sketch, words: Sequence[Word]) -> Sketch:
 def _is_each(phrase: Phrase, words: Sequence[Word]) -> bool:
     """Whether a length is that of each of several: "two minutes each"."""
     lasts = isinstance(phrase.said.time, Duration) and phrase.said.constraint in {None, Constraint.FOR}
-    return lasts and any(word.text == EACH for word in words[phrase.first : phrase.end])
+    return lasts and any(word.text == "each" for word in words[phrase.first : phrase.end])
 
 
 def _counted(sketch: Sketch, *, turns: bool = False) -> tuple[Sketch, int] | None:

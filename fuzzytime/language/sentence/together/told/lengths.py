@@ -11,15 +11,12 @@ from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.joined.distances import later_by
 from fuzzytime.language.meaning.required.requirements import Grounded
 from fuzzytime.language.sentence.references.anchors import Anchors
-from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
 
 DONE = frozenset({Constraint.AT, Constraint.BEFORE, Constraint.BETWEEN})
 """How a time binds when something must be done."""
-
-THEN = "then"
 
 
 def length_of(
@@ -99,7 +96,7 @@ def _must_be_so(operation: Operation, words: Sequence[str], anchors: Anchors) ->
     obliged = words[0] in closed.anaphors and closed.verbs_of_obligation.issuperset(words[1:2])
     if before is None or not before.is_asked or not obliged:
         return False
-    is_so = operation.lemma == BE and operation.place is None and operation.object is not None
+    is_so = operation.lemma == "be" and operation.place is None and operation.object is not None
     impersonal = anchors.lexicon.impersonal.issuperset((operation.object or "").lower().split())
     return before.lemma == operation.lemma or (is_so and not impersonal)
 
@@ -184,7 +181,7 @@ def waited(
         return sketches
     (aside, *_), first = asides, sketches[0]
     segment, length = first.part.segment, aside.length.said.time
-    leads = aside.span[1] <= segment.span[0] and segment.connective == THEN and not aside.way
+    leads = aside.span[1] <= segment.span[0] and segment.connective == "then" and not aside.way
     before = given[-1] if given else None
     cooked = before is not None and before.lemma in first.lexicon.timing | first.lexicon.timing_alone
     if not leads or cooked or not isinstance(length, Duration):

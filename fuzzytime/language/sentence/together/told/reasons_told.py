@@ -1,15 +1,17 @@
 """What is done because of what is told to happen: "the guests come at seven, so set the table"."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
+from fuzzytime.language.instruction import Instruction, Span
 from fuzzytime.language.meaning.expressions import Phrase, Wall
-from fuzzytime.language.sentence.references.mentions import BE, comes
+from fuzzytime.language.sentence.references.mentions import comes
 from fuzzytime.language.sentence.segments.told.asides_of_hours import bounding
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.told.opening_hours import is_errand
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.requirement import MOMENTS
+from fuzzytime.requirement import MOMENTS, Anchor, Constraint, Edge, TimeRequirement
 
 LEADING = frozenset({"so", ", so", "; so", ", and so", "- so", "– so", ":", "-", "–", "—"})
 """What stands between what is told and what is done because of it."""
@@ -65,7 +67,7 @@ def _begins(sketch: Sketch) -> bool:
     doers = tree.children(root, *SUBJECTS)
     # "We fly at nine, so pack the bags"
     ours = any(tree.nodes[place].lower in lexicon.closed.first_person for place in doers)
-    return operation.lemma in begins or becomes or ours or (operation.lemma == BE and happens)
+    return operation.lemma in begins or becomes or ours or (operation.lemma == "be" and happens)
 
 
 def _is_done_with(order: Sketch, told: Sketch) -> bool:
@@ -76,3 +78,52 @@ def _is_done_with(order: Sketch, told: Sketch) -> bool:
     known = content_words(asked.object) | content_words(asked.place)
     again = (asked.object or "").lower() in order.lexicon.closed.all_anaphors
     return again or not known.isdisjoint(content_words(happening.object))
+
+
+def leads_to_consequence(before: Sketch, sketch: Sketch, text: str) -> bool:
+    """Whether "so" stands between two orders, or in front of the second."""
+    between = text_between(before, sketch, text).strip(" ,;").lower()
+    first = text[slice(*sketch.part.segment.span)].partition(" ")[0].lower()
+    return "so" in {between, first}
+
+
+def behind_consequences(
+    instructions: Sequence[Instruction], sketches: Sequence[Sketch], text: str, first: int
+) -> list[Instruction]:
+    """Let what takes long come behind what is asked for as it does; ``first`` were given before the text."""
+    found = list(instructions)
+    for place in range(len(sketches) - 1):
+        why, consequence = found[place : place + 2]
+        if not leads_to_consequence(sketches[place], sketches[place + 1], text):
+            continue
+        if _is_why(why, consequence):
+            span = _so(text, why.span[1], consequence)
+            after = TimeRequirement(
+                text=text[slice(*span)],
+                span=span,
+                constraint=Constraint.AFTER,
+                preposition="after",
+                anchor=Anchor(text=text[slice(*span)], target=first + place + 1, edge=Edge.END),
+            )
+            found[place] = replace(why, requirements=(*why.requirements, after))
+    return found
+
+
+def _is_why(why: Instruction, consequence: Instruction) -> bool:
+    """Whether one only says how long it goes on, and the other, about the same thing, when it is due."""
+    one, other = why.operation, consequence.operation
+    if one is None or other is None or not (one.is_asked and other.is_asked):
+        return False
+    same = one.object is not None and one.object == other.object
+    due = any(
+        part.constraint in {Constraint.AT, Constraint.BEFORE} and part.anchor is None
+        for part in consequence.requirements
+    )
+    lengths = bool(why.requirements) and all(p.constraint is Constraint.FOR for p in why.requirements)
+    return same and due and lengths
+
+
+def _so(text: str, end: int, consequence: Instruction) -> Span:
+    """Give where "so" stands behind a character, or what it leads to."""
+    place = text.lower().find("so", end)
+    return (place, place + len("so")) if place >= 0 else consequence.span

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.sentence.references.mentions import BE, Mentions
+from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.further.same_doers import tells_more
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
@@ -12,7 +12,6 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Constraint
 
-AND, THEN, ONLY = "and", "then", "only"
 BREAKS = frozenset({",", "-", "–", ";"})
 """Marks between an order and what is told of it."""
 
@@ -51,7 +50,7 @@ def _may_only(before: Sketch, sketch: Sketch, text: str) -> bool:
     if not tree.nodes or not before.is_open or not _is_beside(before, sketch, text):
         return False
     subjects = tree.said(tree.children(root, *SUBJECTS))
-    only = any(node.lower == ONLY for node in tree.nodes)
+    only = any(node.lower == "only" for node in tree.nodes)
     is_so = tree.nodes[root].lemma in before.lexicon.closed.lemmas_of_be and bool(
         subjects & before.lexicon.closed.third_person
     )
@@ -71,15 +70,15 @@ def _behind(sketch: Sketch, text: str) -> Sketch:
     """Give what is told as what comes behind what is told before it, at the comma or "and" between them."""
     segment = sketch.part.segment
     before = text[: segment.span[0]].rstrip()
-    joint = len(before) - (len(AND) if before.lower().endswith(AND) else 1)
-    joined = replace(segment, connective=THEN, connective_span=(joint, len(before)))
+    joint = len(before) - (len("and") if before.lower().endswith("and") else 1)
+    joined = replace(segment, connective="then", connective_span=(joint, len(before)))
     return replace(sketch, part=replace(sketch.part, segment=joined))
 
 
 def _is_on(before: Sketch, sketch: Sketch) -> bool:
     """Whether what one does is what goes on then: "we're on at nine and play for an hour"."""
     first, second = before.operation, sketch.operation
-    begins = first is not None and first.lemma in before.lexicon.doing.beginning | {BE}
+    begins = first is not None and first.lemma in before.lexicon.doing.beginning | {"be"}
     lasts = bool(sketch.phrases) and not sketch.times
     return begins and lasts and second is not None and second.object is None
 
@@ -148,7 +147,7 @@ def due_before(sketches: Sequence[Sketch], text: str, mentions: Mentions, first:
         known = mentions.about(content_words(operation.object), first) is not None
         if known or not bounds or not _has_to_be_so(due) or not _is_beside(why, due, text):
             continue
-        found[place] = replace(why, operation=replace(operation, lemma=BE, complement=None))
+        found[place] = replace(why, operation=replace(operation, lemma="be", complement=None))
         found[place + 1] = _behind(due, text)
     return found
 
@@ -163,7 +162,7 @@ def _tells_length(sketch: Sketch) -> bool:
 def _has_to_be_so(sketch: Sketch) -> bool:
     """Whether somebody or something has to be somewhere, or to be so: "she has to be on set by eight"."""
     tree, root = sketch.part.tree, sketch.part.tree.root
-    if sketch.operation is None or sketch.operation.lemma not in {BE, "get"}:
+    if sketch.operation is None or sketch.operation.lemma not in {"be", "get"}:
         return False
     helping = tree.said((root, *tree.children(root, "aux")))
     return bool(helping & sketch.lexicon.closed.verbs_of_obligation) and bool(tree.children(root, *SUBJECTS))

@@ -1,4 +1,4 @@
 """The verb that is meant (``actions``), also in ``small_clauses``, and which of its moments is.
 
-What is to be ``remembered``; ``orders_before`` the root of a tree.
+``orders_before`` the root of a tree.
 """

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from fuzzytime.language.grammar.quotes import is_quoted
+from fuzzytime.language.grammar.words import is_quoted
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import FINITE, Action
@@ -16,8 +16,6 @@ OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 AIMS = ("advcl", "xcomp", "acl", "relcl")
 NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
-
-IF, WHEN, FIND = "if", "when", "find"
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,12 +40,14 @@ class Reader(Particles):
         direct, complement = self._named(verb, subject, whole[:split], result, stated=stated)
         attended = stated and self._is_attended(verb)
         where = sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})
-        if attended and not where and direct is None and complement is None:
-            taken = self.attending(verb)
-            direct, particle = self.said(taken), None if particle in taken else particle
+        if attended and not where and direct is complement is None:
+            attending = self.attending(verb)
+            direct, particle = self.said(attending), None if particle in attending else particle
         whole_verb = self._whole_verb(verb)
         places += whole_verb[:-1]
         purpose = [] if stated else self._purpose(verb, [*whole, *places, *where])
+        taken = [*whole, *places, *where, *purpose]
+        how = [] if stated and node.lemma == "be" else self.manner(verb, taken)
         return Operation(
             # "Robot 2 cleans the tank" asks it to clean the tank.
             verb=" ".join(self.tree.nodes[p].lower for p in whole_verb) if doer is None else node.lemma,
@@ -57,9 +57,7 @@ class Reader(Particles):
             place=self._within_sentence(where),
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=complement,
-            manner=None
-            if stated and node.lemma == "be"
-            else self._within_sentence(self.manner(verb, [*whole, *places, *where, *purpose])),
+            manner=self._within_sentence(how),
             purpose=self.said(purpose),
             addressee=doer,
             due=None if stated or subject is None or direct != subject else self._must(verb),
@@ -174,10 +172,10 @@ class Reader(Particles):
         """Give what is found out: "check if the parcel is there", which trees take for a condition."""
         node, words = self.tree.nodes[verb], self.tree.nodes[verb : verb + 2]
         found = " ".join(word.lower for word in words) in self.lexicon.doing.finding_out
-        if not found and node.lemma not in self.lexicon.doing.inquiring | {FIND}:
+        if not found and node.lemma not in self.lexicon.doing.inquiring | {"find"}:
             return []
         # "Find out when the next bus leaves"
-        marks = {IF, WHEN} if found else {IF}
+        marks = {"if", "when"} if found else {"if"}
         asked = (
             p
             for p in self.tree.children(verb, "advcl", "ccomp")

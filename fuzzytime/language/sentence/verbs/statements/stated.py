@@ -10,11 +10,6 @@ from fuzzytime.language.sentence.verbs.statements.statements import others_do
 
 STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
 
-IT = "it"
-BE = "be"
-ON = "on"
-MUST, MUST_BE, NEEDS, NEED = "must", "must be", "needs", "need"
-
 
 @dataclass(frozen=True, slots=True)
 class Stated(Places):
@@ -61,12 +56,12 @@ class Stated(Places):
         tag = self.tree.nodes[verb].tag
         if tag == "VBG":
             # "The lawn needs mowing", "the beds need making"
-            return NEED if self.tree.nodes[self.tree.nodes[verb].head].tag == "VBP" else NEEDS
+            return "need" if self.tree.nodes[self.tree.nodes[verb].head].tag == "VBP" else "needs"
         if self.tree.nodes[verb].lemma in self.lexicon.doing.needing:
             # "The car needs fuel"
             return ""
         passive = tag == "VBN" or self.tree.children(verb, "auxpass")
-        return MUST_BE if passive else MUST
+        return "must be" if passive else "must"
 
     def _is_attended(self, verb: int) -> bool:
         """Whether it is said where somebody is, or what they have, and that takes them: "I'm out at noon"."""
@@ -101,7 +96,9 @@ class Stated(Places):
 
     def _performing(self, verb: int) -> list[int]:
         """Give the "on" of "we're on at 20:30", which governs nothing."""
-        on = (p for p in self.tree.children(verb, "advmod", "prep", "prt") if self.tree.nodes[p].lower == ON)
+        on = (
+            p for p in self.tree.children(verb, "advmod", "prep", "prt") if self.tree.nodes[p].lower == "on"
+        )
         return [p for p in on if p == verb + 1 and all(map(self.timed, self.tree.children(p)))]
 
     def attending(self, verb: int) -> list[int]:
@@ -163,7 +160,7 @@ class Stated(Places):
             goes = node.lemma in doing.arriving | doing.leaving | doing.several_timed
             # "The ferry is due to leave at six"
             return over.lower in doing.foretold and bool(helped & closed.present_be) and goes
-        come = helping and helping <= closed.present_be | closed.future | {BE}
+        come = helping and helping <= closed.present_be | closed.future | {"be"}
         # "Rain expected at three"
         named = self.tree.children(verb, *SUBJECTS) or (node.relation == "acl" and verb == node.head + 1)
         told = come or (not helping and node.relation in {"acl", "ROOT"} and named)
@@ -181,11 +178,11 @@ class Stated(Places):
         governing = self.tree.children(self.tree.nodes[verb].head, "nsubj")
         named = subjects or [self.tree.nodes[p].lower for p in governing]
         words = self.tree.said((verb, *self.tree.children(verb, "acomp", "attr")))
-        if named == [IT] and not self.lexicon.impersonal.isdisjoint(words):
+        if named == ["it"] and not self.lexicon.impersonal.isdisjoint(words):
             # "It's going to rain at four"
             return True
-        becomes = self.tree.nodes[verb].lemma in self.lexicon.doing.being - {BE}
-        if named == [IT] and becomes and self.tree.nodes[verb].tag == "VBZ":
+        becomes = self.tree.nodes[verb].lemma in self.lexicon.doing.being - {"be"}
+        if named == ["it"] and becomes and self.tree.nodes[verb].tag == "VBZ":
             # "It gets cold after nine"
             return True
         helping = self._helping(verb)
@@ -204,7 +201,7 @@ class Stated(Places):
             lasts and self.tree.nodes[verb].lemma in doing.running
         )
         # "Take the bins out tonight, it's recycling tomorrow"
-        told = told or (subjects[:1] == [IT] and (goes or happening))
+        told = told or (subjects[:1] == ["it"] and (goes or happening))
         if finite and self._is_attended(verb):
             return True
         if self.tree.nodes[verb].lemma in doing.taking and helping <= closed.future | closed.tentative_modals:
@@ -220,7 +217,7 @@ class Stated(Places):
         # "The delivery arrives between ten and eleven"
         found = [p for p in self.tree.children(verb, *STATED_OF) if not self.timed(p)]
         found = [p for p in found if nodes[p].lower not in due]
-        if nodes[verb].lemma == BE and not helping:
+        if nodes[verb].lemma == "be" and not helping:
             # "The hall is free between ten and noon"; but "the hall is ready by ten" asks for it.
             found = [p for p in found if nodes[p].relation != "acomp" or nodes[p].lower in results]
         if subjects and subjects[0] in closed.first_and_third_person and helping & closed.future:

@@ -4,16 +4,13 @@ from collections.abc import Collection, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, PAST
 from fuzzytime.language.sentence.trees.tree import Node, Tree
-
-BE, MUST, MUST_BE = "be", "must", "must be"
 
 NOUNS = frozenset({"NN", "NNS", "NNP", "NNPS"})
 NAMING = NOUNS | {"JJ", "CD", "PRP$", "POS"}
 """Tags of the words that name a thing."""
 
-PARTICIPLES = frozenset({"VBN", "VBD"})
 HEADLINED = frozenset({"NN", "NNS"})
 """Tags of the first word of things without an article, of which a plan says what is done with them."""
 
@@ -41,35 +38,33 @@ def due_by_then(
     state = _state(nodes[:end], lexicon, listed=listed)
     if state <= first or _is_ordered(nodes[first:state], lexicon):
         return None
-    headlined = (
-        nodes[state].tag in PARTICIPLES and not first and nodes[0].tag in (NAMING if listed else HEADLINED)
-    )
+    headlined = nodes[state].tag in PAST and not first and nodes[0].tag in (NAMING if listed else HEADLINED)
     wished = headlined and (listed or end not in moments)
     wished = wished or (end in moments and _is_wished(nodes[:end], state, lexicon))
     if end not in due and not wished:
         return None
     thing = tree.text[nodes[0].start : nodes[state - 1].end]
     said, span = tree.text[nodes[state].start : nodes[end - 1].end], (nodes[state].start, nodes[end - 1].end)
-    if nodes[state].tag in PARTICIPLES:
+    if nodes[state].tag in PAST:
         within = all(node.tag in NAMING | {"IN", "DT"} for node in nodes[first + 1 : state])
         lemma = nodes[state].lemma
-        return Operation(verb=said, lemma=lemma, span=span, object=thing, due=MUST_BE) if within else None
+        return Operation(verb=said, lemma=lemma, span=span, object=thing, due="must be") if within else None
     named = all(node.tag in NAMING | {"IN"} or node.tag in DETERMINERS for node in nodes[state + 1 : end])
     ordered = not first and nodes[first].may_act and nodes[first].lower == nodes[first].lemma
     ordered = ordered and nodes[first].lower not in lexicon.doing.recipients
     if not named or ordered or not _is_thing(nodes[first:state], lexicon):
         # "Report on the sales by friday" may be an order.
         return None
-    return Operation(verb=BE, lemma=BE, span=span, object=thing, place=said, due=MUST)
+    return Operation(verb="be", lemma="be", span=span, object=thing, place=said, due="must")
 
 
 def _state(nodes: Sequence[Node], lexicon: Lexicon, *, listed: bool) -> int:
     """Give where it begins what is so by then: at what is done last, or else where it is; 0 for nothing."""
     last = len(nodes) - 1
     # "Miked up"
-    last -= last > 1 and nodes[last].lower in lexicon.particles and nodes[last - 1].tag in PARTICIPLES
+    last -= last > 1 and nodes[last].lower in lexicon.particles and nodes[last - 1].tag in PAST
     if last > 0 and _is_done(nodes[last], nodes[last - 1], lexicon, listed=listed):
-        both = last > 2 and nodes[last - 1].lower in {"and", "&"} and nodes[last - 2].tag in PARTICIPLES
+        both = last > 2 and nodes[last - 1].lower in {"and", "&"} and nodes[last - 2].tag in PAST
         # "Washed and hoovered"
         return last - 2 if both else last
     if last > 0 and nodes[last].tag.startswith("JJ") and nodes[last].lower in lexicon.results:
@@ -95,7 +90,7 @@ def _is_wished(nodes: Sequence[Node], state: int, lexicon: Lexicon) -> bool:
         return True
     known = lexicon.happening | lexicon.taken | lexicon.persons | lexicon.travelling | lexicon.moments
     things = [node for node in nodes[:state] if node.tag not in DETERMINERS]
-    away = nodes[state].lower in lexicon.particles and nodes[state].tag not in PARTICIPLES
+    away = nodes[state].lower in lexicon.particles and nodes[state].tag not in PAST
     return away and things[-1].tag in PLURALS and known.isdisjoint(node.lower for node in things)
 
 

@@ -14,7 +14,6 @@ from fuzzytime.requirement import MOMENTS, Constraint
 DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg", "prt", "xcomp", "ccomp")
 """What hangs on a verb, and on no noun."""
 
-OF = "of"
 NAMES = ("NN", "VBG", "CD")
 NOUN_TAGS = frozenset({"NN", "NNS"})
 
@@ -41,7 +40,7 @@ def happens(tree: Tree, phrases: Sequence[Phrase]) -> bool:
         # "Taxi at seven", "concrete truck 8:30"; but "load truck at nine", and "train at six"
         return not any(node.may_act and node.tag != "JJ" for node in tree.nodes[:root])
     # "A table of twelve at 7:15": no verb has an "of" behind it.
-    counted = root == 0 and OF in tree.said(tree.children(root, "prep"))
+    counted = root == 0 and "of" in tree.said(tree.children(root, "prep"))
     if counted and any(map(is_at_clock, phrases)):
         return True
     # "12:00 emails": what is named by more than one is no order.

@@ -10,7 +10,6 @@ from fuzzytime.english import looks_plural
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
-from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import BE
 
 NOUNS = ("NN", "VBG", "CD")
 """How the tags begin of what something is called by."""
@@ -24,7 +23,11 @@ INSIDE = (*FIRST, "DT", "PRP$", "PDT", "VBN", "POS", "IN", "TO", "CC", "RB", "RP
 MARKS = frozenset({",", ";", "(", "–", "+"})
 """What ends a name before it."""
 
-DENYING = "no"
+PLACES = frozenset({"in", "on"})
+"""Where things are put that are only named: "lights out" and "doors open" happen."""
+
+THINGS = frozenset({"NN", "NNS", "VBZ"})
+"""Tags of things: a plural in front is often taken for what one does."""
 
 
 def named_alone(tree: Tree, heard: Collection[int]) -> Operation | None:
@@ -35,7 +38,7 @@ def named_alone(tree: Tree, heard: Collection[int]) -> Operation | None:
         return None
     name, span = _lowered(_text(tree, said)), (nodes[0].start, nodes[-1].end)
     if _is_where(tree, nodes):
-        return Operation(verb=BE, lemma=BE, span=span, place=name)
+        return Operation(verb="be", lemma="be", span=span, place=name)
     heads = [node for node in nodes if node.head not in said or tree.nodes[node.head] is node]
     if nodes[0].tag in DETERMINERS:
         # "The dog at seven" goes on with the verb said last.
@@ -82,9 +85,7 @@ def _is_where(tree: Tree, nodes: Sequence[Node]) -> bool:
 def _denies(tree: Tree, nodes: Sequence[Node]) -> bool:
     """Whether words say what is not to be."""
     closed = tree.lexicon.closed
-    return not (closed.negators | closed.negative_pronouns | {DENYING}).isdisjoint(
-        node.lower for node in nodes
-    )
+    return not (closed.negators | closed.negative_pronouns | {"no"}).isdisjoint(node.lower for node in nodes)
 
 
 def _text(tree: Tree, places: Sequence[int]) -> str:
@@ -101,3 +102,30 @@ def _text(tree: Tree, places: Sequence[int]) -> str:
 
 def _lowered(said: str) -> str:
     return said[:1].lower() + said[1:] if said[1:2].islower() else said
+
+
+def put_there(tree: Tree, timed: Sequence[int]) -> Operation | None:
+    """Give what is named with "in" or "on" and a time behind it as to be put there; None for all else.
+
+    Who comes in does so alone ("mum in at six"), and what happens is on ("dinner on at six").
+    """
+    lexicon = tree.lexicon
+    nodes = tree.nodes
+    first = 1 if nodes and nodes[0].tag in DETERMINERS else 0
+    place = next((p for p in range(first + 1, len(nodes)) if nodes[p].lower in PLACES), 0)
+    if not place or place + 1 not in timed or place in timed or nodes[place].tag == "IN":
+        return None
+    things = nodes[first:place]
+    thing = things[-1]
+    named = {node.lower for node in things}
+    known = named & (lexicon.happening | lexicon.taken | lexicon.persons | lexicon.travelling)
+    acts = thing.lower == thing.lemma and thing.may_act
+    if known or acts or thing.tag not in THINGS or any(n.tag not in THINGS | {"JJ"} for n in things[:-1]):
+        return None
+    if thing.tag == "VBZ" and len(things) > 1:
+        # "The bus comes in at nine"
+        return None
+    said = tree.text[nodes[0].start : thing.end]
+    span = (nodes[place].start, nodes[place].end)
+    lowered = said[:1].lower() + said[1:] if nodes[0].text[1:].islower() else said
+    return Operation(verb="put", lemma="put", span=span, object=lowered, particle=nodes[place].lower)

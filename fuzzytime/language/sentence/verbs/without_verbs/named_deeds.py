@@ -20,8 +20,6 @@ BARE = frozenset({"VB", "VBP", "VBD", "NN"})
 LEADING = frozenset({*DETERMINERS, "CD"})
 """Tags of the first word of a name."""
 
-COMPOUND = "compound"
-PLURAL = "NNS"
 
 LONGEST_MOMENT = 4
 """Words in front of what ends such a name, fewer than that."""
@@ -39,7 +37,7 @@ def with_named_deed(tree: Tree, timed: Collection[int]) -> Tree:
         return tree
     beside = [place for place in tree.children(root) if place in apart]
     named = tree.changed(root, tag="NN", lemma=tree.nodes[root].lower)
-    return named.hung(range(first, root), root, COMPOUND).hung(beside, root, "npadvmod")
+    return named.hung(range(first, root), root, "compound").hung(beside, root, "npadvmod")
 
 
 def _first_word(tree: Tree, timed: Collection[int]) -> int:
@@ -62,7 +60,7 @@ def deed_at(tree: Tree, timed: Collection[int], phrases: Sequence[Phrase]) -> Op
 
 def _is_of_name(node: Node) -> bool:
     """Whether a word belongs to the name behind it, and is no order by itself: "legal read"."""
-    return node.relation == COMPOUND or (node.relation == "amod" and not node.may_act)
+    return node.relation == "compound" or (node.relation == "amod" and not node.may_act)
 
 
 def chores_at(
@@ -77,7 +75,7 @@ def chores_at(
     if not named or not (led or any(map(_tells_when, phrases))):
         return None
     root = tree.nodes[tree.root]
-    several = root.tag == PLURAL and tree.lexicon.persons.isdisjoint((root.lower, root.lemma))
+    several = root.tag == "NNS" and tree.lexicon.persons.isdisjoint((root.lower, root.lemma))
     done = several or (root.lower,) in tree.lexicon.conversation["by itself"]
     if named[-1] != tree.root or not done:
         return None
@@ -139,7 +137,7 @@ def _names(tree: Tree, place: int, start: int) -> bool:
     """Whether a word before it names one thing, and nobody who would do it."""
     lexicon = tree.lexicon
     node = tree.nodes[place]
-    if node.relation == COMPOUND and node.lower in lexicon.taken:
+    if node.relation == "compound" and node.lower in lexicon.taken:
         # "Vet visit 10am"
         return True
     # A team or crew has its talk or call; a robot and Dad do what is said behind them.
