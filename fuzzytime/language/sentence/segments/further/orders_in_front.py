@@ -60,8 +60,11 @@ def behind_joint(tree: Tree, start: int, timed: AbstractSet[int]) -> int:
     while behind and (behind - 1 in timed or tree.nodes[behind - 1].lower == ","):
         behind -= 1
     # "Boil it, and before that, wash it"
-    led = behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}
-    return behind if led else first
+    if behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}:
+        return behind
+    # "Feed the cat at six, tomorrow, wash the car"
+    own = first == start and tree.nodes[behind].text == "," and any(p in timed for p in range(behind))
+    return behind + 1 if own and behind + 1 < start - 1 else first
 
 
 def _orders_before(tree: Tree, root: int, start: int, joint: str, timed: AbstractSet[int]) -> list[int]:

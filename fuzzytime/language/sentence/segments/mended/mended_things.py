@@ -208,8 +208,10 @@ def with_bare_thing(tree: Tree, timed: AbstractSet[int]) -> Tree:
     where = lexicon.places | lexicon.particles.keys() | lexicon.function_words
     for thing in tree.children(root, *BESIDE, "advmod"):
         node = tree.nodes[thing]
-        if thing == place and node.tag.startswith("NN") and node.lower not in where:
-            return tree.changed(thing, relation="dobj")
+        # "Text jo this evening"
+        named = node.tag.startswith("NN") or tree.nodes[root].lemma in lexicon.addressing
+        if thing == place and named and node.lower not in where:
+            return tree.changed(thing, relation="dobj", tag=node.tag if node.tag in NAMES else "NN")
     return tree
 
 
