@@ -5,6 +5,7 @@ and where there is none, either, where a verb is left out.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from fuzzytime.language.sentence.segments.asked_by_name import addressed
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_behind
@@ -100,13 +101,20 @@ def _cut(one: Waiting, part: Part, runs_on: int | None) -> list[Waiting]:
         return list(one.cut_before(runs_on))
     cut = (
         cut
-        or called_first(one, part)
-        or addressed(one, part)
+        or _behind_front(one, part, called_first(one, part) or addressed(one, part))
         or next_one(one, part)
         or reminded(one, part)
         or pieces_of(one, part)
     )
     return _waiting(one, cut)
+
+
+def _behind_front(one: Waiting, part: Part, called: Sequence[Segment]) -> Sequence[Segment]:
+    """Give what stands before whom a segment calls a segment of its own: "after lunch, anna, lock up"."""
+    first = one.segment.span[0]
+    end = one.end_before(part.offset + part.tree.nodes[0].start)
+    kept = called and end > first and called[0].span[0] > end
+    return [replace(one.segment, span=(first, end)), *called] if kept else called
 
 
 def _waiting(one: Waiting, pieces: Sequence[Segment]) -> list[Waiting]:
