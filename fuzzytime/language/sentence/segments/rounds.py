@@ -101,7 +101,7 @@ def _cut(one: Waiting, part: Part, runs_on: int | None) -> list[Waiting]:
         return list(one.cut_before(runs_on))
     cut = (
         cut
-        or _behind_front(one, part, called_first(one, part) or addressed(one, part))
+        or _behind_front(one, called_first(one, part) or addressed(one, part))
         or next_one(one, part)
         or reminded(one, part)
         or pieces_of(one, part)
@@ -109,10 +109,10 @@ def _cut(one: Waiting, part: Part, runs_on: int | None) -> list[Waiting]:
     return _waiting(one, cut)
 
 
-def _behind_front(one: Waiting, part: Part, called: Sequence[Segment]) -> Sequence[Segment]:
+def _behind_front(one: Waiting, called: Sequence[Segment]) -> Sequence[Segment]:
     """Give what stands before whom a segment calls a segment of its own: "after lunch, anna, lock up"."""
     first = one.segment.span[0]
-    end = one.end_before(part.offset + part.tree.nodes[0].start)
+    end = one.end_before(one.main + one.behind_time)
     kept = called and end > first and called[0].span[0] > end
     return [replace(one.segment, span=(first, end)), *called] if kept else called
 
