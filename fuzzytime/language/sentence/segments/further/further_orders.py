@@ -64,7 +64,9 @@ def further_verbs(tree: Tree, root: int, times: Sequence[Span], *, told: bool) -
         if start is None and _is_second_statement(tree, place, root, timed, told=told):
             start = place
         if start is not None:
-            found.append(start)
+            # "Shoe the horse, and on friday, season the stew"
+            apart = start > 0 and tree.nodes[start - 1].text == ","
+            found.append(behind_joint(tree, start, timed) if apart else start)
     return found
 
 

@@ -65,7 +65,7 @@ def orders_behind_joints(waiting: Sequence[Waiting], found: Sequence[Tree], tree
 def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     source, timed, covered = one.source, one.timed(tree), one.source.covered
     main = one.main + max(one.behind_time, _behind_asking(tree))
-    clause = False
+    marked: int | None = None
     for here in range(LEAST, len(tree.nodes) - 1):
         # "…, this evening board the ferry"
         first = behind_joint(tree, here, set(timed))
@@ -76,13 +76,20 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
             continue
         start, verb = (tree.nodes[at].start + one.main for at in (first, here))
         words = (word for word in source.places(main, start) if word not in covered)
-        clause = clause or any(longest_match(source.scanned.words, word, tree.lexicon.clauses) for word in words)
-        if clause and led.text != ",":
-            # "Stir it when the chef salts the soup and pepper the steak": what is in a clause.
+        clauses = (w for w in words if longest_match(source.scanned.words, w, tree.lexicon.clauses))
+        marked = next(clauses, None) if marked is None else marked
+        if marked is not None and led.text != "," and not _acts_alone(tree, one, marked, first):
+            # "Stir it when the chefs salt the soup and pepper the steak": what is in a clause.
             continue
         before = source.sound[main : led.start + one.main].strip()
         apart = first - 2 in timed or tree.nodes[first - 2].tag == "RP"
         yield _Try(place, start, sure, apart, before, source.sound[verb : one.segment.span[1]])
+
+
+def _acts_alone(tree: Tree, one: Waiting, marked: int, end: int) -> bool:
+    """Whether one does what a clause says, so that no bare verb goes on: "when it dries and sand the door"."""
+    begin = one.source.scanned.words[marked].start - one.main
+    return any(node.tag == "VBZ" and node.start > begin for node in tree.nodes[:end])
 
 
 def _is_done_alone(tree: Tree) -> bool:
