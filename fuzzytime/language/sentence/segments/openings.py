@@ -43,7 +43,7 @@ def behind_opening(
 
 
 def openings_inside(words: Sequence[Word], times: AbstractSet[int], lexicon: Lexicon) -> Iterator[Span]:
-    """Give the stretches that open an order behind a time or a comma: "at noon, why don't you feed the cat"."""
+    """Give the stretches that open an order behind a time or a comma: "at noon, why don't you …"."""
     apart = lexicon.closed.joints_of_orders | lexicon.closed.universal_pronouns | lexicon.machines
     addresses = (lexicon.addresses - apart) | {"please"}
     for place in range(1, len(words) - 1):

@@ -109,7 +109,7 @@ def _cut(one: Waiting, part: Part, runs_on: int | None) -> list[Waiting]:
     return _waiting(one, cut)
 
 
-def _behind_front(one: Waiting, called: Sequence[Segment]) -> Sequence[Segment]:
+def _behind_front(one: Waiting, called: list[Segment]) -> list[Segment]:
     """Give what stands before whom a segment calls a segment of its own: "after lunch, anna, lock up"."""
     first = one.segment.span[0]
     end = one.end_before(one.main + one.behind_time)

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER
-from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.further.orders_in_front import behind_joint
+from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.further.run_on_orders import governs, is_whole
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
@@ -87,7 +87,7 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
 
 
 def _acts_alone(tree: Tree, one: Waiting, marked: int, end: int) -> bool:
-    """Whether one does what a clause says, so that no bare verb goes on: "when it dries and sand the door"."""
+    """Whether one does what a clause says, so that no bare verb goes on: "when it dries and sand it"."""
     begin = one.source.scanned.words[marked].start - one.main
     return any(node.tag == "VBZ" and node.start > begin for node in tree.nodes[:end])
 

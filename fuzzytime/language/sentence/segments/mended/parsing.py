@@ -97,7 +97,7 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
 
 
 def _behind_asking(one: Waiting) -> int:
-    """Give where an order begins behind what only asks for it: "could you | mash swede", "go and | ring dad"."""
+    """Give where an order begins behind what only asks for it: "go and | ring dad"."""
     closed, start = one.lexicon.closed, one.behind_time
     behind = [*one.source.places(one.main + start, one.segment.span[1])]
     words = [one.source.scanned.words[place] for place in behind]
@@ -127,7 +127,7 @@ def _is_astray(one: Waiting, tree: Tree) -> bool:
 
 
 def _only_asks(tree: Tree) -> bool:
-    """Whether a tree shows nothing to do behind what asks for it: "go and | ring dad", "let's | oil the hinge"."""
+    """Whether a tree shows nothing to do behind what asks for it: "go and | ring dad"."""
     action = action_of(tree)
     place = tree.root if action is None else action.place
     leads = tree.nodes[place].lemma in tree.lexicon.doing.trying and gone_to_do(tree, place) is None
