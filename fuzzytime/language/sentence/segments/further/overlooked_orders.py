@@ -65,7 +65,7 @@ def _is_chore(tree: Tree, place: int) -> bool:
         return False
     if node.lower in lexicon.ordering:
         # "… and order pizza at seven"
-        return any(one.tag.startswith("NN") and not one.may_act for one in things)
+        return any(one.tag == "NNS" or (one.tag == "NN" and not one.may_act) for one in things)
     several = any(one.tag == "NNS" or says_where(one.lower, lexicon) for one in things)
     return node.lower in lexicon.chores and several and not bought
 
