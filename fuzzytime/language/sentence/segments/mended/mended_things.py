@@ -43,7 +43,7 @@ def with_whole_things(tree: Tree) -> Tree:
 def _with_thing_done(tree: Tree) -> Tree:
     """Give "dad does breakfast", "mum does the school run" its thing, which a tree takes for the verb."""
     thing = tree.root
-    for does in tree.children(thing, "aux"):
+    for does in (place for place in tree.children(thing, "aux") if place < thing):
         told = tree.nodes[does].lower == "does" and any(p < does for p in tree.children(thing, *SUBJECTS))
         led = thing == does + 1 or tree.nodes[does + 1].tag in DETERMINERS
         if told and led and not tree.children(thing, "neg", "dobj", "xcomp", "ccomp"):

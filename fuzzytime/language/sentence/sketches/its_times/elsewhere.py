@@ -98,7 +98,7 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
             # "Soak it overnight so it's ready by six"; but "order it today so that it comes on friday"
             continue
         start, end = part.span(nodes[so], nodes[-1])
-        own = any(phrase.span[1] <= start for phrase in phrases)
+        own = not ends_so or any(phrase.span[1] <= start for phrase in phrases)
         behind = any(phrase.span[0] >= start for phrase in phrases)
         thing = {nodes[p].lower for p in part.tree.children(action.place, "dobj")}
         if own and behind and nodes[subjects[0]].lower not in thing:
