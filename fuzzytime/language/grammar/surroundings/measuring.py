@@ -29,7 +29,9 @@ class Measures(Compared):
         if piece.value.preposition in {None, *NEARLY} and self._switches(piece):
             return False
         for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
-            if self._is_other_order(place) or self.is_amount(place):
+            leads = place + 1 == piece.start and self.texts[place] == "and" and not self.is_number(place - 1)
+            if leads or self._is_other_order(place) or self.is_amount(place):
+                # "Turn the heating down, and from ten shear the sheep"
                 return False
             if place and self.is_amount(place - 1):
                 return False

@@ -103,6 +103,10 @@ class Surroundings(BehindTimes):
         "Call april on friday"; but "call april 5", "remind me march 2nd".
         """
         before = self.texts[place - 1] if place else ""
+        given = self.texts[place] in self.lexicon.no_times.given_names
+        if given and before and any(piece.category == "hedge" for piece in self.pieces(place)):
+            # "Wake max before noon"; but "cook it max ten minutes"
+            return not self._is_counted(place + 1)
         if before in {"and", ","} and place > 1 and any(p.category == "month" for p in self.pieces(place)):
             return self.names_person(place - 2)
         pronoun = before in self.closed.object_pronouns or before in self.closed.persons_addressed
@@ -115,8 +119,14 @@ class Surroundings(BehindTimes):
         )
         dated = dated or (bool(behind) and behind[0].text in self.lexicon.numbers)
         # "Meet dawn at noon"
-        given = self.texts[place] in self.lexicon.no_times.given_names and self.is_part(place)
+        given = given and self.is_part(place)
         return not dated and (given or any(one.category == "month" for one in self.pieces(place)))
+
+    def _is_counted(self, place: int) -> bool:
+        """Whether an amount begins at a place, or nothing does."""
+        behind = self.words[place : place + 1]
+        known = self.lexicon.numbers.keys() | self.closed.articles | self.beside.parts_of_hours
+        return not behind or behind[0].is_digits or behind[0].text in known
 
     def names_place(self, piece: Piece) -> bool:
         """Whether a name goes on behind it: "to Thursday Island"."""

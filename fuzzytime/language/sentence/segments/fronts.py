@@ -5,6 +5,7 @@ word may be an order, the words before it are parsed as a clause, and those from
 """
 
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -52,9 +53,10 @@ class Front:
 
 @dataclass(frozen=True, slots=True)
 class _Try:
-    """A place at which what is to be done may begin, with the clause before it."""
+    """A place at which what is to be done may begin, with the clause before it; ``names`` are of persons."""
 
     one: int
+    names: AbstractSet[str]
     kind: str
     front: Front
     clause: str
@@ -111,7 +113,7 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
         order = source.sound[start:end]
         for contrary in tree.lexicon.beside.contrary:
             order = order.partition(f" {contrary} ")[0]
-        yield _Try(place, kind, Front(marker.start, start), clause, order)
+        yield _Try(place, tree.lexicon.people, kind, Front(marker.start, start), clause, order)
 
 
 def _with_order(place: int, one: Waiting, front: Tree) -> Iterator[_Try]:
@@ -130,7 +132,7 @@ def _with_order(place: int, one: Waiting, front: Tree) -> Iterator[_Try]:
             clause = source.sound[first:start].strip(" ,")
             # "If the pan is hot flip it, otherwise heat it": what is behind the comma goes its own way.
             order = source.sound[start:end].partition(",")[0]
-            yield _Try(place, marker.kind, Front(marker.start, start), clause, order)
+            yield _Try(place, front.lexicon.people, marker.kind, Front(marker.start, start), clause, order)
 
 
 def _is_free(tree: Tree, place: int) -> bool:
@@ -186,6 +188,9 @@ def _as_event(attempt: _Try) -> str:
         return f"the {clause}"
     # "If its above 40 open the vent"
     first, space, rest = clause.partition(" ")
+    if space and first.lower() in attempt.names:
+        # "If maya rings": a tree has a small name and its verb for one thing
+        return f"she {rest}"
     return f"it is {rest}" if space and first.lower() == ITS else clause
 
 

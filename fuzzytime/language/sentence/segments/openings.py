@@ -1,10 +1,11 @@
 """Where an order begins behind who is asked, and ends before thanks: "hey robot, please … thanks"."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Span
 
 
 def behind_opening(
@@ -39,6 +40,20 @@ def behind_opening(
         else:
             break
     return begin
+
+
+def openings_inside(words: Sequence[Word], times: AbstractSet[int], lexicon: Lexicon) -> Iterator[Span]:
+    """Give the stretches that open an order behind a time or a comma: "at noon, why don't you …"."""
+    apart = lexicon.closed.joints_of_orders | lexicon.closed.universal_pronouns | lexicon.machines
+    addresses = (lexicon.addresses - apart) | {"please"}
+    for place in range(1, len(words) - 1):
+        if place in times or (place - 1 not in times and words[place - 1].text != ","):
+            continue
+        form = longest_match(words, place, lexicon.questions["suggesting"])
+        form = (words[place].text,) if form is None and words[place].text in addresses else form
+        end = place + len(form or ())
+        if form and end < len(words) and words[end].is_letters | (words[end].text == ","):
+            yield words[place].start, words[end - 1].end
 
 
 def _is_somewhere(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> bool:

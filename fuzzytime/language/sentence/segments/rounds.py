@@ -5,6 +5,7 @@ and where there is none, either, where a verb is left out.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_behind
 from fuzzytime.language.sentence.segments.connectives import next_one
@@ -99,13 +100,20 @@ def _cut(one: Waiting, part: Part, runs_on: int | None) -> list[Waiting]:
         return list(one.cut_before(runs_on))
     cut = (
         cut
-        or called_first(one, part)
-        or addressed(one, part)
+        or _behind_front(one, called_first(one, part) or addressed(one, part))
         or next_one(one, part)
         or reminded(one, part)
         or pieces_of(one, part)
     )
     return _waiting(one, cut)
+
+
+def _behind_front(one: Waiting, called: list[Segment]) -> list[Segment]:
+    """Give what stands before whom a segment calls a segment of its own: "after lunch, anna, lock up"."""
+    first = one.segment.span[0]
+    end = one.end_before(one.main + one.behind_time)
+    kept = called and end > first and called[0].span[0] > end
+    return [replace(one.segment, span=(first, end)), *called] if kept else called
 
 
 def _waiting(one: Waiting, pieces: Sequence[Segment]) -> list[Waiting]:

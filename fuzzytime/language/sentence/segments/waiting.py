@@ -55,7 +55,10 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A text, scanned for times, words of order among others, and where orders begin beside what is told."""
+    """A text, scanned for times, words of order among others, and where orders begin beside what is told.
+
+    Its ``openings`` ask for something and say nothing of it: "at noon, why don't you …".
+    """
 
     now: datetime | None
     scanned: Scanned
@@ -63,13 +66,14 @@ class Source:
     remarks: tuple[Remark, ...]
     orders: tuple[tuple[Span, Order], ...] = ()
     apart: tuple[int, ...] = ()
+    openings: tuple[Span, ...] = ()
 
     @property
     def sound(self) -> str:
-        """The text with spaces for words taken back ("at five, I mean six") and words of order ("last")."""
+        """The text with spaces for words taken back ("at five, I mean six"), words of order and openings."""
         taken_back = (remark.span for remark in self.remarks)
         words = [(self._behind_preposition(start, end), end) for start, end in taken_back]
-        return blanked(self.scanned.text, [*(span for span, _ in self.orders), *words])
+        return blanked(self.scanned.text, [*(span for span, _ in self.orders), *self.openings, *words])
 
     def _behind_preposition(self, start: int, end: int) -> int:
         """Give where words begin that are taken back: the "at" in front of them stays."""
@@ -181,7 +185,7 @@ class Waiting:
         """Where the main words begin behind a time in front of them, from ``main``."""
         words = self.source.scanned.words
         # "Not today but tomorrow at two polish the silver"
-        back = [remark.span for remark in self.source.remarks]
+        back = [*(remark.span for remark in self.source.remarks), *self.source.openings]
         places = self.source.places(self.main, self.segment.span[1])
         places = [p for p in places if not any(a <= words[p].start < b for a, b in back)]
         firsts = {phrase.first for phrase in self.source.phrases}

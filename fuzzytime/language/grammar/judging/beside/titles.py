@@ -19,9 +19,6 @@ CAPITAL_ANYWAY = ("weekday", "weekdays", "month", "feast")
 """Categories of words that have a capital in any sentence."""
 
 
-AMOUNTS = frozenset({"a", "an", "half"})
-"""How lengths of time begin that no number does."""
-
 LEAST_TITLE = 2
 """Words of a title that capitals tell, at least."""
 
@@ -102,23 +99,7 @@ class Titles(Standing):
             or self.around.is_title(piece)
             or self.around.has_title(piece.start)
             or (self._may_be_called(piece.start) and self.around.is_somebody(piece.start))
-            or self._hedges_nothing(piece)
         )
-
-    def _hedges_nothing(self, piece: Piece) -> bool:
-        """Whether it begins with a name that is a hedge, too: "call max at six"; "call max ten minutes"."""
-        if self.texts[piece.start] not in self.lexicon.no_times.given_names or piece.start == 0:
-            return False
-        company = self.closed.prepositions_of_company | self.closed.prepositions_of_recipients
-        before = self.around.before(piece)
-        opens = self.around.opens(piece.start - 1) and before not in self.lexicon.doing.resting
-        if not opens and before not in self.lexicon.addressing | company | {"and"}:
-            # "Call mum max at noon", "simmer max about two minutes"
-            return False
-        hedged = any(said.category == "hedge" for said in self.around.pieces(piece.start))
-        first, *_ = self.texts[piece.start + 1 : piece.end] or [""]
-        amount = first in AMOUNTS or self.measures.is_number(piece.start + 1)
-        return hedged and not amount
 
     def _may_be_called(self, place: int) -> bool:
         """Whether persons may be called by a word: a part of the day, or a name that is a time, too."""

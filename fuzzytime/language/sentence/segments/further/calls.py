@@ -33,7 +33,8 @@ SHORTEST_CALL = 3
 def called_first(one: Waiting, part: Part) -> list[Segment]:
     """Give the segment without whom it calls: "robot 2 weld the frame", "let robot 2 weld it"."""
     timed = one.timed(part.tree)
-    found = None if one.segment.addressee is not None else _called_at(one, part, 0, timed)
+    first = next(part.tree.at(one.behind_time, one.behind_time + 1), 0)
+    found = None if one.segment.addressee is not None else _called_at(one, part, first, timed)
     if found is None:
         return []
     called, verb = found
@@ -81,7 +82,7 @@ def _called_at(one: Waiting, part: Part, place: int, timed: Container[int]) -> t
         # "Anna please take the bus"
         verb += 1
     called = " ".join(node.text for node in nodes[name : name + length])
-    if place == name == 0 and _is_asked(nodes, verb, lexicon):
+    if place == name and one.segment.addressee is None and _is_asked(nodes, verb, lexicon):
         return called, nodes[verb]
     return (called, nodes[verb]) if _is_order(nodes, verb, timed, lexicon, sure=length == NUMBERED) else None
 

@@ -63,9 +63,18 @@ def further_verbs(tree: Tree, root: int, times: Sequence[Span], *, told: bool) -
         start = _start_at(tree, place, root, timed)
         if start is None and _is_second_statement(tree, place, root, timed, told=told):
             start = place
-        if start is not None:
-            found.append(start)
+        if start is not None and not _is_aim(tree, start, root):
+            # "Shoe the horse, and on friday, season the stew"
+            apart = start > 0 and tree.nodes[start - 1].text == ","
+            found.append(behind_joint(tree, start, timed) if apart else start)
     return found
+
+
+def _is_aim(tree: Tree, place: int, root: int) -> bool:
+    """Whether others do then what an order is for: "post it tonight so they get it tomorrow"."""
+    others = tree.lexicon.closed.anaphors | tree.lexicon.closed.third_person_singular
+    led = place > 0 and tree.nodes[place - 1].lower == "so" and tree.nodes[place].lower in others
+    return led and root < place and tree.nodes[root].is_bare
 
 
 def _start_at(tree: Tree, place: int, root: int, timed: set[int]) -> int | None:

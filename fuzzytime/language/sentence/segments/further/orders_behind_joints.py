@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER
+from fuzzytime.language.sentence.segments.further.orders_in_front import behind_joint
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.further.run_on_orders import governs, is_whole
 from fuzzytime.language.sentence.segments.waiting import Waiting
@@ -20,6 +21,8 @@ from fuzzytime.language.sentence.verbs.meant.actions import action_of
 
 LEAST = 3
 """Words of an order with its thing and a joint behind them, at least."""
+
+OPENING = DETERMINERS | {"PDT"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,20 +64,31 @@ def orders_behind_joints(waiting: Sequence[Waiting], found: Sequence[Tree], tree
 def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     source, timed, covered = one.source, one.timed(tree), one.source.covered
     main = one.main + max(one.behind_time, _behind_asking(tree))
+    marked: int | None = None
     for here in range(LEAST, len(tree.nodes) - 1):
-        led = tree.nodes[here - 1]
+        # "…, this evening board the ferry"
+        first = behind_joint(tree, here, set(timed))
+        led = tree.nodes[first - 1]
         sure = _is_surely_done(tree, here, timed)
         joined = led.lower in tree.lexicon.closed.joints_of_orders
-        if not joined or not (sure or _may_act_on(tree, here, timed)):
+        if first < LEAST or not joined or not (sure or _may_act_on(tree, here, timed)):
             continue
-        start = tree.nodes[here].start + one.main
+        start, verb = (tree.nodes[at].start + one.main for at in (first, here))
         words = (word for word in source.places(main, start) if word not in covered)
-        if any(longest_match(source.scanned.words, word, tree.lexicon.clauses) is not None for word in words):
-            # "Stir it when the chef salts the soup and pepper the steak": what is in a clause.
-            return
+        clauses = (w for w in words if longest_match(source.scanned.words, w, tree.lexicon.clauses))
+        marked = next(clauses, None) if marked is None else marked
+        if marked is not None and led.text != "," and not _acts_alone(tree, one, marked, first):
+            # "Stir it when the chefs salt the soup and pepper the steak": what is in a clause.
+            continue
         before = source.sound[main : led.start + one.main].strip()
-        apart = here - 2 in timed or tree.nodes[here - 2].tag == "RP"
-        yield _Try(place, start, sure, apart, before, source.sound[start : one.segment.span[1]])
+        apart = first - 2 in timed or tree.nodes[first - 2].tag == "RP"
+        yield _Try(place, start, sure, apart, before, source.sound[verb : one.segment.span[1]])
+
+
+def _acts_alone(tree: Tree, one: Waiting, marked: int, end: int) -> bool:
+    """Whether one does what a clause says, so that no bare verb goes on: "when it dries and sand it"."""
+    begin = one.source.scanned.words[marked].start - one.main
+    return any(node.tag == "VBZ" and node.start > begin for node in tree.nodes[:end])
 
 
 def _is_done_alone(tree: Tree) -> bool:
@@ -108,15 +122,21 @@ def _may_act_on(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     if not timed.isdisjoint({place, place + 1}) or node.lower in tree.lexicon.function_words:
         return False
     third = further[0].tag if further and place + 2 not in timed else ""
-    opens = behind.tag in DETERMINERS or behind.lower in tree.lexicon.closed.indefinite_determiners
+    opens = behind.tag in OPENING or behind.lower in tree.lexicon.closed.indefinite_determiners
+    # "Dust mum's piano", "fetch leo"
+    owned = third == "POS" or (node.may_act and behind.lower in tree.lexicon.names and not _is_asked(tree))
     carried = node.lower in tree.lexicon.particles.get(behind.lower, ()) and third in DETERMINERS
     # "Discharge bed four"
     counted = behind.tag == "NN" and third == "CD"
-    return node.text.isalpha() and node.tag not in DETERMINERS and (opens or carried or counted)
+    return node.text.isalpha() and node.tag not in DETERMINERS and (opens or owned or carried or counted)
 
 
 def _is_surely_done(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
-    """Whether words say that it is an order, and not of one asked: "remind me to call Bob and text Ann"."""
-    root = tree.root
-    asked = tree.nodes[root].lemma in tree.lexicon.addressing and tree.children(root, "xcomp", "ccomp")
-    return not asked and is_bare_order(tree, place, timed)
+    """Whether words say that it is an order, and not of one asked."""
+    return not _is_asked(tree) and is_bare_order(tree, place, timed)
+
+
+def _is_asked(tree: Tree) -> bool:
+    """Whether what is to be done is somebody's who is asked: "remind me to call Bob and text Ann"."""
+    asked = tree.nodes[tree.root].lemma in tree.lexicon.addressing
+    return asked and bool(tree.children(tree.root, "xcomp", "ccomp"))

@@ -44,11 +44,19 @@ def order_behind_order(tree: Tree, root: int, timed: AbstractSet[int]) -> int | 
     if subjects and not brought:
         bare = (p for p in orders if tree.nodes[p].tag == "VB" and first_of(tree, p) == 0)
         orders = [*bare, *(p for p in orders if _is_passive(tree, p))]
-    ordered = any(
+    wished = any(_is_wished(tree, p) for p in tree.children(root, *COORDINATE) if p < start)
+    ordered = wished or any(
         not tree.children(p, *ANY_SUBJECTS, "aux", "mark") and all(a > p for a in tree.children(p, "advmod"))
         for p in orders
     )
     return start if ordered else None
+
+
+def _is_wished(tree: Tree, place: int) -> bool:
+    """Whether somebody says that it is to be done: "we should mop the hall, the floor is sticky"."""
+    whose = tree.said(tree.children(place, *ANY_SUBJECTS))
+    helping = any(tree.nodes[p].tag == "MD" for p in tree.children(place, "aux"))
+    return helping and bool(whose) and whose <= tree.lexicon.closed.first_and_second_person
 
 
 def behind_joint(tree: Tree, start: int, timed: AbstractSet[int]) -> int:
@@ -60,8 +68,11 @@ def behind_joint(tree: Tree, start: int, timed: AbstractSet[int]) -> int:
     while behind and (behind - 1 in timed or tree.nodes[behind - 1].lower == ","):
         behind -= 1
     # "Boil it, and before that, wash it"
-    led = behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}
-    return behind if led else first
+    if behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}:
+        return behind
+    # "Feed the cat at six, tomorrow, wash the car"
+    own = first == start and tree.nodes[behind].text == "," and any(p in timed for p in range(behind))
+    return behind + 1 if own and behind + 1 < start - 1 else first
 
 
 def _orders_before(tree: Tree, root: int, start: int, joint: str, timed: AbstractSet[int]) -> list[int]:

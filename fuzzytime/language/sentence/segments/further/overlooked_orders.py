@@ -49,13 +49,14 @@ def _is_done_to_somebody(tree: Tree, place: int) -> bool:
     """Whether what may be a verb has somebody behind it: "feed the cat and text ann"; not "and aunt ann"."""
     lexicon = tree.lexicon
     node, who = tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    if node.lower in lexicon.persons:
+    if node.lower in lexicon.persons - lexicon.names_like_words:
         return False
     calls = node.lower in lexicon.addressing
-    # "Ring jane": a tree may have it for what goes on.
-    taken = not node.is_verb or (node.tag == "VBG" and calls)
+    # "Ring jane": a tree may have it for what goes on, and "email mrs lane" for a part of her name.
+    taken = not node.is_verb or node.relation == "compound" or (node.tag == "VBG" and calls)
     bare = taken and (calls or (node.may_act and node.lower == node.lemma.lower()))
-    return bare and any(one.lower in (lexicon.people if calls else lexicon.names) for one in who)
+    known = lexicon.people if calls else lexicon.names | lexicon.beside.titles_of_persons
+    return bare and any(one.lower in known for one in who)
 
 
 def _is_chore(tree: Tree, place: int) -> bool:
@@ -70,7 +71,7 @@ def _is_chore(tree: Tree, place: int) -> bool:
         return False
     if node.lower in lexicon.ordering:
         # "… and order pizza at seven"
-        return any(one.tag.startswith("NN") and not one.may_act for one in things)
+        return any(one.tag == "NNS" or (one.tag == "NN" and not one.may_act) for one in things)
     several = any(one.tag == "NNS" or says_where(one.lower, lexicon) for one in things)
     return node.lower in lexicon.chores and several and not bought
 

@@ -208,4 +208,7 @@ def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:
     ordered = plural and not part.tree.children(part.tree.root, *SUBJECTS)
     # "Two more"
     more = node.lower == "more" and place > 0 and part.tree.nodes[place - 1].tag == "CD"
-    return node.tag in THINGS or node.lower in things or ordered or more
+    # "Dad's bike"; but "dad's home", "mum's at the vet"
+    owned = part.tree.nodes[place + 1 : place + 2] if node.tag == "POS" else ()
+    owns = any(one.tag.startswith("NN") and not says_where(one.lower, part.lexicon) for one in owned)
+    return node.tag in THINGS or node.lower in things or ordered or more or owns

@@ -4,7 +4,7 @@ import re
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from fuzzytime.language.sentence.trees.tags import SINGULAR, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
 BELOW_ZERO = re.compile(r"[-−]\d+(\.\d+)?$")
@@ -28,6 +28,7 @@ DESCRIBING = frozenset({"RB", "JJ"})
 
 def with_whole_things(tree: Tree) -> Tree:
     """Give a tree whose things have all their words."""
+    tree = _with_thing_done(tree)
     return _with_level(
         _with_next_one(
             _with_numbered_subject(
@@ -37,6 +38,21 @@ def with_whole_things(tree: Tree) -> Tree:
             )
         )
     )
+
+
+def _with_thing_done(tree: Tree) -> Tree:
+    """Give "dad does breakfast", "mum does the school run" its thing, which a tree takes for the verb."""
+    thing = tree.root
+    for does in (place for place in tree.children(thing, "aux") if place < thing):
+        told = tree.nodes[does].lower == "does" and any(p < does for p in tree.children(thing, *SUBJECTS))
+        led = thing == does + 1 or tree.nodes[does + 1].tag in DETERMINERS
+        if told and led and not tree.children(thing, "neg", "dobj", "xcomp", "ccomp"):
+            apart = [p for p in tree.children(thing) if not does < p < thing]
+            for part in tree.children(thing, "nsubj"):
+                tree = tree if part < does else tree.changed(part, relation="compound")
+            tree = tree.hung(apart, does).changed(does, tag="VBZ", relation="ROOT", head=does)
+            return tree.changed(thing, tag="NN", relation="dobj", head=does)
+    return tree
 
 
 def _with_people(tree: Tree) -> Tree:
@@ -208,8 +224,10 @@ def with_bare_thing(tree: Tree, timed: AbstractSet[int]) -> Tree:
     where = lexicon.places | lexicon.particles.keys() | lexicon.function_words
     for thing in tree.children(root, *BESIDE, "advmod"):
         node = tree.nodes[thing]
-        if thing == place and node.tag.startswith("NN") and node.lower not in where:
-            return tree.changed(thing, relation="dobj")
+        # "Text jo this evening"
+        named = node.tag.startswith("NN") or tree.nodes[root].lemma in lexicon.addressing
+        if thing == place and named and node.lower not in where:
+            return tree.changed(thing, relation="dobj", tag=node.tag if node.tag in NAMES else "NN")
     return tree
 
 

@@ -27,7 +27,7 @@ from fuzzytime.language.sentence.segments.orders_beside_times import begins_orde
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
-from fuzzytime.language.sentence.verbs.meant.actions import is_doubtful
+from fuzzytime.language.sentence.verbs.meant.actions import action_of, gone_to_do, is_doubtful
 from fuzzytime.language.sentence.verbs.statements.called import (
     with_called,
     with_clause,
@@ -40,6 +40,8 @@ from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import with_nam
 
 CARRIERS = ("please ", "you should ")
 """Words that make a parser see the verb behind them, tried in this order."""
+
+LETS = frozenset({"let's", "let’s", "lets"})
 
 
 def trees_of(waiting: Sequence[Waiting], trees: Trees) -> list[Tree]:
@@ -61,7 +63,7 @@ def trees_of(waiting: Sequence[Waiting], trees: Trees) -> list[Tree]:
             found[place] = replace(tree, text=texts[place])
     for carrier in CARRIERS:
         again = [
-            (place, waiting[place].behind_time)
+            (place, _behind_asking(waiting[place]))
             for place, tree in enumerate(found)
             if place in own and _is_astray(waiting[place], tree)
         ]
@@ -94,6 +96,18 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
     return as_statement(tree, timed, one.lexicon.travelling)
 
 
+def _behind_asking(one: Waiting) -> int:
+    """Give where an order begins behind what only asks for it: "go and | ring dad"."""
+    closed, start = one.lexicon.closed, one.behind_time
+    behind = [*one.source.places(one.main + start, one.segment.span[1])]
+    words = [one.source.scanned.words[place] for place in behind]
+    first, second = ([word.text for word in words] + ["", ""])[:2]
+    asks = first in closed.requesting_modals and second in closed.second_person
+    asks = asks or (first in one.lexicon.doing.trying and second == "and")
+    asked = 2 if asks else int(first in LETS)
+    return words[asked].start - one.main if asked < len(words) else start
+
+
 def _is_astray(one: Waiting, tree: Tree) -> bool:
     """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
     if not tree.nodes:
@@ -102,7 +116,7 @@ def _is_astray(one: Waiting, tree: Tree) -> bool:
         return may_be_ordered(tree) or begins_order(tree)
     if leaves(tree, tree.root, one.lexicon.travelling):
         return False
-    if is_doubtful(tree) or is_numbered(tree):
+    if is_doubtful(tree) or is_numbered(tree) or _only_asks(tree):
         return True
     if _overlooks_order(one, tree) or begins_order(tree) or tree.root in one.timed(tree):
         return True
@@ -110,6 +124,15 @@ def _is_astray(one: Waiting, tree: Tree) -> bool:
     before = [p for p in one.source.places(one.main, root) if p not in one.source.covered]
     led = [longest_match(words, place, one.lexicon.clauses) is not None for place in before]
     return any(led) and not led[0]
+
+
+def _only_asks(tree: Tree) -> bool:
+    """Whether a tree shows nothing to do behind what asks for it: "go and | ring dad"."""
+    action = action_of(tree)
+    place = tree.root if action is None else action.place
+    leads = tree.nodes[place].lemma in tree.lexicon.doing.trying and gone_to_do(tree, place) is None
+    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
+    return (leads and behind == "and") or (tree.nodes[place].lemma == "let" and behind in {"'s", "’s"})
 
 
 def _overlooks_order(one: Waiting, tree: Tree) -> bool:

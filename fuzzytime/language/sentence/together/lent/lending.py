@@ -35,17 +35,18 @@ def led(sketches: list[Sketch], text: str) -> list[Sketch]:
 
 
 def _is_in_front(before: Sketch, sketch: Sketch, text: str) -> bool:
-    """Whether a comma alone is between a time and what is to be done."""
+    """Whether a comma alone is between a time and what is to be done, or who is asked to do it."""
     between = text_between(before, sketch, text).strip()
-    return between == "," and not before.part.segment.connective and sketch.operation is not None
+    called = sketch.part.segment.addressee
+    apart = between == "," or (called is not None and between.lstrip(" ,:").startswith(called))
+    return apart and not before.part.segment.connective and sketch.operation is not None
 
 
 def _is_time_alone(sketch: Sketch) -> bool:
-    """Whether nothing but times is said: not "maths until ten"."""
-    part = sketch.part
+    """Whether nothing but times and clauses is said: not "maths until ten"."""
+    part, heard = sketch.part, sketch.heard
     names = (node for node in part.tree.nodes if node.tag.startswith("NN"))
-    spans = list(map(part.span, names))
-    return bool(sketch.phrases) and all(any(overlap(s, p.span) for p in sketch.phrases) for s in spans)
+    return bool(heard) and all(any(overlap(part.span(name), span) for span in heard) for name in names)
 
 
 def _until_then(said: Said) -> Said:

@@ -253,7 +253,10 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str]) -> bool:
     closed, beside = lexicon.closed, lexicon.beside
     node = tree.nodes[verb]
     subjects = [tree.nodes[p] for p in tree.children(verb, "nsubj") if p < verb]
-    if not subjects or node.lemma in lexicon.wanting or (node.lemma == "have" and not _has_thing(tree, verb)):
+    if not subjects or (node.lemma == "have" and not _has_thing(tree, verb)):
+        return False
+    if node.lemma in lexicon.wanting and not closed.it_or_them & tree.said(tree.children(verb, "dobj")):
+        # "Mum wants the car washed"; but "wash the car, mum wants it at six"
         return False
     called = {subjects[0].lower, *(tree.nodes[p].lower for p in tree.below(verb) if p < verb)}
     named = bool(((lexicon.persons | closed.third_person_singular) - closed.persons_addressed) & called)
