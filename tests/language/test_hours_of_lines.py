@@ -163,6 +163,7 @@ def test_what_happens_at_any_minute_needs_no_point() -> None:
         ("2. [11.15] physio", ("physio", "11:15")),
         ("3) 11.15-11.30 lab talk", ("lab talk", "11:15")),
         ("4. 11.15 - taxi", ("taxi", "11:15")),
+        ("4. 11.15 (15m) glaze tiles", ("glaze tiles", "11:15")),
         ("- [ ] 11.15: gas man", ("gas man", "11:15")),
         ("11:15 dentist, Sam", ("dentist Sam", "11:15")),
         ("11.15 Ben's party", ("Ben's party", "11:15")),

@@ -116,12 +116,7 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         counts = _is_amount(behind, lexicon)
         # "Beef in 10.45 - 20 min"
         lasts = counts and found["dash"] is not None and (found["minutes"] or found["digits"]) is not None
-        if (
-            not before
-            or (counts and not lasts)
-            or _costs(before, lexicon)
-            or _is_other(found, before, lexicon)
-        ):
+        if not before or (counts and not lasts) or _is_other(found, before, lexicon):
             continue
         if ":" in text[found.start("mark") : found.end()] and not lexicon.means(before[-1].text, "hedge"):
             # "Panel 9:15" needs no mark.
@@ -163,12 +158,8 @@ def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         if found is not None and not _is_amount(words_of(line[0][found.end() :])[:1], lexicon):
             if found["point"]:
                 ends = FURTHER.match(line[0], found.end()) or found
-                yield from (
-                    point.start()
-                    for point in POINT.finditer(
-                        text, *(line.start() + place for place in (found.start(), ends.end()))
-                    )
-                )
+                points = POINT.finditer(line[0], found.start(), ends.end())
+                yield from (line.start() + point.start() for point in points)
             elif timed is Timed.LEAD:
                 yield line.start() + found.start("digits") - 1
         alone = ALONE.match(line[0]) if timed >= Timed.MOST else None
@@ -205,12 +196,6 @@ def _may_end(
     return bool(typed) and (found["until"] is not None or beside)
 
 
-def _is_other(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether it is shared, or a year where an hour was said: "van half 2", "11.15pm Blade Runner 2049"."""
-    year = found["digits"] is not None and found["digits"] in YEARS
-    return before[-1].text in lexicon.beside.parts_of_hours or (year and any(w.is_digits for w in before))
-
-
 def _is_counted(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word names several things that do not happen: "guests"."""
     others = lexicon.happening | lexicon.taken | lexicon.beside.states
@@ -223,10 +208,12 @@ def _is_amount(behind: Sequence[Word], lexicon: Lexicon) -> bool:
     return any(word.text in measured or lexicon.means(word.text, "unit") for word in behind)
 
 
-def _costs(before: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether a number is a price, or the new version of something: "buy milk 2.50"."""
+def _is_other(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a number is a price, a version, a year or shared: "milk 2.50", "9pm Alien 1979", "half 2"."""
     kinds = lexicon.no_times
-    return not (kinds.costing | kinds.versioning).isdisjoint(word.text for word in before)
+    costs = not (kinds.costing | kinds.versioning).isdisjoint(word.text for word in before)
+    year = found["digits"] in YEARS and any(word.is_digits for word in before)
+    return costs or year or before[-1].text in lexicon.beside.parts_of_hours
 
 
 def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -154,9 +154,9 @@ def _is_over(heading: Heading, hours: Sequence[Clock], latest: int) -> bool:
 
 def _of_whole_day(heading: Heading) -> Heading | None:
     """Give a heading of a part of a day as one of its day, if it names that."""
-    walls = [(phrase, phrase.said.time) for phrase in heading.phrases]
+    walls = ((phrase, phrase.said.time) for phrase in heading.phrases)
     whole = [
-        phrase.at(replace(wall, part=None)) for phrase, wall in walls if isinstance(wall, Wall) and wall.days
+        phrase.at(replace(day, part=None)) for phrase, day in walls if isinstance(day, Wall) and day.days
     ]
     return replace(heading, phrases=tuple(whole)) if whole else None
 
