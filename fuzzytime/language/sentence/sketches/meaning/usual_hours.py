@@ -35,9 +35,6 @@ def at_usual_hours(moment: Moment, sketch: Sketch, text: str) -> Moment:
     if hours and len(hours) == len(sketch.phrases):
         # They were said of something else, which tells which half of the day is meant.
         moment = replace(moment, since=None)
-    if moment.listed and moment.since is not None:
-        # "Ben's party 10.30", between what is at 9.45 and at 11.30
-        return moment
     words = words_of(" ; ".join((*dated, *named)))
     places = (place for place in range(len(words)) if not _is_thing(words, place, sketch.lexicon))
     found = (longest_match(words, place, sketch.lexicon.usual_hours) for place in places)
