@@ -239,10 +239,7 @@ class _Composer:
 
     def _times_of(self, sketch: Sketch) -> Times:
         """Ground the times of a sketch, with what is to be said and asked of them."""
-        moment = self.moment
-        if not (self.draft.listed and moment.since is not None):
-            # "Ben's party 10.30", between what is at 9.45 and at 11.30
-            moment = at_usual_hours(moment, sketch, self.draft.text)
+        moment = at_usual_hours(self.moment, sketch, self.draft.text)
         times = ground_all(sketch.phrases, self.draft.text, moment)
         if not sketch.doubted:
             # What is not planned is no clue to what else is meant.
