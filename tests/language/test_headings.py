@@ -47,7 +47,15 @@ def test_a_bound_on_a_day_of_its_own_is_on_that_day() -> None:
     assert [(part.constraint, part.latest) for part in print_it] == [(Constraint.BEFORE, 2 * DAY + 3 * 3600)]
 
 
-@pytest.mark.parametrize("title", ["Concert Saturday 7 March", "Saturday plot", "Sat 7 March lunch + dinner"])
+@pytest.mark.parametrize(
+    "title",
+    [
+        "Concert Saturday 7 March",
+        "Saturday plot",
+        "Sat 7 March lunch + dinner",
+        "Plan for Saturday",
+    ],
+)
 def test_a_first_line_with_a_day_heads_many_hours_whatever_it_names(title: str) -> None:
     hours = ("doors open at 10", "tea at 11.30", "lunch at 1", "bar from 6 pm", "lock up at 10 pm")
     *_, doors, tea, _, _, _ = _times(title, "order the cake by friday", *hours)
@@ -212,3 +220,15 @@ def test_a_line_with_a_day_and_its_date_heads_the_hours_below(first: str, second
 def test_a_number_behind_a_day_is_its_hour_where_no_hours_are_below(line: str) -> None:
     (time,), *_ = _times(line, "buy milk", "tea at 11")
     assert time.grain is Unit.HOUR
+
+
+@pytest.mark.parametrize("title", ["FRIDAY MORNING", "Friday morning:"])
+def test_hours_behind_the_part_of_a_day_that_heads_them_are_of_its_day(title: str) -> None:
+    lines = ("shower 6.45", "call at 10", "lunch 12.30", "school run 3.15", "choir 8")
+    friday = [part.earliest for (part,) in _times(title, *lines)]
+    assert friday == [2 * DAY + hour * 3600 for hour in (-2.25, 1, 3.5, 6.25, 11)]
+
+
+def test_an_hour_before_the_part_of_a_day_that_heads_it_is_early() -> None:
+    ((up,), (boat,)) = _times("Friday morning", "up at 4.30", "boat at 6")
+    assert [up.earliest, boat.earliest] == [2 * DAY - 4.5 * 3600, 2 * DAY - 3 * 3600]

@@ -67,6 +67,25 @@ def test_bullets_and_dashes_beside_hours_are_no_words() -> None:
         ("Bread: 2.15", ("bread", "14:15")),
         ("choir 1415 upstairs", ("choir upstairs", "14:15")),
         ("lunch 1 in the hall", ("lunch in the hall", "13:00")),
+        ("(2.15) van", ("van", "14:15")),
+        ("van [2.15]", ("van", "14:15")),
+        ("van ... 2.15", ("van", "14:15")),
+        ("**2.15** van", ("van", "14:15")),
+        ("**Lunch** - 12.30", ("Lunch", "12:30")),
+        ("| 2.15 | van |", ("van", "14:15")),
+        ("2.15 = van", ("van", "14:15")),
+        ("2.15? van", ("van", "14:15")),
+        ("2.15,van", ("van", "14:15")),
+        ("~2.15 van", ("van", "14:15")),
+        ("2.15 (20 min) van", ("van", "14:15")),
+        ("2.15 Kitchen: prep veg", ("Kitchen prep veg", "14:15")),
+        ("2.15 & 3.15 van", ("van", "15:15")),
+        ("van half 2", ("van", "14:30")),
+        ("2.15 third sitting", ("third sitting", "14:15")),
+        ("lunch 12.30 first sitting", ("lunch sitting", "12:30")),
+        ("Evensong 6.00, Psalm 121", ("evensong Psalm 121", "18:00")),
+        ("choir 2:15 - Jo & Sam", ("choir Jo & Sam", "14:15")),
+        ("film 9pm Blade Runner 2049", ("film Blade Runner 2049", "21:00")),
     ],
 )
 def test_what_is_beside_an_hour_is_what_happens_then(line: str, wanted: tuple[str, str]) -> None:
@@ -93,6 +112,12 @@ def test_most_lines_of_a_list_may_end_in_a_number_alone() -> None:
     shopping = [f"buy thing {letter}" for letter in "abcde"]
     lines = ("van 9.15", "briefing 10.30", "tea 3.10", "wash 5", "supper 6", "news 9", *shopping)
     assert _told(*lines)[3:] == [("wash", "17:00"), ("supper", "18:00"), ("news", "21:00")]
+
+
+@pytest.mark.parametrize("first", ["0600 log entry", "1745 heating on"])
+def test_hours_without_marks_that_lead_most_lines_are_no_years(first: str) -> None:
+    lines = (first, "1830 supper", "1945 last orders", "2000 band", "2015-2100 first dance", "raffle")
+    assert [when for _, when in _told(*lines)[1:]] == ["18:30", "19:45", "20:00", "20:15"]
 
 
 DAY = ("stock count at 8", "fire drill 10.15", "photos at 12:15", "coffee 3.15", "count the float")
@@ -126,3 +151,26 @@ def test_a_deadline_behind_hours_of_tomorrow_is_on_that_day(lines: tuple[str, ..
     readings = Language.shipped().read_all([(line, EVENING) for line in lines])
     (soup,) = (part for one in readings[-4].instructions for part in one.requirements)
     assert f"{instant_after(EVENING, soup.latest or 0):%d %H:%M}" == "05 10:00"
+
+
+def test_what_happens_at_any_minute_needs_no_point() -> None:
+    assert [when for _, when in _told("bus 8:02", "train 8:41", "lunch 12:33")] == ["08:02", "08:41", "12:33"]
+
+
+@pytest.mark.parametrize(
+    ("line", "wanted"),
+    [
+        ("2. [11.15] physio", ("physio", "11:15")),
+        ("3) 11.15-11.30 lab talk", ("lab talk", "11:15")),
+        ("4. 11.15 - taxi", ("taxi", "11:15")),
+        ("4. 11.15 (15m) glaze tiles", ("glaze tiles", "11:15")),
+        ("- [ ] 11.15: gas man", ("gas man", "11:15")),
+        ("11:15 dentist, Sam", ("dentist Sam", "11:15")),
+        ("11:15 Year 9 assembly", ("Year 9 assembly", "11:15")),
+        ("raffle, 11.15, Kit", ("raffle Kit", "11:15")),
+    ],
+)
+def test_numbers_boxes_and_fields_of_lists_leave_hours_as_they_are(
+    line: str, wanted: tuple[str, str]
+) -> None:
+    assert wanted in _told("1. 9.15 - van", "- [ ] 10.30 wake Ann", line, "- 1.20 lunch", "5) 3.10 tea")

@@ -13,13 +13,24 @@ LONGEST_ELLIPSIS = 4
 MARKS = {" ": "@", ".": ":"}
 """What people type in front of an hour and between it and its minutes, by what may stand there instead."""
 
+TOGETHER = 4
+"""Digits of an hour with its minutes."""
+
+HOURS = "h"
+"""What people type behind such an hour."""
+
 
 def with_marks(words: Sequence[Word], hours: frozenset[int]) -> list[Word]:
-    """Put "@", which takes no room, before each word behind a space of hours; a point becomes a colon."""
+    """Put "@", which takes no room, before each word behind a space of hours; a point becomes a colon.
+
+    Behind four digits, which may be a year, stands an "h", too.
+    """
     found: list[Word] = []
     for word in words:
         if word.start - 1 in hours and not word.glued:
             found += (Word(MARKS[" "], word.start, word.start, glued=False), replace(word, glued=True))
+            if len(word.text) == TOGETHER:
+                found.append(Word(HOURS, word.end - 1, word.end, glued=True))
             continue
         found.append(replace(word, text=MARKS["."]) if word.start in hours else word)
     return found

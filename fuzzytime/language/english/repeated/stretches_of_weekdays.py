@@ -69,9 +69,9 @@ def more_hours(repeat: Repeat, more: Repeat) -> Repeat | None:
 
 @grammar.rule("repeat", "<repeat> ,? <integer> -|to|until|till <integer>", weight=2.5)
 def numbers_of_day(repeat: Repeat, first: Integer, last: Integer) -> Repeat | None:
-    """Every 30 minutes 9-5: hours, and no date."""
+    """Every 30 minutes 9-5, every morning 9-12: hours, and no date."""
     ends = _hours(first, last)
-    if any(wall.part is not None or wall.clock is not None for wall in repeat.walls):
+    if any((wall.part is not None and not wall.part.name) or wall.clock is not None for wall in repeat.walls):
         return None
     return None if ends is None else bounded_repeat(repeat, Said(Range(*ends), Constraint.BETWEEN, "between"))
 

@@ -15,7 +15,7 @@ from fuzzytime.language.grammar.surroundings.surroundings import Around, Surroun
 from fuzzytime.language.grammar.understood.due import tells_when_due
 from fuzzytime.language.grammar.understood.lent import counts_one
 from fuzzytime.language.meaning.calendar import is_day_of_month
-from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.expressions import Range, Wall, wall_of
 
 LONGEST_WISH = 4
 """Words of a hedge such as "if at all possible"."""
@@ -58,6 +58,7 @@ class Borders(Around):
             or self.particles.hold(piece)
             or self.events.named(piece)
             or self._is_object(piece)
+            or self._ends_in_count(piece)
             or self._begins_another(piece)
             or self._is_named(piece)
             or self._says_how(piece)
@@ -237,6 +238,15 @@ class Borders(Around):
         # "Open it by a third at seven"
         led = before in self.closed.sure_noun_openers - self.closed.indefinite_determiners
         return ordinal and alone and not led
+
+    def _ends_in_count(self, piece: Piece) -> bool:
+        """Whether its last word counts what is named behind it: "9:30 second reading", "8-9 first call"."""
+        last, named, time = self.texts[piece.end - 1], self.around.follower(piece), piece.value.time
+        ends = (time.first, time.last) if isinstance(time, Range) else (time,)
+        clocked = any(wall_of(end).clock is not None for end in ends)
+        counts = last in self.beside.ordinal_endings or last in self.lexicon.ordinals
+        thing = named.isalpha() and named not in self.lexicon.function_words
+        return clocked and counts and thing and "the" not in self.texts[piece.start : piece.end]
 
     def _begins_another(self, piece: Piece) -> bool:
         """Whether its last word is what something is said of next: "at 8:30, lunch is at twelve"."""

@@ -185,8 +185,11 @@ def _clock_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
         raise UngroundedError("a range of clock times must have two")
     if first.part is not None:
         start_clock = halved(start_clock, first.part.half)
-    if last.part is not None and not (last.part == first.part and last.part.half.is_late):
-        # "Overnight from ten until six": what begins at night may end in the morning.
+    # "Overnight from ten until six": what begins at night may end in the morning.
+    late = last.part is not None and last.part == first.part and last.part.half.is_late
+    # "Tomorrow morning 9-12": at noon.
+    noon = last.part is not None and last.part.half is Half.AM and end_clock.hour == 12 != start_clock.hour
+    if last.part is not None and not (late or noon):
         end_clock = halved(end_clock, last.part.half)
     if start_clock.midnight and last.days is None:
         # "Sunday from midnight to four": where that day begins.

@@ -17,11 +17,8 @@ from fuzzytime.language.sentence.segments.connectives import order_words
 from fuzzytime.language.sentence.segments.events.event_edges import said_apart
 from fuzzytime.language.sentence.segments.events.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.lists.dividers import divided
-from fuzzytime.language.sentence.segments.lists.hours_of_lines import (
-    Timed,
-    hours_in,
-    without_colons,
-)
+from fuzzytime.language.sentence.segments.lists.hours_of_lines import Timed, hours_in
+from fuzzytime.language.sentence.segments.lists.joints import without_joints
 from fuzzytime.language.sentence.segments.lists.leading_tags import (
     leading_labels,
     leading_tags,
@@ -143,7 +140,8 @@ def drafted(
 ) -> list[Draft]:
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
     entries = [(text, without_bullets(text), now) for text, now in texts]
-    timed = how_timed([entry for _, entry, _ in entries], lexicon) if together else Timed.NO
+    listed = [without_marks(entry, list_marks(entry, lexicon)) for _, entry, _ in entries]
+    timed = how_timed(listed, lexicon) if together else Timed.NO
     drafts = [_without_parts(text, entry, now, timed, grammar, lexicon) for text, entry, now in entries]
     sources = [_source_of(draft) for draft in drafts]
     return [
@@ -176,11 +174,11 @@ def _without_parts(
 
     Its remarks are what is corrected in it.
     """
-    marks, tags = list_marks(text, lexicon), leading_tags(text)
+    marks, tags = list_marks(entry, lexicon), leading_tags(text)
     timed = max(timed, how_timed([entry], lexicon))
     plain = blanked(without_marks(entry, marks), tags)
     hours, listed = hours_in(plain, lexicon, timed), timed >= Timed.MOST
-    plain = without_colons(plain, hours)
+    plain = without_joints(plain, hours, lexicon, listed=listed)
     plain = blanked(plain, leading_labels(plain, lexicon))
     scanned = _in_entries(plain, hours, grammar, lexicon, listed=listed)
     messages = messages_of(scanned)

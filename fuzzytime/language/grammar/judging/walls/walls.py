@@ -157,8 +157,9 @@ class Walls(Standing):
             # "The 18th century table"
             return True
         counts = wall.clock is not None and self.measures.is_number(piece.end - 1)
-        if self.around.is_unit(piece.end) and (counts or wall.days in PRESENT):
-            # "On the quarter hour", "tonight, | 20 min"
+        unit = self.around.is_unit(piece.end) and not self.measures.is_number(piece.end + 1)
+        if unit and (counts or wall.days in PRESENT):
+            # "On the quarter hour", "tonight, | 20 min"; but "at 3:30 Year 9 assembly"
             return True
         counted = self.counts.is_ordinal(piece.end - 1) or isinstance(wall.days, Season)
         if said.preposition == "of" and counted:

@@ -1,5 +1,6 @@
 """Lines and their entries: ``list_marks`` and ``leading_tags`` in front, ``heads`` that hold for all.
 
 What may be one of the ``entries``; where ``dividers`` stand between them, and where nothing does (``runs``).
-Of ``timed_lines``, a list of times, the hours behind what is named are ``hours_of_lines``.
+Of ``timed_lines``, a list of times, the hours beside what is named are ``hours_of_lines``, with
+``joints`` between.
 """

@@ -6,12 +6,12 @@ is, it is an hour, as if "@" stood in front of it.
 
 import re
 from collections.abc import Iterator, Sequence
-from collections.abc import Set as AbstractSet
 from enum import IntEnum
 from functools import cache
 from itertools import takewhile
 
 from fuzzytime.english import looks_plural, singular
+from fuzzytime.language.grammar.judging.walls.bare_hours import YEARS
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.timetables import SEPARATORS, counts_nothing, has_time
 from fuzzytime.language.grammar.words import Word, words_of
@@ -20,14 +20,8 @@ from fuzzytime.language.sentence.segments.lists.dividers import LINE
 DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 """A number with two digits behind its point."""
 
-COLON = re.compile(r":(?P<pause>[ \t]+)(?=\d)")
-"""A colon that may stand in front of an hour."""
-
 POINT = re.compile(r"(?<=\d)\.(?=[0-5]\d)")
 """What stands for a colon in an hour."""
-
-LEADING = re.compile(r"\s*(?:2[0-3]|[01]?\d)(\.)[0-5]\d(?=\s+(?:[-–—]\s+)?[^\W\d])")
-"""An hour and its minutes in front of a line."""
 
 ALONE = re.compile(r"\s*(?P<hour>1[0-2]|[1-9])\s+(?P<dash>[-–—]\s+)?(?=[^\W\d])")
 """A number alone in front of a line."""
@@ -49,6 +43,21 @@ DIGITS = r"(?:2[0-3]|[01]\d)[0-5]\d(?!\d|-\d\d-)"
 
 "2026-03-05" is a day.
 """
+
+
+LEADING = re.compile(
+    rf"""
+    \s*~?(?:
+      (?P<digits>{DIGITS})(?:\s?[-–]\s?{DIGITS})?(?=:?\s+(?:[-–—]\s+)?[^\W\d])
+    | (?:2[0-3]|[01]?\d)(?P<point>\.)[0-5]\d(?![\d.:%°])(?=[:;,?!]*\s*[^\w\s]{{0,2}}\s*\w)
+    )""",
+    re.VERBOSE,
+)
+"""An hour and its minutes in front of a line, or two without marks from when to when."""
+
+
+FURTHER = re.compile(r"(?:(?:,\s|\s?/\s?|\s(?:and|&|\+)\s)(?:2[0-3]|[01]?\d)\.[0-5]\d(?![\d.]))+")
+"""Further such hours behind it: "2.15 & 3.15 tours"."""
 
 
 class Timed(IntEnum):
@@ -74,7 +83,8 @@ def hours_behind(halves: frozenset[str]) -> re.Pattern[str]:
         (?: (?P<digits>{DIGITS}) | {hour} (?P<minutes>{minutes}) | (?:1[0-2]|0?[1-9])(?![\d.:]) )
         (?P<until> {half} (?:(?P<dash>\s[-–]\s)|\s?[-–]\s?|\s(?:to|till|until)\s)
                    (?:{DIGITS} | {hour} (?P<last>{minutes})?) )?
-        (?P<more> (?:,\s{hour}(?:{minutes})?)* \s(?:and|&|\+)\s{hour}(?:{minutes})? )?
+        (?P<more> (?:,\s{hour}(?:{minutes})?)* \s(?:and|&|\+)\s{hour}(?:{minutes})?
+                | (?:,\s{hour}{minutes})+ )?
         {half} (?P<ends>(?={ENDS}))? (?!\d|[\w.:/%°]\S|[/%°])
         """,
         re.VERBOSE | re.IGNORECASE,
@@ -95,15 +105,6 @@ def hours_in(text: str, lexicon: Lexicon, timed: Timed = Timed.SOME) -> frozense
     return frozenset((*_behind_things(text, lexicon, timed), *_in_front(text, lexicon, timed)))
 
 
-def without_colons(text: str, hours: AbstractSet[int]) -> str:
-    """Give a text without the colons in front of its hours.
-
-    >>> without_colons("Tea: 10.30", {4})
-    'Tea  10.30'
-    """
-    return COLON.sub(lambda found: (" " if found.end() - 1 in hours else ":") + found["pause"], text)
-
-
 def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
     """Give where an hour follows what is then, and the points in it."""
     for found in hours_behind(lexicon.beside.of_hours).finditer(text):
@@ -113,7 +114,7 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         counts = _is_amount(behind, lexicon)
         # "Beef in 10.45 - 20 min"
         lasts = counts and found["dash"] is not None and (found["minutes"] or found["digits"]) is not None
-        if not before or (counts and not lasts) or _costs(before, lexicon):
+        if not before or (counts and not lasts) or _is_other(found, before, lexicon):
             continue
         if ":" in text[found.start("mark") : found.end()] and not lexicon.means(before[-1].text, "hedge"):
             # "Panel 9:15" needs no mark.
@@ -153,7 +154,12 @@ def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
     for line in LINE.finditer(text):
         found = LEADING.match(line[0])
         if found is not None and not _is_amount(words_of(line[0][found.end() :])[:1], lexicon):
-            yield line.start() + found.start(1)
+            if found["point"]:
+                ends = FURTHER.match(line[0], found.end()) or found
+                points = POINT.finditer(line[0], found.start(), ends.end())
+                yield from (line.start() + point.start() for point in points)
+            elif timed is Timed.LEAD:
+                yield line.start() + found.start("digits") - 1
         alone = ALONE.match(line[0]) if timed >= Timed.MOST else None
         behind = [] if alone is None else words_of(line[0][alone.end() :])
         if alone is None or not counts_nothing(behind, 0, lexicon):
@@ -200,10 +206,12 @@ def _is_amount(behind: Sequence[Word], lexicon: Lexicon) -> bool:
     return any(word.text in measured or lexicon.means(word.text, "unit") for word in behind)
 
 
-def _costs(before: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether a number is a price, or the new version of something: "buy milk 2.50"."""
+def _is_other(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a number is a price, a version, a year or shared: "milk 2.50", "9pm Alien 1979", "half 2"."""
     kinds = lexicon.no_times
-    return not (kinds.costing | kinds.versioning).isdisjoint(word.text for word in before)
+    costs = not (kinds.costing | kinds.versioning).isdisjoint(word.text for word in before)
+    year = found["digits"] in YEARS and any(word.is_digits for word in before)
+    return costs or year or before[-1].text in lexicon.beside.parts_of_hours
 
 
 def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:

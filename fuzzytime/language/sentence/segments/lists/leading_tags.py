@@ -12,8 +12,19 @@ TAG = re.compile(
 )
 """A mark in front of what is asked for, with the box before it."""
 
-BULLET = re.compile(r"^[ \t]*(?P<bullet>[-*+•–])(?=[ \t]+\w)", re.MULTILINE)
-"""A mark of a list at the start of a line, which is no word of it."""
+HOUR = r"(?:2[0-3]|[01]?\d)(?:[.:h]|(?<=[01]\d))[0-5]\d(?:\s?[ap]m)?"
+FRONT = r"^[ \t]*(?:[-+*•–][ \t]+)?(?:\[[ \t]?\][ \t]+)?(?:\d{1,2}[.)][ \t]+)?"
+_UNSAID = (
+    rf"{FRONT}(?:\d[\d.:–-]*[ \t]+)?(?P<open>\*{{1,2}}|__)(?=[\w([])[^*_\n]*(?<=\S)(?P<close>(?P=open))\B",
+    rf"{FRONT}(?P<open>\|)|(?P<close>\|)[ \t]*$",
+    r"^[ \t]*(?P<open>[-+*•–])(?=[ \t]+[\w([])(?P<close>[ \t]+\[[ \t]?\](?=[ \t]+\S))?",
+    rf"{FRONT}{HOUR}(?P<open>[?!,;:]|[ \t]+=)(?P<close>)(?=[ \t]|[^\W\d])",
+    rf"{FRONT}[^\W\d][^\n,\d]*(?P<open>,)(?P<close>)(?=[ \t]+{HOUR}(?:$|,|[ \t]+[(\[]))",
+    rf"{FRONT}[^\d\n]*(?P<open>[(\[]){HOUR}(?:\s?[-–]\s?{HOUR})?(?P<close>[)\]])",
+    r"(?<=[^\W\d])[ \t]?(?P<open>\.{2,})(?P<close>)(?=[ \t]?\d)",
+)
+UNSAID = tuple(re.compile(marks, re.MULTILINE | re.IGNORECASE) for marks in _UNSAID)
+"""Marks that are no words: of emphasis, cells, lists and fields, around an hour, and in front of it."""
 
 LABEL = re.compile(rf"^\s*{BOX}(?P<label>[^\W\d][\w.]*(?:[ -]\w+)?)(?:[ \t]+-|:)[ \t]+(?=\w)", re.MULTILINE)
 """A word with a colon or a dash behind it, or two, before more on the same line."""
@@ -29,12 +40,15 @@ def leading_tags(text: str) -> list[Span]:
 
 
 def without_bullets(text: str) -> str:
-    """Give a text of the same length without the bullets of its lines.
+    """Give a text of the same length without the bullets of its lines, and other marks that say nothing.
 
-    >>> without_bullets("- tea 5.30")
-    '  tea 5.30'
+    >>> without_bullets("- tea 5.30"), without_bullets("**Tea** (5.30)")
+    ('  tea 5.30', '  Tea    5.30 ')
     """
-    return blanked(text, (bullet.span("bullet") for bullet in BULLET.finditer(text)))
+    for marks in UNSAID:
+        spans = [found.span(one) for found in marks.finditer(text) for one in ("open", "close") if found[one]]
+        text = blanked(text, spans)
+    return text
 
 
 def leading_labels(text: str, lexicon: Lexicon) -> list[Span]:

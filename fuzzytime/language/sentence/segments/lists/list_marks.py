@@ -13,7 +13,10 @@ MARK = re.compile(
 )
 """A number with a full stop or a bracket before a word, or "step" and a number."""
 
-TIMED = re.compile(r"(?:\d{1,2}(?:[:.]\d\d)?\s?(?:[ap]m\b)?|\d{4})\s+[^\W\d]", re.IGNORECASE)
+HOUR = r"(?:\d{1,2}(?:[:.h]\d\d)?\s?(?:[ap]m\b)?|\d{4})"
+TIMED = re.compile(
+    rf"{HOUR}(?:\s?(?:[-–]|to|till)\s?{HOUR})?(?:\s[-–—|>=→/(\[]|:)?\s+(?:[^\W\d]|[(\[]\d)", re.IGNORECASE
+)
 """The clock time that an item begins with, and what is then: "1. 10:00 call Bob", "2) 9 dentist"."""
 
 BEGINS = re.compile(r"[\s>*•+-]*\Z")

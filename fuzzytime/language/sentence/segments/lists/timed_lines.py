@@ -67,12 +67,22 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
         for line in lines
         for found in halves.finditer(line)
     )
-    digits = [[found["digits"] for found in halves.finditer(line) if found["digits"]] for line in lines]
-    if any(number.startswith("0") for numbers in digits for number in numbers):
+    digits = [
+        [
+            found["digits"]
+            for found in (*halves.finditer(line), LEADING.match(line))
+            if found and found["digits"]
+        ]
+        for line in lines
+    ]
+    led = sum(found is not None and found["digits"] is not None for found in map(LEADING.match, lines))
+    zero = any(number.startswith("0") for numbers in digits for number in numbers)
+    # "1830 doors", "1900 supper", "2015 raffle"
+    if zero or (led >= MOST and 2 * led >= len(lines)):
         sure = [one or bool(numbers) for one, numbers in zip(sure, digits, strict=True)]
     odd = sum(digits >= MINUTES or digits % FIVES != 0 for digits in decimals)
     # "Bus 8.02": what happens has any minutes, but no price.
-    happen = happens >= TYPED and max(decimals) < MINUTES
+    happen = happens >= TYPED and max(decimals, default=0) < MINUTES
     planned = len(decimals) >= TYPED and (len(decimals) >= FEW_ODD * odd or happen)
     if sum(sure) < SURELY and not (planned and sum(typed) >= TYPED):
         return Timed.NO

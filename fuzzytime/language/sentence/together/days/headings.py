@@ -6,10 +6,11 @@ from dataclasses import replace
 from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.days.relations import Relative
-from fuzzytime.language.meaning.expressions import Phrase, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Phrase, Said, TimeWord, Wall, wall_of
 from fuzzytime.language.meaning.grounded.chosen_clocks import EVENING
 from fuzzytime.language.meaning.joined.told_apart import told_apart
 from fuzzytime.language.meaning.phrases import places_in
+from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
 from fuzzytime.language.sentence.segments.lists.heads import is_meal
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
@@ -17,6 +18,7 @@ from fuzzytime.language.sentence.together.days.dated_lines import heads_lines, w
 from fuzzytime.language.sentence.together.days.titles import (
     LONGEST,
     begins_order,
+    clocks_in,
     held,
     hours_of,
     is_of_calendar,
@@ -44,10 +46,15 @@ def under_headings(drafts: Sequence[Draft]) -> list[Draft]:
     found: list[Draft] = []
     heading: Heading | None = None
     day: Heading | None = None
+    latest = 0
     for place, draft in enumerate(drafts):
         if place and draft.now != drafts[place - 1].now:
             heading = day = None
         named = headings[place]
+        hours = [] if heading is None or named is not None else clocks_in(draft)
+        if heading is not None and _is_over(heading, hours, latest):
+            heading = _of_whole_day(heading) or day
+        latest = 0 if named is not None else max([latest, *(min(clock.candidates()) for clock in hours)])
         if named is not None:
             heading = _on_day(named, day)
             day = named if named.is_day or any(map(names_day, named.phrases)) else day
@@ -121,6 +128,34 @@ def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
     if (not marked and not is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
         return None
     return Heading(name_of(draft), draft.text, draft.scanned, held(draft, phrases), clauses)
+
+
+def _is_over(heading: Heading, hours: Sequence[Clock], latest: int) -> bool:
+    """Whether hours are behind the part of a day that heads lines: "Monday morning", then "lunch 12.30".
+
+    So is one that is in front of it, and of the ``latest`` that was said below the heading.
+    """
+    part = None if heading.day is None else wall_of(heading.day.said.time).part
+    if part is None or part.half.is_late:
+        return False
+    outside = (
+        clock.candidates()
+        for clock in hours
+        if all(not part.start <= moment <= part.end for moment in clock.candidates())
+    )
+    return any(
+        moments[0] < latest or min(moments, key=lambda one: max(part.start - one, one - part.end)) > part.end
+        for moments in outside
+    )
+
+
+def _of_whole_day(heading: Heading) -> Heading | None:
+    """Give a heading of a part of a day as one of its day, if it names that."""
+    walls = ((phrase, phrase.said.time) for phrase in heading.phrases)
+    whole = [
+        phrase.at(replace(day, part=None)) for phrase, day in walls if isinstance(day, Wall) and day.days
+    ]
+    return replace(heading, phrases=tuple(whole)) if whole else None
 
 
 def _is_title(draft: Draft) -> bool:

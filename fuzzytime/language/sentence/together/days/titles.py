@@ -72,7 +72,8 @@ def title_of(drafts: Sequence[Draft]) -> Heading | None:
     else:
         time = _whole_day(time)
         named = time.said.is_day and is_of_calendar(time) and _names_day_of(first, time, below)
-    if not named or time.said.preposition not in {None, "between"}:
+    led = {None, "between", *(() if begins_order(first) else ("for", "on"))}
+    if not named or time.said.preposition not in led:
         return None
     return _heading(first, time)
 
