@@ -80,7 +80,7 @@ def and_a_bit(quantity: Quantity, unit: UnitWord) -> Duration | None:
 @grammar.rule("duration", "<duration> , <duration>", weight=0.1)
 def listed(first: Duration, second: Duration) -> Duration | None:
     """2 years, 3 months; but "for a week, an hour before food" are two lengths."""
-    return None if first.indefinite or second.indefinite else sum_of(first, second)
+    return None if first.indefinite or second.indefinite else said_together(first, second)
 
 
 @grammar.rule("duration", "<duration> <duration>", weight=0.1)

@@ -79,7 +79,9 @@ class Cuts(Standing):
                 return False
             if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
                 after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
-                if word.text in {"%", "°"} or (after is not None and after.glued):
+                # "(Call mum at 9.)": what closes behind a full stop is no part of a number.
+                runs = after is not None and after.glued and (after.text[0].isalnum() or after.text == "-")
+                if word.text in {"%", "°"} or runs:
                     return True
         return self._runs_before(piece)
 
