@@ -58,7 +58,7 @@ def fraction_of(part: float | Quantity, unit: UnitWord) -> Duration | None:
     return length_of(quantity, unit) if quantity.value != 1 and not quantity.indefinite else None
 
 
-@grammar.rule("duration", "<quantity> <unit> and|- <fraction>", "<quantity> <unit> an|n|& a? <fraction>")
+@grammar.rule("duration", "<quantity> <unit> and|- <fraction>", "<quantity> <unit> an|n|and a? <fraction>")
 def and_a_half(quantity: Quantity, unit: UnitWord, fraction: float) -> Duration | None:
     """An hour and a half, one month and half, as it is heard: an hour an a half."""
     return length_of(Quantity(quantity.value + fraction, quantity.hedges), unit)

@@ -42,7 +42,7 @@ def nth_of_month(number: int, weekday: int) -> Calendar | None:
     return Nth(number, Fields(weekday=weekday), Cycle(Unit.MONTH)) if 1 <= number <= MOST_WEEKDAYS else None
 
 
-@grammar.rule("said", "on? the? <ordinal> and|&|or the? <ordinal> <series> of|in <whole>", weight=1.0)
+@grammar.rule("said", "on? the? <ordinal> and|or the? <ordinal> <series> of|in <whole>", weight=1.0)
 def two_of_them(first: int, second: int, series: Calendar, outer: Calendar) -> Said | None:
     """On the first and third monday of may."""
     found = [nth(number, series, outer) for number in (first, second)]
@@ -52,7 +52,7 @@ def two_of_them(first: int, second: int, series: Calendar, outer: Calendar) -> S
     return Said(walls[0], None, "on", listed=(Said(walls[1], None, "on"),))
 
 
-@grammar.rule("said", "on? the <ordinal> and|&|or the? <ordinal> <weekday>", weight=0.8)
+@grammar.rule("said", "on? the <ordinal> and|or the? <ordinal> <weekday>", weight=0.8)
 def two_of_month(first: int, second: int, weekday: int) -> Said | None:
     """On the second and fourth tuesday."""
     return two_of_them(first, second, Fields(weekday=weekday), Cycle(Unit.MONTH))

@@ -82,9 +82,10 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
 
 @grammar.rule(
     "said",
-    "between the? <goal> and|&|to|-|through|thru|until|till the? <goal>",
+    "between the? <goal> and|to|-|through|thru|until|till the? <goal>",
     "between the hours of <goal> and|to <goal>",
     "from the? <goal> to|-|through|thru the? <goal>",
+    "starting|beginning at? the? <goal> ,? and? ending|finishing at? the? <goal>",
     weight=1.1,
 )
 @grammar.rule("said", "from the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
