@@ -174,7 +174,10 @@ def with_dash(first: Goal, last: Goal) -> Said | None:
     """9:30 - 11:00, mon-fri; but "friday - june 19", "6 january - 6:30" are one time each."""
     if isinstance(first.time, Wall) and isinstance(last.time, Wall) and is_one(first.time, last.time):
         return None
-    return _side_by_side(first, last)
+    # "2 weeks before 16-jul"
+    anchor = first.time.anchor if isinstance(first.time, Offset) else None
+    dated = isinstance(anchor, Wall) and anchor.bare and last.wall.weak
+    return None if dated else _side_by_side(first, last)
 
 
 @grammar.rule("arrow", "- >", "= >", ">", "→", "⇒")
