@@ -124,7 +124,7 @@ def weekday_of(which: Which, series: Calendar, number: int) -> Calendar | None:
     return Within(Fields(weekday=number), Deictic(which, series)) if series == Cycle(Unit.WEEK) else None
 
 
-@grammar.rule("days", "<duration> from now", weight=-0.3)
+@grammar.rule("days", "<duration> from now", "<duration> hence", weight=-0.3)
 def days_from_now(duration: Duration) -> Calendar | None:
     """Three days from now, beside a time of that day."""
     return days_away(duration, Relative(0), 1) if not duration.hedges else None

@@ -179,6 +179,9 @@ class Cuts(Standing):
         if last and named and isinstance(piece.value.time, TimeWord) and self.texts[piece.end - 1] in THESE:
             # "Stop it after this | song"
             return True
+        if follower == "thing" and self.texts[piece.end - 1] == "first":
+            # "On the 20th first | thing"
+            return True
         counted = self.texts[piece.end - 1] == "second" and self.words[piece.end - 2].is_digits
         if self.texts[piece.start] == "round" and self.around.before(piece) in self.lexicon.no_times.rounds:
             return True
