@@ -62,8 +62,9 @@ class Measures(Compared):
         before = [text for text in self.texts[: piece.start] if text not in self.beside.still_at]
         *_, subject, verb = ("", "", *before)
         told = ("s", PARTICIPLE) if first == "from" else PARTICIPLE
-        if verb in self.beside.amounting and verb.endswith(told):
-            # "Fares from 4", "priced at 6"; but "charge the battery from 9"
+        owned = subject in self.closed.noun_openers
+        if verb in self.beside.amounting and verb.endswith(told) and not owned:
+            # "Fares from 4", "priced at 6"; but "charge the battery from 9", "collect the fees from 9"
             return True
         stands = verb in self.beside.standing and subject in self.beside.amounting
         levels = verb in self.lexicon.particles and subject in self.beside.levelling
