@@ -67,9 +67,11 @@ def as_meant(typed: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
 
 
 def _is_dash(words: Sequence[Word], place: int) -> bool:
-    """Whether a mark is a dash: "3~5 pm", "2026-03-14..2026-03-16"."""
-    mark = words[place].text
-    return (mark == "~" and _is_inside(words, place)) or (mark == "." and _is_ellipsis(words, place))
+    """Whether a mark is a dash: "3~5 pm", "2026-03-14..2026-03-16"; but "(~7 pm)" is about seven."""
+    mark, between = words[place].text, words[place - 1].text.isalnum()
+    return (mark == "~" and between and _is_inside(words, place)) or (
+        mark == "." and _is_ellipsis(words, place)
+    )
 
 
 def _cut(words: Sequence[Word], place: int, lexicon: Lexicon) -> list[Word]:

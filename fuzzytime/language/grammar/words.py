@@ -1,6 +1,6 @@
 """A text cut into words that remember their place, in a form that word tables can be asked about.
 
-Case, full-width digits, typographic apostrophes and dashes are levelled; the text itself is never changed, so
+Case, full-width digits, typographic apostrophes, dashes and "&" are levelled; the text is never changed, so
 that spans point into what was typed.
 """
 
@@ -15,6 +15,7 @@ _WORD = re.compile(r"\d+|[^\W\d_]+(?:['’ʼ][^\W\d_]+)?|\S")
 _LEVELLED = str.maketrans(
     {"’": "'", "ʼ": "'", "′": "'", "‘": "'", "“": '"', "”": '"', "″": '"', "×": "x", "∼": "~"}
 )
+AMPERSAND = "&"
 _DASHES = frozenset("-–—−‐‑‒")
 _FRACTIONS = frozenset("¼½¾⅓⅔")
 
@@ -74,6 +75,8 @@ def joins(words: Sequence[Word], place: int) -> bool:
 
 
 def _levelled(raw: str) -> str:
+    if raw == AMPERSAND:
+        return "and"
     if raw.isascii():
         return raw.lower()
     if raw in _DASHES:

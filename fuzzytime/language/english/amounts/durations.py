@@ -58,7 +58,7 @@ def fraction_of(part: float | Quantity, unit: UnitWord) -> Duration | None:
     return length_of(quantity, unit) if quantity.value != 1 and not quantity.indefinite else None
 
 
-@grammar.rule("duration", "<quantity> <unit> and|- <fraction>", "<quantity> <unit> an|n|& a? <fraction>")
+@grammar.rule("duration", "<quantity> <unit> and|- <fraction>", "<quantity> <unit> an|n|and a? <fraction>")
 def and_a_half(quantity: Quantity, unit: UnitWord, fraction: float) -> Duration | None:
     """An hour and a half, one month and half, as it is heard: an hour an a half."""
     return length_of(Quantity(quantity.value + fraction, quantity.hedges), unit)
@@ -80,7 +80,7 @@ def and_a_bit(quantity: Quantity, unit: UnitWord) -> Duration | None:
 @grammar.rule("duration", "<duration> , <duration>", weight=0.1)
 def listed(first: Duration, second: Duration) -> Duration | None:
     """2 years, 3 months; but "for a week, an hour before food" are two lengths."""
-    return None if first.indefinite or second.indefinite else sum_of(first, second)
+    return None if first.indefinite or second.indefinite else said_together(first, second)
 
 
 @grammar.rule("duration", "<duration> <duration>", weight=0.1)

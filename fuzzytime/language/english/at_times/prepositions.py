@@ -177,6 +177,12 @@ def just_off(hedge: str, goal: Goal) -> Said | None:
     return Said(goal.time, None, None, (hedge, *goal.hedges), edge, beside=True)
 
 
+@grammar.rule("said", "<beside> <four digits with hours>", weight=1.0)
+def just_off_with_hours(hedge: str, clock: Clock) -> Said | None:
+    """Just after 1330 hours."""
+    return just_off(hedge, Goal(Wall(clock=clock)))
+
+
 @grammar.rule(
     "said",
     "<said> ,? or|and shortly|soon|right|just|a thereafter|afterwards|after|later",

@@ -103,8 +103,12 @@ def day_until(wall: Wall, before: Preposition, goal: Goal) -> Said | None:
 def _on_day(bound: Said, wall: Wall) -> Said:
     """Let a bound hold on its day, or in its part of it, and not before that too."""
     time = bound.time
+    if bound.within is not None and isinstance(time, Wall) and time.days is not None:
+        # "Next week | tuesday before ten"
+        return replace(bound, within=replace(bound.within, days=time.days))
     if wall.days is None or wall.days.grain is not Unit.DAY or not isinstance(time, Wall):
         return bound
     # "Tomorrow morning before nine"; but "tomorrow before breakfast"
     part = wall.part if wall.part is not None or time.clock is None else time.part
-    return replace(bound, within=Wall(wall.days, part, zone=wall.zone))
+    # "Wednesday | next week before ten": the day of both
+    return replace(bound, within=Wall(time.days or wall.days, part, zone=wall.zone))

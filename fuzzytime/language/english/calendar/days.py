@@ -124,7 +124,7 @@ def weekday_of(which: Which, series: Calendar, number: int) -> Calendar | None:
     return Within(Fields(weekday=number), Deictic(which, series)) if series == Cycle(Unit.WEEK) else None
 
 
-@grammar.rule("days", "<duration> from now", weight=-0.3)
+@grammar.rule("days", "<duration> from now", "<duration> hence", weight=-0.3)
 def days_from_now(duration: Duration) -> Calendar | None:
     """Three days from now, beside a time of that day."""
     return days_away(duration, Relative(0), 1) if not duration.hedges else None
@@ -192,8 +192,15 @@ def day_of_month(days: Calendar) -> Calendar | None:
     return days if days.grain is Unit.DAY else None
 
 
+@grammar.rule("weekday with date", "<weekday> ,? the? <date>|<day of month>", weight=0.4)
+def weekday_with_date(number: int, date: Calendar) -> Calendar | None:
+    """(two days after) friday, may 22: one day; but "a week from friday, may 22" may say the day again."""
+    return Fields(weekday=number).joined(date) if isinstance(date, Fields) else None
+
+
 @grammar.rule("days away", "<duration> from <days>|<date>|<day of month>")
 @grammar.rule("days", "<duration> from|after|following|since <days>|<date>|<day of month>", weight=0.2)
+@grammar.rule("days", "<duration> after|following|since <weekday with date>", weight=0.2)
 def days_after(duration: Duration, anchor: Calendar) -> Calendar | None:
     """Three days after Easter, a week from tuesday, two day after this day."""
     return days_away(duration, anchor, 1) if not duration.hedges else None
@@ -207,8 +214,8 @@ def days_into(duration: Duration, period: Calendar) -> Calendar | None:
 
 @grammar.rule(
     "days",
-    "<duration> before <days>|<date>|<day of month>",
-    "<duration> prior to <days>|<date>|<day of month>",
+    "<duration> before <days>|<date>|<day of month>|<weekday with date>",
+    "<duration> prior to <days>|<date>|<day of month>|<weekday with date>",
     weight=0.2,
 )
 @grammar.rule("days", "<duration> ago <day>", weight=0.6)

@@ -37,13 +37,13 @@ LONGEST_AGE = 60
 """Years that a feast is named by how far away it is, at most: as far as is searched."""
 
 
-@grammar.rule("wall", "on|in? the <part> before <days>|<date>|<day of month>", weight=1.3)
+@grammar.rule("wall", "on|in? the <part> before <days>|<date>|<day of month>|<weekday with date>", weight=1.3)
 def part_before(found: Part, days: Calendar) -> Wall | None:
     """The night before friday: thursday night."""
     return _part_beside(found, days, -1)
 
 
-@grammar.rule("wall", "on|in? the <part> after <days>|<date>|<day of month>", weight=1.3)
+@grammar.rule("wall", "on|in? the <part> after <days>|<date>|<day of month>|<weekday with date>", weight=1.3)
 def part_after(found: Part, days: Calendar) -> Wall | None:
     """The morning after friday: saturday morning."""
     return _part_beside(found, days, 1)
@@ -55,7 +55,7 @@ def _part_beside(found: Part, days: Calendar, direction: int) -> Wall | None:
     return Wall(Away(direction, Unit.DAY, days), found)
 
 
-@grammar.rule("wall", "on? the eve of <days>|<date>|<day of month>", weight=1.5)
+@grammar.rule("wall", "on? the eve of <days>|<date>|<day of month>|<weekday with date>", weight=1.5)
 def eve_of(days: Calendar) -> Wall | None:
     """On the eve of friday: the day before."""
     return Wall(Away(-1, Unit.DAY, days)) if days.grain is Unit.DAY else None

@@ -11,11 +11,11 @@ grammar = Grammar()
 
 @grammar.rule(
     "said",
-    "between <month day> and|-|& <month day> of|in? <days>|<weak date>|<date>",
+    "between <month day> and|- <month day> of|in? <days>|<weak date>|<date>",
     "from? <month day> to|-|until|till|through|thru <month day> of|in? <days>|<weak date>|<date>",
     "from? <weak date>|<date> <month day> to|-|until|till|through|thru <month day>",
     "from? <month day> .? -|to|until <month day> . <weak date>",
-    "between <weak date>|<date> <month day> and|& <month day>",
+    "between <weak date>|<date> <month day> and <month day>",
     "in? <days>|<weak date> ,? between <month day> and|- <month day>",
     "in? <days>|<weak date> ,? from <month day> to|-|until|till|through <month day>",
     weight=1.3,
@@ -33,7 +33,7 @@ def days_of_month(*said: int | Calendar) -> Said | None:
 @grammar.rule(
     "said",
     "from? <month> <month day> to|-|until|till|through|thru <month day> ,? of? <year>",
-    "between <month> <month day> and|& <month day> ,? of? <year>",
+    "between <month> <month day> and <month day> ,? of? <year>",
     "in? <month> ,? between <month day> and|- <month day> ,? of? <year>",
     weight=1.9,
 )

@@ -40,13 +40,13 @@ def weekend_of(days: Calendar) -> Calendar | None:
     return _weekend_about(days) if days.grain is Unit.DAY else None
 
 
-@grammar.rule("date", "the? weekend of <month> <month day> -|/|and|&|to <month day>", weight=1.5)
+@grammar.rule("date", "the? weekend of <month> <month day> -|/|and|to <month day>", weight=1.5)
 def weekend_of_two(month: int, first: int, last: int) -> Calendar | None:
     """The weekend of march 14-15."""
     return weekend_of(Fields(month=month, day=first)) if last == first + 1 else None
 
 
-@grammar.rule("date", "the? weekend of <month day> -|/|and|&|to <month day> of? <month>", weight=1.5)
+@grammar.rule("date", "the? weekend of <month day> -|/|and|to <month day> of? <month>", weight=1.5)
 def weekend_of_two_before_month(first: int, last: int, month: int) -> Calendar | None:
     """The weekend of the 14th and 15th of march."""
     return weekend_of_two(month, first, last)

@@ -42,7 +42,7 @@ def nth_of_month(number: int, weekday: int) -> Calendar | None:
     return Nth(number, Fields(weekday=weekday), Cycle(Unit.MONTH)) if 1 <= number <= MOST_WEEKDAYS else None
 
 
-@grammar.rule("said", "on? the? <ordinal> and|&|or the? <ordinal> <series> of|in <whole>", weight=1.0)
+@grammar.rule("said", "on? the? <ordinal> and|or the? <ordinal> <series> of|in <whole>", weight=1.0)
 def two_of_them(first: int, second: int, series: Calendar, outer: Calendar) -> Said | None:
     """On the first and third monday of may."""
     found = [nth(number, series, outer) for number in (first, second)]
@@ -52,7 +52,7 @@ def two_of_them(first: int, second: int, series: Calendar, outer: Calendar) -> S
     return Said(walls[0], None, "on", listed=(Said(walls[1], None, "on"),))
 
 
-@grammar.rule("said", "on? the <ordinal> and|&|or the? <ordinal> <weekday>", weight=0.8)
+@grammar.rule("said", "on? the <ordinal> and|or the? <ordinal> <weekday>", weight=0.8)
 def two_of_month(first: int, second: int, weekday: int) -> Said | None:
     """On the second and fourth tuesday."""
     return two_of_them(first, second, Fields(weekday=weekday), Cycle(Unit.MONTH))
@@ -185,7 +185,9 @@ def half_of_year(outer: int, number: Integer) -> Calendar | None:
 
 
 @grammar.rule(
-    "date", "the? <weekday series> after|following <feast>|<date>|<day of month>|<days>", weight=0.4
+    "date",
+    "the? <weekday series> after|following <feast>|<date>|<day of month>|<days>|<weekday with date>",
+    weight=0.4,
 )
 @grammar.rule("date", "the <series> after|following <feast>|<date>|<day of month>", weight=0.4)
 def next_after(series: Calendar, anchor: Calendar) -> Calendar | None:
@@ -202,7 +204,9 @@ def after_that_day(series: Calendar) -> Calendar | None:
     return None if day else Following(1, series, Relative(0, onward=True))
 
 
-@grammar.rule("date", "the? <weekday series> before <feast>|<date>|<day of month>", weight=0.4)
+@grammar.rule(
+    "date", "the? <weekday series> before <feast>|<date>|<day of month>|<weekday with date>", weight=0.4
+)
 @grammar.rule("date", "the last? <series> before <feast>|<date>|<day of month>", weight=0.4)
 def last_before(series: Calendar, anchor: Calendar) -> Calendar | None:
     """The saturday before christmas, the last sunday before easter."""
@@ -222,14 +226,19 @@ def nth_before(number: int, series: Calendar, anchor: Calendar) -> Calendar | No
     return Following(-number, series, anchor) if counted else None
 
 
-@grammar.rule("days", "the day before <days>|<date>|<weak date>", "the eve of <date>|<feast>", weight=0.9)
+@grammar.rule(
+    "days",
+    "the day before <days>|<date>|<weak date>|<weekday with date>",
+    "the eve of <date>|<feast>",
+    weight=0.9,
+)
 @grammar.rule("days", "day before <days>|<date>|<weak date>", weight=0.3)
 def day_before(days: Calendar) -> Calendar | None:
     """The day before friday, the day before the first of april."""
     return Away(-1, Unit.DAY, days) if days.grain is Unit.DAY else None
 
 
-@grammar.rule("days", "the day after|following <days>|<date>|<weak date>", weight=0.9)
+@grammar.rule("days", "the day after|following <days>|<date>|<weak date>|<weekday with date>", weight=0.9)
 @grammar.rule("days", "day after|following <days>|<date>|<weak date>", weight=0.3)
 def day_after(days: Calendar) -> Calendar | None:
     """The day after friday."""

@@ -36,8 +36,9 @@ def one_workday() -> int:
 
 
 @grammar.rule("series", "working|business|work day")
+@grammar.rule("series", "weekday|workday", weight=-0.2)
 def workday() -> Calendar:
-    """Working day, in "the last working day of the month"."""
+    """Working day, in "the last working day of the month", "the first weekday of may"."""
     return Workday()
 
 

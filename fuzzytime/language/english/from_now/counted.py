@@ -2,11 +2,12 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.amounts.durations import typed
 from fuzzytime.language.english.clock_times.clocks import minutes_of
 from fuzzytime.language.english.clock_times.hours_with_h import EARLIEST_WITH_MINUTES
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
     Coming,
@@ -94,6 +95,15 @@ def after_another(number: Integer) -> Said:
     """(flip it after two minutes and again) after another two: of the unit that was said before."""
     minutes = replace(minutes_of(Quantity(number.value)), bare_end=True)
     return said_length(minutes, Constraint.AFTER, "after")
+
+
+@grammar.rule("said", "after <hedge>? <15h30>", "after <hedge>? <hh:mm> hours|hrs", weight=0.9)
+def after_typed(hedge: str | None, numbers: Typed) -> Said | None:
+    """After 1h20, after about 1:30 hours; but "after 14h30", "after 06h30", "after 13:30 hours"."""
+    duration = typed(numbers)
+    if duration is None or numbers[0] >= EARLIEST_WITH_MINUTES or numbers.parts[0].startswith("0"):
+        return None
+    return after_duration(duration if hedge is None else duration.hedged(hedge))
 
 
 @grammar.rule(

@@ -53,7 +53,7 @@ def mark_with_unit(number: Integer, unit: UnitWord) -> Marks:
 
 
 @grammar.rule("marks", "<mark>")
-@grammar.rule("marks", "<marks> ,|and|& <mark>")
+@grammar.rule("marks", "<marks> ,|and <mark>")
 def marks(first: Marks, more: Marks = ()) -> Marks:
     """10, 20 (and 30 minutes)."""
     return (*first, *more)
@@ -65,13 +65,13 @@ def since() -> Edge:
     return Edge.START
 
 
-@grammar.rule("said", "<since> <marks> and|& <duration>", "<since> <marks> , and <duration>", weight=0.4)
+@grammar.rule("said", "<since> <marks> and <duration>", "<since> <marks> , and <duration>", weight=0.4)
 def at_marks(_since: Edge, numbers: Marks, last: Duration) -> Said | None:
     """(check it) at 10, 20 and 30 minutes: each counted from what was begun."""
     return _listed([_into(duration) for duration in _in_unit(numbers, last)])
 
 
-@grammar.rule("said", "in <marks> and|& <duration>", "in <marks> , and <duration>", weight=0.4)
+@grammar.rule("said", "in <marks> and <duration>", "in <marks> , and <duration>", weight=0.4)
 def in_marks(numbers: Marks, last: Duration) -> Said | None:
     """(call me) in 10, 20 and 30 minutes: each counted from now."""
     return _listed([in_duration(duration) for duration in _in_unit(numbers, last)])

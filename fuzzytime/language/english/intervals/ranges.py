@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.english.amounts.durations import typed as typed_length
-from fuzzytime.language.english.clock_times.clocks import number
+from fuzzytime.language.english.clock_times.clocks import TO_AN_HOUR, number
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
@@ -24,7 +24,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.joined.beside import in_hour_of, lasts_then, refined
 from fuzzytime.language.meaning.joined.range_ends import closes, comparable, is_meal, is_one, lent
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -45,7 +45,7 @@ def range_of(first: Goal, last: Goal, *, minutes: bool = False) -> Said | None:
             isinstance(time, TimeWord) and time.word == "now"
         ):
             return None
-    if _is_to_hour(first.time, last.time):
+    if _is_to_hour(first.time, last.time, minutes=minutes):
         # "Twenty to seven in the evening" is one time.
         return None
     if isinstance(first.time, Wall) and (
@@ -61,12 +61,15 @@ def range_of(first: Goal, last: Goal, *, minutes: bool = False) -> Said | None:
     return Said(Range(first.time, last.time), Constraint.BETWEEN, "between", (*first.hedges, *last.hedges))
 
 
-def _is_to_hour(first: Time, last: Time) -> bool:
+def _is_to_hour(first: Time, last: Time, *, minutes: bool) -> bool:
     """Whether the first end of a range is minutes to the hour that is its last."""
     start = first.anchor if isinstance(first, Offset) else first
-    if not isinstance(start, Wall) or not isinstance(last, Wall) or last.days is not None:
+    if not isinstance(start, Wall) or not isinstance(last, Wall) or start.clock is None or last.clock is None:
         return False
-    return bool(start.clock and last.clock and start.clock.minutes and last.clock.hour <= NOON)
+    # "20 to 3pm", "20 to 6am"; but "from 20 to 6am"
+    halves = {Half.AM, Half.PM} if minutes else {Half.PM}
+    typed = start.bare and start.clock.hour in TO_AN_HOUR and last.clock.half in halves
+    return (start.clock.minutes or typed) and last.clock.hour <= NOON
 
 
 def _in_hour(first: Goal, last: Goal) -> Goal:
@@ -79,9 +82,10 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
 
 @grammar.rule(
     "said",
-    "between the? <goal> and|&|to|-|through|thru|until|till the? <goal>",
+    "between the? <goal> and|to|-|through|thru|until|till the? <goal>",
     "between the hours of <goal> and|to <goal>",
     "from the? <goal> to|-|through|thru the? <goal>",
+    "starting|beginning at? the? <goal> ,? and? ending|finishing at? the? <goal>",
     weight=1.1,
 )
 @grammar.rule("said", "from the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
@@ -170,7 +174,10 @@ def with_dash(first: Goal, last: Goal) -> Said | None:
     """9:30 - 11:00, mon-fri; but "friday - june 19", "6 january - 6:30" are one time each."""
     if isinstance(first.time, Wall) and isinstance(last.time, Wall) and is_one(first.time, last.time):
         return None
-    return _side_by_side(first, last)
+    # "2 weeks before 16-jul"
+    anchor = first.time.anchor if isinstance(first.time, Offset) else None
+    dated = isinstance(anchor, Wall) and anchor.bare and last.wall.weak
+    return None if dated else _side_by_side(first, last)
 
 
 @grammar.rule("arrow", "- >", "= >", ">", "→", "⇒")

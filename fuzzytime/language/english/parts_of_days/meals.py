@@ -42,8 +42,8 @@ def before_meal_on_day(duration: Duration, meal: Part, days: Calendar) -> Goal |
     return None if meal.place else before_goal(duration, Goal(Wall(days, meal)))
 
 
-@grammar.rule("several meals", "<meal> ,|and|& <meal>")
-@grammar.rule("several meals", "<several meals> ,|and|& <meal>", "<several meals> , and <meal>")
+@grammar.rule("several meals", "<meal> ,|and <meal>")
+@grammar.rule("several meals", "<several meals> ,|and <meal>", "<several meals> , and <meal>")
 def several_meals(first: Part | Meals, last: Part) -> Meals | None:
     """Breakfast, lunch and dinner; but "school and work" are places."""
     meals = (first, last) if isinstance(first, Part) else (*first, last)

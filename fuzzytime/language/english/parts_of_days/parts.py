@@ -58,7 +58,7 @@ def some_part(found: Part, days: Calendar) -> Wall | None:
     return Wall(days, found) if several and not found.is_point else None
 
 
-@grammar.rule("end", "midnight between <days> and|& <days>", weight=0.9)
+@grammar.rule("end", "midnight between <days> and <days>", weight=0.9)
 def midnight_between(_first: Calendar, second: Calendar) -> Ending:
     """Midnight between thursday and friday: where friday begins."""
     return Ending(Edge.START, second)

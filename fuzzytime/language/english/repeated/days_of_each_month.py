@@ -29,8 +29,8 @@ def last_place() -> int:
     return LAST
 
 
-@grammar.rule("places inside", "<place inside> ,|and|& the? <place inside>")
-@grammar.rule("places inside", "<places inside> ,|and|& the? <place inside>")
+@grammar.rule("places inside", "<place inside> ,|and the? <place inside>")
+@grammar.rule("places inside", "<places inside> ,|and the? <place inside>")
 @grammar.rule("places inside", "<places inside> , and the? <place inside>")
 def places_inside(before: int | tuple[int, ...], last: int) -> tuple[int, ...] | None:
     """The first and third, the first, second and last."""
@@ -90,7 +90,7 @@ def day_of_every(first: object, second: object) -> Repeat | None:
     return on_named_days(unit, (Wall(Fields(day=number)),)) if isinstance(unit, Repeat) else None
 
 
-@grammar.rule("repeat", "<repeat> ,|and|& on? the <ordinal>", weight=0.1)
+@grammar.rule("repeat", "<repeat> ,|and on? the <ordinal>", weight=0.1)
 def more_days_of_month(repeat: Repeat, number: int) -> Repeat | None:
     """Every month on the fifth and the twentieth."""
     walls = repeat.walls
@@ -101,7 +101,7 @@ def more_days_of_month(repeat: Repeat, number: int) -> Repeat | None:
     return replace(repeat, walls=(*walls, Wall(Fields(day=number))))
 
 
-@grammar.rule("repeat", "on? the? <ordinal> ,|and|& <repeat>", "the? <ordinal> , and <repeat>", weight=0.3)
+@grammar.rule("repeat", "on? the? <ordinal> ,|and <repeat>", "the? <ordinal> , and <repeat>", weight=0.3)
 def more_days_of_every(number: int, repeat: Repeat) -> Repeat | None:
     """The first and the fifteenth of every month, the first and third tuesday of every month."""
     days = [wall.days for wall in repeat.walls]
@@ -115,7 +115,7 @@ def more_days_of_every(number: int, repeat: Repeat) -> Repeat | None:
 
 
 @grammar.rule(
-    "repeat", "every|each <ordinal> ,|and|& the? <ordinal>", "every|each <ordinal> of the? month", weight=0.3
+    "repeat", "every|each <ordinal> ,|and the? <ordinal>", "every|each <ordinal> of the? month", weight=0.3
 )
 def days_of_month(first: int, second: int | None = None) -> Repeat | None:
     """Every 1st and 15th, every third of the month."""

@@ -85,7 +85,7 @@ def weekend_parts(part: Part) -> Repeat:
     return _on(FREE, part)
 
 
-@grammar.rule("repeat", "every|each weekday <part> and|& <part>", weight=0.5)
+@grammar.rule("repeat", "every|each weekday <part> and <part>", weight=0.5)
 def two_weekday_parts(first: Part, second: Part) -> Repeat:
     """Every weekday morning and evening."""
     return _on(WORKING, first, second)

@@ -47,7 +47,7 @@ def every_nth_weekday(number: int, weekday: int) -> Repeat | None:
     return Repeat(walls=(Wall(Fields(weekday=weekday)),), skip=number) if 1 < number < 100 else None
 
 
-@grammar.rule("parts of each day", "<part> and|& <part>", "<part> , <part> ,? and|& <part>", weight=0.2)
+@grammar.rule("parts of each day", "<part> and <part>", "<part> , <part> ,? and <part>", weight=0.2)
 def parts_of_each_day(*parts: Part) -> Repeat | None:
     """Morning and evening: of each day; but "the morning and evening" are those of one."""
     if len({part.name for part in parts}) < len(parts) or any(part.place for part in parts):
@@ -191,7 +191,7 @@ def every_other_part(part: Part) -> Repeat:
     return Repeat(walls=(Wall(Cycle(Unit.DAY), part),), skip=2)
 
 
-@grammar.rule("repeat", "every|each <part> and|& <part>", weight=0.3)
+@grammar.rule("repeat", "every|each <part> and <part>", weight=0.3)
 def every_two_parts(first: Part, second: Part) -> Repeat:
     """Every morning and evening."""
     return Repeat(walls=(Wall(Cycle(Unit.DAY), first), Wall(Cycle(Unit.DAY), second)))
@@ -210,7 +210,7 @@ def one_weekday(number: int) -> tuple[int, ...]:
 
 
 @grammar.rule(
-    "weekday list", "<weekday list> ,|and|&|or <weekday>", "<weekday list> , and <weekday>", weight=0.1
+    "weekday list", "<weekday list> ,|and|or <weekday>", "<weekday list> , and <weekday>", weight=0.1
 )
 def another_weekday(numbers: tuple[int, ...], number: int) -> tuple[int, ...]:
     """Monday, wednesday and friday."""
@@ -248,7 +248,7 @@ def every_month(number: int) -> Repeat:
     return Repeat(walls=(Wall(Fields(month=number)),))
 
 
-@grammar.rule("repeat", "<repeat> ,|and|& <month>|<season>", "<repeat> , and <month>|<season>", weight=0.3)
+@grammar.rule("repeat", "<repeat> ,|and <month>|<season>", "<repeat> , and <month>|<season>", weight=0.3)
 def more_months(repeat: Repeat, days: int | Calendar) -> Repeat | None:
     """Every april and october, every spring and autumn."""
     told = Fields(month=days) if isinstance(days, int) else days

@@ -85,7 +85,7 @@ def moment(wall: Wall) -> tuple[Wall, ...] | None:
     return (wall,) if wall.days is None and (wall.clock is not None or wall.part is not None) else None
 
 
-@grammar.rule("moments", "<moments> ,|and|& at|@|in|once? <wall>", "<moments> , and at|@|in|once? <wall>")
+@grammar.rule("moments", "<moments> ,|and at|@|in|once? <wall>", "<moments> , and at|@|in|once? <wall>")
 def more_moments(moments: tuple[Wall, ...], wall: Wall) -> tuple[Wall, ...] | None:
     """At eight, at noon and at six."""
     last = moment(wall)

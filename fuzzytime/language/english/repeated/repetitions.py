@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.calendar.periods import WEEK_DAYS
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Cycle
@@ -214,6 +215,15 @@ def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     days = unit is None or unit.unit not in SUB_DAY
     # "Twice a day": once in each half of it, and at no moment.
     return Repeat(Duration(((length / number, Unit.SECOND),)), shared=days)
+
+
+@grammar.rule("repeat", "<integer> days a|per|every|each|/ week", weight=0.9)
+def on_so_many_days(number: Integer) -> Repeat | None:
+    """Three days a week: so often, and not for so long; seven are all of them."""
+    if number.value == WEEK_DAYS:
+        return of_unit(UnitWord(Unit.DAY, 1, "day"))
+    often = 0 < number.value < WEEK_DAYS
+    return so_often(int(number.value), UnitWord(Unit.WEEK, 1, "week")) if often else None
 
 
 @grammar.rule("repeat", "<times> <wall>|<rest>", weight=0.5)

@@ -60,7 +60,7 @@ def numbers_of_weekday(weekday: int, first: Integer, last: Integer) -> Repeat | 
     return numbers_of_week((weekday,), first, last)
 
 
-@grammar.rule("repeat", "<repeat> ,|and|& <hours of weekday>", weight=3.5)
+@grammar.rule("repeat", "<repeat> ,|and <hours of weekday>", weight=3.5)
 def more_hours(repeat: Repeat, more: Repeat) -> Repeat | None:
     """Mon-thu 9-5, fri 9-3: each on its days."""
     hours = repeat.walls and all(wall.part is not None and not wall.part.name for wall in repeat.walls)

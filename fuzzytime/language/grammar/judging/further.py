@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.meaning.calendar import Fields, is_day_of_month
 from fuzzytime.language.meaning.expressions import Range, Said, Wall, wall_of
 
-JOINTS = frozenset({"and", "&", "or", ",", "then"})
+JOINTS = frozenset({"and", "or", ",", "then"})
 """What joins times of the same thing."""
 
 ENDS = frozenset({"", ".", "!", ";", ","})
@@ -93,7 +93,7 @@ class Further(Standing):
     def _further_days(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
         """Give the days of a month behind another: "on the 1st and 15th", "on the 3rd, 10th and 17th"."""
         place = piece.end + 1
-        listed = self.around.follower(piece) in {"and", "&", "or", ","} and _is_day_of_month(piece)
+        listed = self.around.follower(piece) in {"and", "or", ","} and _is_day_of_month(piece)
         if not listed or place >= len(self.words) or any(one.start == place for one in chosen):
             return []
         found = [

@@ -52,7 +52,7 @@ class Judge(Around):
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
         said: Said = piece.value
-        if self.borders.refuse(piece) or self.measures.is_level(piece):
+        if self.borders.refuse(piece) or self.measures.is_level(piece) or self.measures.says_amount(piece):
             return False
         time = said.time
         if piece.rule in {ANOTHER, *HEADS_ALONE}:

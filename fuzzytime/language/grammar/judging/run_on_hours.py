@@ -14,7 +14,7 @@ MINUTES = 60
 LEAST = 2
 """Clock times behind the first of such a list, at least."""
 
-JOINTS = frozenset({"and", "or", "&"})
+JOINTS = frozenset({"and", "or"})
 
 Stretch = tuple[int, int]
 """Places of words, from the first to behind the last."""

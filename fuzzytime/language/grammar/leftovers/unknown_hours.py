@@ -11,8 +11,8 @@ from fuzzytime.language.meaning.expressions import Repeat
 HALF = "day_half"
 """The category of halves of the day: "pm"."""
 
-BOTH = frozenset({"&", "/", "+"})
-"""Marks between two halves of the day that are both meant."""
+BOTH = frozenset({"and", "/", "+"})
+"""What stands between two halves of the day that are both meant."""
 
 TYPED = ("n/n", "n/y", "y/n")
 """Shapes of two numbers that may be a date, or two hours."""

@@ -170,6 +170,10 @@ class BesideTimes:
     kept_at: Words
     left_at: Words
     with_levels: Words
+    amounting: Words
+    standing: Words
+    still_at: Words
+    levelling: Words
     of_hours: Words
     of_clocks: Words
     telling_hours: Words

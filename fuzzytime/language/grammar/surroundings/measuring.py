@@ -3,6 +3,7 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.surroundings.compared import NEAR, NEARLY, STATED, Compared
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
+from fuzzytime.language.meaning.joined.distances import LOWER, UPPER
 from fuzzytime.requirement import MOMENTS, STRETCHES, Unit
 
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
@@ -43,6 +44,27 @@ class Measures(Compared):
         """Whether its last word says that it is an hour: "measure it sixish"; but "dim it to sixish"."""
         raised = "to" in self.texts[max(0, piece.start - 1) : piece.start + 1]
         return self.texts[piece.end - 1] in self.beside.telling_hours and not raised
+
+    def says_amount(self, piece: Piece) -> bool:
+        """Whether words make a number how much: "kids under 12", "fares start at 4", "levels off at 5"."""
+        said = piece.value
+        clock = said.time.clock if isinstance(said.time, Wall) else None
+        if clock is None or not (said.time.bare or clock.pair) or not self.is_number(piece.end - 1):
+            return False
+        first = self.texts[piece.start]
+        if said.preposition is None:
+            return not (UPPER | LOWER).isdisjoint(said.hedges) and not self.is_number(piece.start)
+        before = [text for text in self.texts[: piece.start] if text not in self.beside.still_at]
+        *_, subject, verb = ("", "", *before)
+        told = ("s", "ed") if first == "from" else "ed"
+        owned = subject in self.closed.noun_openers
+        if verb in self.beside.amounting and verb.endswith(told) and not owned:
+            # "Fares from 4", "priced at 6"; but "charge the battery from 9", "collect the fees from 9"
+            return True
+        stands = verb in self.beside.standing and subject in self.beside.amounting
+        levels = verb in self.lexicon.particles and subject in self.beside.levelling
+        costs = verb in self.lexicon.no_times.costing and first == "up"
+        return costs or ((stands or levels) and first in {"at", "from", *NEARLY})
 
     def _switches(self, piece: Piece) -> bool:
         """Whether something is turned on or off, which is no amount: "turn off the lights around six"."""

@@ -8,6 +8,7 @@ from fuzzytime.language.meaning.days.side_by_side import narrowed, same_day
 from fuzzytime.language.meaning.expressions import Duration, HourMark, Range, Said, Wall
 from fuzzytime.language.meaning.feasts import Feast
 from fuzzytime.language.meaning.joined.distances import said_length
+from fuzzytime.language.meaning.joined.range_ends import begins_before_part
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import STRETCHES, Constraint, Unit
 
@@ -149,6 +150,7 @@ def refined(said: Said, wall: Wall) -> Said | None:
             return None
         if wall.part is not None and last.part is None and last.clock is not None:
             last = replace(last, part=wall.part)
+            first = replace(first, part=None) if begins_before_part(first, last) else first
         return replace(said, time=Range(first, last))
     return None
 

@@ -5,7 +5,10 @@ from dataclasses import replace
 from fuzzytime.language.meaning.calendar import Calendar, Fields, is_weekday
 from fuzzytime.language.meaning.days.relations import Deictic
 from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.requirement import Unit
+
+NOON_HOUR = 12
 
 
 def closes(wall: Wall) -> bool:
@@ -59,6 +62,14 @@ def comparable(first: Wall, last: Wall) -> bool:
     return True
 
 
+def begins_before_part(first: Wall, last: Wall) -> bool:
+    """Whether a range begins before the part of the day that it ends in: "10 to 2 in the afternoon"."""
+    late = last.part is None or last.part.half is not Half.PM
+    if late or first.clock is None or last.clock is None:
+        return False
+    return first.clock.is_open and first.clock.hour % NOON_HOUR > last.clock.hour % NOON_HOUR
+
+
 def lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
     """Lend each end what only the other says: "july 13 to 15", "from 5 to 6pm tomorrow"."""
     if (first.clock is None) != (last.clock is None):
@@ -76,7 +87,8 @@ def lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
         zone = first.zone or last.zone
         part = None if first.days and last.days else first.part or last.part
         # The other end's day, where it says one itself, is its own.
-        first = replace(first, days=first.days or days, zone=zone, part=first.part or part)
+        own = first.part or (None if begins_before_part(first, last) else part)
+        first = replace(first, days=first.days or days, zone=zone, part=own)
         last = replace(last, zone=zone, part=last.part or part)
         if last.days == first.days:
             last = replace(last, days=None)

@@ -61,7 +61,8 @@ class Contents:
         its = clause.marker != "as" or self.tree.nodes[nodes[0]].lower == ITS
         goes_on = None
         if clause.kind == "while" and its:
-            goes_on = being(self.tree, nodes, said) or state(self.tree, nodes, said)
+            goes_on = compared(self.tree, nodes, said) or being(self.tree, nodes, said)
+            goes_on = goes_on or state(self.tree, nodes, said)
         return self.event(clause, nodes) if goes_on is None else replace(clause, condition=goes_on)
 
     def _done(self, clause: Clause, verb: int, nodes: Sequence[int]) -> Clause:

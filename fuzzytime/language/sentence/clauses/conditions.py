@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from fuzzytime.language.grammar.surroundings.compared import NEARLY
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
@@ -131,9 +132,13 @@ def state(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
 
 
 def compared(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
-    """Read "error rate > 2 %", "the battery below 20": a thing and a number, without any verb."""
+    """Read "error rate > 2 %", "the battery below 20": a thing and a number, and no verb.
+
+    So "the battery hovers around 12", where the tree takes the verb for a plural.
+    """
     said = [tree.nodes[place] for place in nodes]
     number = next((place for place, node in enumerate(said) if node.tag == "CD"), 0)
+    number -= number > 0 and said[number - 1].lower in NEARLY
     forms = (tuple(node.lower for node in said[first:number]) for first in range(number))
     words = next((form for form in forms if form in tree.lexicon.comparisons), ())
     named = [node for node in said[: number - len(words)] if node.tag not in ANY_DETERMINERS]

@@ -78,7 +78,9 @@ class Cuts(Standing):
                 return False
             if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
                 after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
-                if word.text in {"%", "°"} or (after is not None and after.glued):
+                # "(Call mum at 9.)": what closes behind a full stop is no part of a number.
+                runs = after is not None and after.glued and (after.text[0].isalnum() or after.text == "-")
+                if word.text in {"%", "°"} or runs:
                     return True
         return self._runs_before(piece)
 
@@ -175,6 +177,9 @@ class Cuts(Standing):
         last = piece.end + 1 == len(self.texts) and piece.start > 0
         if last and named and isinstance(piece.value.time, TimeWord) and self.texts[piece.end - 1] in THESE:
             # "Stop it after this | song"
+            return True
+        if follower == "thing" and self.texts[piece.end - 1] == "first":
+            # "On the 20th first | thing"
             return True
         counted = self.texts[piece.end - 1] == "second" and self.words[piece.end - 2].is_digits
         if self.texts[piece.start] == "round" and self.around.before(piece) in self.lexicon.no_times.rounds:

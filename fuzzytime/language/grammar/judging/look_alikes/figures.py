@@ -3,7 +3,7 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Range, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Wall
 from fuzzytime.requirement import Unit
 
 BEFORE = 3
@@ -118,14 +118,15 @@ class Figures(Standing):
     def _is_of_decade(self, piece: Piece) -> bool:
         """Whether its seconds are years: "in the 70s style", "people in their 40s", "over 60s only"."""
         last = max((p for p in range(piece.start, piece.end) if self.texts[p] == "s"), default=0)
-        if not isinstance(piece.value.time, Duration | Wall) or last < 2:
+        if not isinstance(piece.value.time, Duration | Wall | Offset) or last < 2:
             return False
         number = last - 1
         glued = self.words[last].glued and self.words[number].is_digits
         before = self.texts[number - 1]
         aged = before in self.lexicon.no_times.around_ages
         alone = number == 1 and last + 1 < len(self.words)
-        aged = aged and (alone or self.texts[number - 2] in self.closed.noun_openers)
+        # "No under 18s"
+        aged = aged and (alone or self.texts[number - 2] in {"no", *self.closed.noun_openers})
         owned = before in self.closed.possessives | {"the", "early", "late"} and self.texts[number] in DECADES
         return glued and (aged or owned)
 

@@ -134,7 +134,7 @@ class BareHours(Standing):
 
     def _ends_behind_object(self, piece: Piece) -> bool:
         """Whether it ends an order with a person, an animal or a call: "meet me five thirty"."""
-        place = piece.start - (self.around.before(piece) in self.beside.put_off)
+        place = piece.start - (self.around.before(piece) in {"(", *self.beside.put_off})
         before = self.texts[place - 1] if place else ""
         met = self.lexicon.persons | self.lexicon.animals | self.lexicon.events | self.beside.calls
         someone = before in self.closed.object_pronouns | met

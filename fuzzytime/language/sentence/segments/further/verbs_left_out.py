@@ -71,7 +71,7 @@ def verbs_left_out(one: Waiting, part: Part) -> list[int]:
             continue
         if [word.text for word in between[:2]] in ([",", "and"], [",", "then"], ["and", "then"]):
             between = between[1:]
-        elif not between or between[0].text not in {"and", "&", ",", "or"}:
+        elif not between or between[0].text not in {"and", ",", "or"}:
             continue
         if len(between) >= SHORTEST_GAP and (
             _names_another(one, part, between, old, new)
@@ -91,7 +91,7 @@ def _on_other_days(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int]
     for before, day in pairwise(days):
         behind = words[day.end].text if day.end < len(words) else ""
         # "Monday and tuesday gym" is the same on both.
-        led = words[day.first - 1].text in {"and", "&"} and before.end < day.first - 1
+        led = words[day.first - 1].text == "and" and before.end < day.first - 1
         if led and behind.isalpha() and behind not in lexicon.function_words:
             found.append(day.span[0])
     return found
@@ -131,7 +131,7 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     verb, takes_time = part.tree.nodes[root], part.lexicon.happening | part.lexicon.taken
     is_then = verb.lower in part.lexicon.closed.present_be and bool(part.tree.children(root, *SUBJECTS))
     happening = verb.tag in NAMES or (verb.tag == "VBG" and verb.lower in takes_time) or is_then
-    listed = happening and between[0].text in {",", "and", "&"}
+    listed = happening and between[0].text in {",", "and"}
     if listed and not happens:
         # "Story at seven, lights out by half past": one word says what becomes of the thing.
         return all(tag == "RP" for tag in others[1:])
