@@ -212,8 +212,10 @@ def running_one(scene: Scene, names: frozenset[str]) -> Started | None:
 def part_meant(scene: Scene, number: int, names: frozenset[str]) -> str | None:
     """Give the only one of several things to do of an instruction that words name; None for the whole."""
     label = label_meant(scene, names)
-    if "." in label and number_of(label) == number:
-        return label
+    if label and number_of(label) == number:
+        # "Drop s1", of s1 and s1.2, is of the first
+        several = len({part for part in _parts(scene) if number_of(part) == number}) > 1
+        return label if several and label in _parts(scene) else None
     begun = {one.identifier: one.name for one in scene.conversation.running(scene.now)}
     parts = begun | {one.identifier: one.skill.name for _, one in waiting(scene, number)}
     mine = {key: name for key, name in parts.items() if number_of(key) == number}

@@ -14,7 +14,6 @@ from fuzzytime.language import (
     about_wishes,
     added_time,
     by_how_much,
-    called_by_time,
     lets_be,
     reported,
     respelled,
@@ -43,7 +42,7 @@ from fuzzytime_cli.repl.plain_words.telling import (
 )
 from fuzzytime_cli.repl.questions import answering, gaps
 from fuzzytime_cli.repl.scene import Reply, Scene
-from fuzzytime_cli.repl.which import which_one, with_label
+from fuzzytime_cli.repl.which import which_one
 from fuzzytime_cli.told_states import tells_what_is
 
 OF_ITSELF = frozenset({AboutKind.DROP, AboutKind.MOVE, AboutKind.EXCEPT})
@@ -64,9 +63,7 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
     FuzzytimeError
         If nothing that is known can be meant, or which of several is not said.
     """
-    called = called_by_time(words, scene.now, scene.lexicon)
-    labelled = None if called is None else with_label(scene, words, *called)
-    reply = _reply_about(scene, words if labelled is None else labelled)
+    reply = _reply_about(scene, words)
     if reply is not None:
         return reply
     anew = respelled(words, scene.now, scene.lexicon, is_verb)

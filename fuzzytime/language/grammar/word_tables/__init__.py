@@ -24,6 +24,7 @@ from fuzzytime.language.grammar.word_tables.speech import (
     read_comparisons,
     read_hedges,
     read_prepositions,
+    read_ways,
     read_words,
 )
 from fuzzytime.language.grammar.word_tables.tables import Tables, by_form, numbers
@@ -136,6 +137,7 @@ def _lexicon(speech: Tables, days: Tables) -> Lexicon:
             name.text: frozenset(speech.words("conversation", name.text))
             for name, _ in speech.rows("conversation")
         },
+        ways=read_ways(speech),
         function_words=function_words,
         misspelt={
             **misspellings((form[0] for form in speech.words("spelling", "words")), known),
@@ -161,7 +163,7 @@ _SPEECH = (
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
-    "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
+    "happening", "frames", "standing", "conversation", "ways", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
     "passing", "doing", "past", "undoing", "circling", "dosing", "coming_in", "dining", "closed_classes",
     "beside_times", "no_times", "called",
@@ -206,7 +208,7 @@ _ROWS = {
         "a week on", "a week back", "agreeing", "of course", "the earlier", "the later", "choosing none",
         "the next", "forgetting", "started", "asking for a while",
         "how to", "done with", "done next", "wanted by", "told of", "blocking", "keeping free",
-        "kept free", "being away", "half of the day", "towards", "behind swapping",
+        "kept free", "being away", "half of the day", "minding", "may be", "towards", "behind swapping",
         "in its place of", "going", "one", "clock", "parting", "asking for help", "asking for the list",
         "asking to clear", "quitting",
     ),

@@ -5,7 +5,7 @@ from typing import Any
 
 from fuzzytime.documents.nodes import Node
 from fuzzytime.language.grammar.lexicon import Entry, Form, Forms, Preposition, form_of
-from fuzzytime.language.grammar.word_tables.tables import Tables
+from fuzzytime.language.grammar.word_tables.tables import CHOICE, Tables
 from fuzzytime.language.meaning.expressions import Edge, Quantity, TimeWord
 from fuzzytime.requirement import Constraint, Side
 
@@ -105,3 +105,15 @@ def read_amounts(
         ]
         for form in said:
             yield form, (name.text, quantity)
+
+
+def read_ways(tables: Tables) -> tuple[tuple[str, tuple[frozenset[str], ...]], ...]:
+    """Give other ways to say what is said of wishes: of each, what may stand in each of its places.
+
+    What a choice with nothing in it says may be missing: "|just".
+    """
+    return tuple(
+        (name.text, tuple(frozenset(place.lower().split(CHOICE)) for place in text.split()))
+        for name, node in tables.rows("ways")
+        for text in tables.reader.strings(node, f"ways.{name.text}")
+    )
