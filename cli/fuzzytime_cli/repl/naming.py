@@ -56,6 +56,19 @@ def is_named_itself(scene: Scene, names: frozenset[str]) -> bool:
     )
 
 
+def may_be_told_of(scene: Scene, names: frozenset[str]) -> bool:
+    """Whether what is told of some words is of what was asked for, and may be of nothing that comes besides.
+
+    Lunch may be at one where it is to be bought, but no lawn is that is to be mown.
+    """
+    entry = entry_of(scene, names) if names else None
+    if entry is None or not names <= words_of_entry(scene, entry):
+        return False
+    lexicon = scene.lexicon
+    timed = lexicon.happening | lexicon.events | lexicon.taken
+    return is_named_itself(scene, names) or names.isdisjoint(timed)
+
+
 def is_of_one_task(scene: Scene, names: frozenset[str]) -> bool:
     """Whether words name what one planned thing is done with, and nothing that has a time of its own.
 

@@ -2,6 +2,7 @@
 
 import re
 
+from fuzzytime.english import PARTICIPLE
 from fuzzytime.language import (
     Said,
     about_wishes,
@@ -10,7 +11,7 @@ from fuzzytime.language import (
     content_words,
     verb_forms,
 )
-from fuzzytime_cli.repl.naming import entry_of, is_named_itself, words_of_entry
+from fuzzytime_cli.repl.naming import entry_of, may_be_told_of, words_of_entry
 from fuzzytime_cli.repl.plain_words.telling import is_news
 from fuzzytime_cli.repl.plain_words.ways import in_usual_words
 from fuzzytime_cli.repl.scene import Scene
@@ -83,12 +84,10 @@ def _is_known(scene: Scene, thing: Said, told: bool) -> bool:  # noqa: FBT001 - 
     entry = entry_of(scene, names) if names and thing.is_one and not thing.has_time else None
     if entry is None or not names <= words_of_entry(scene, entry):
         return False
-    if len(thing.words) > 1 and thing.forms[0] in _verbs_of(scene, names):
-        # "Feed the dog" may be done twice.
+    if thing.forms[0] in _verbs_of(scene, names) and not thing.forms[0].endswith(PARTICIPLE):
+        # "Feed the dog" may be done twice, but "feeding the dog" is what was asked for.
         return False
-    lexicon = scene.lexicon
-    timed = lexicon.happening | lexicon.events | lexicon.taken
-    return not told or is_named_itself(scene, names) or names.isdisjoint(timed)
+    return not told or may_be_told_of(scene, names)
 
 
 def _verbs_of(scene: Scene, names: frozenset[str]) -> frozenset[str]:

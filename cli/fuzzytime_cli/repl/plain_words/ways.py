@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from datetime import datetime
 
+from fuzzytime.english import PARTICIPLE
 from fuzzytime.language import Lexicon, Said, bare, later_by, without_request, written_out
 
 SLOT = "<"
@@ -10,7 +11,14 @@ SLOT = "<"
 
 TIMES = frozenset({"<time>", "<old>"})
 LENGTH = "<length>"
-"""Where a time is left open, and a length of time; all else is something that was asked for."""
+DOING, THING = "<doing>", "<thing>"
+ANY = "<any>"
+OPEN = frozenset({ANY, "<somebody>"})
+"""Where a time is left open, a length of time, what one is at, and anything; else what was asked for."""
+
+LONGEST = 24
+"""Words of a line that is read so."""
+
 
 AT, FOR = "at ", "for "
 THE = "the"
@@ -36,18 +44,27 @@ def in_usual_words(
     plain = bare(whole).without_end(whole.table("instead"))
     asked = bare(without_request(plain)) if plain.words else plain
     for line in dict.fromkeys((whole.text, plain.text, asked.text)):
-        said = Said(written_out(line), now, lexicon)
-        words = frozenset(said.forms)
-        found = [
-            (-taken, place, usual, slots, way)
-            for place, (usual, way) in enumerate(lexicon.ways)
-            if all("" in one or _slot(one) or one & words for one in way)
-            for taken, slots in _filled(said, way)
-        ]
-        for *_, usual, slots, way in sorted(found, key=lambda one: one[:2]):
-            if _is_meant(slots, is_known, told=bool(_slot(way[0])) or THE in way[0]):
+        for usual, way, slots in _fitting(Said(written_out(line), now, lexicon)):
+            if not _is_meant(slots, is_known, told=bool(_slot(way[0])) or THE in way[0]):
+                continue
+            if usual != ANY:
                 return _with_slots(usual, slots)
+            # "Ann says the call can wait till six"
+            if (behind := in_usual_words(slots[ANY].text, now, lexicon, is_known)) is not None:
+                return behind
     return None
+
+
+def _fitting(said: Said) -> Iterator[tuple[str, Way, Slots]]:
+    """Give the ways that fit a line, with what stands in their slots: first those with most other words."""
+    words = frozenset(said.forms)
+    found = [
+        (-taken, place, usual, way, slots)
+        for place, (usual, way) in enumerate(said.lexicon.ways if len(said.words) <= LONGEST else ())
+        if all("" in one or _slot(one) or one & words for one in way)
+        for taken, slots in _filled(said, way)
+    ]
+    yield from (one[2:] for one in sorted(found, key=lambda one: one[:2]))
 
 
 def _slot(place: frozenset[str]) -> str:
@@ -77,9 +94,10 @@ def _filled(said: Said, way: Way) -> Iterator[tuple[int, Slots]]:
 
 def _is_meant(slots: Slots, is_known: Callable[[Said, bool], bool], *, told: bool) -> bool:
     times = [said for name, said in slots.items() if name in TIMES]
-    things = [said for name, said in slots.items() if name not in TIMES | {LENGTH}]
+    things = [said for name, said in slots.items() if name not in TIMES | OPEN | {LENGTH}]
     return (
-        all(is_known(said, told) for said in things)
+        all(said.forms[0].endswith(PARTICIPLE) for name, said in slots.items() if name == DOING)
+        and all(is_known(said, told) for said in things)
         and all(map(_time, times))
         and all(_is_length(said) for name, said in slots.items() if name == LENGTH)
     )
@@ -99,5 +117,6 @@ def _is_length(said: Said) -> bool:
 
 def _with_slots(usual: str, slots: Slots) -> str:
     for name, said in slots.items():
-        usual = usual.replace(name, _time(said).removeprefix(AT) if name in TIMES else said.text)
+        text = _time(said).removeprefix(AT) if name in TIMES else said.text
+        usual = usual.replace(THING if name == DOING else name, text)
     return usual

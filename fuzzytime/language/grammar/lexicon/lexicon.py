@@ -66,7 +66,7 @@ class Lexicon:
     usual_hours
         By words for what people do, the hours at which they do it.
     ways
-        What is said of wishes in usual words, and a way to say the same: what may stand in its places,
+        What is said of wishes in usual words, and a way to say the same: what may stand in its places.
     function_words
         Words that may follow a bare number without making it a count.
     misspelt, clipped
