@@ -10,11 +10,14 @@ SLOT = "<"
 """How what is left open in a way to say something begins: "<thing>"."""
 
 TIMES = frozenset({"<time>", "<old>"})
-LENGTH = "<length>"
+LENGTH, MORE = "<length>", "<more>"
 DOING, THING = "<doing>", "<thing>"
 ANY = "<any>"
 OPEN = frozenset({ANY, "<somebody>"})
 """Where a time is left open, a length of time, what one is at, and anything; else what was asked for."""
+
+OF_ITSELF = ("cancel", "move")
+"""How what is told of a thing itself is said, and of nothing that only has to do with it."""
 
 LONGEST = 24
 """Words of a line that is read so."""
@@ -45,7 +48,8 @@ def in_usual_words(
     asked = bare(without_request(plain)) if plain.words else plain
     for line in dict.fromkeys((whole.text, plain.text, asked.text)):
         for usual, way, slots in _fitting(Said(written_out(line), now, lexicon)):
-            if not _is_meant(slots, is_known, told=bool(_slot(way[0])) or THE in way[0]):
+            of_itself = usual.startswith(OF_ITSELF) and (_slot(way[0]) or THE in way[0])
+            if not _is_meant(slots, is_known, told=bool(of_itself)):
                 continue
             if usual != ANY:
                 return _with_slots(usual, slots)
@@ -94,12 +98,13 @@ def _filled(said: Said, way: Way) -> Iterator[tuple[int, Slots]]:
 
 def _is_meant(slots: Slots, is_known: Callable[[Said, bool], bool], *, told: bool) -> bool:
     times = [said for name, said in slots.items() if name in TIMES]
-    things = [said for name, said in slots.items() if name not in TIMES | OPEN | {LENGTH}]
+    things = [said for name, said in slots.items() if name not in TIMES | OPEN | {LENGTH, MORE}]
     return (
         all(said.forms[0].endswith(PARTICIPLE) for name, said in slots.items() if name == DOING)
         and all(is_known(said, told) for said in things)
         and all(map(_time, times))
         and all(_is_length(said) for name, said in slots.items() if name == LENGTH)
+        and all(_is_length(said.without("more")[0]) for name, said in slots.items() if name == MORE)
     )
 
 
@@ -118,5 +123,5 @@ def _is_length(said: Said) -> bool:
 def _with_slots(usual: str, slots: Slots) -> str:
     for name, said in slots.items():
         text = _time(said).removeprefix(AT) if name in TIMES else said.text
-        usual = usual.replace(THING if name == DOING else name, text)
+        usual = usual.replace({DOING: THING, MORE: LENGTH}.get(name, name), text)
     return usual

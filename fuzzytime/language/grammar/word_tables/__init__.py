@@ -197,7 +197,7 @@ _ROWS = {
         "unable", "more", "lengthening", "shortening", "busy", "unable then", "able at", "still at",
         "needing", "open", "doing", "moment", "plan", "what", "showing", "when", "lasting", "why",
         "supposing", "filling", "first", "instead", "letting", "answering", "going ahead", "beginning now",
-        "on time", "having left", "lasting so long", "greeting",
+        "on time", "having left", "greeting",
         "again", "like", "continuing", "following", "closing", "naming anew", "meaning", "other",
         "reversing", "stopping", "no longer", "restoring", "staying", "unable at", "unable of", "asking to",
         "saying", "slightly", "several", "skipping", "no more",
