@@ -19,6 +19,8 @@ LONGEST_NAME = 4
 
 SO = " so "
 
+NO, COMMA = "no", ","
+
 MARKS = frozenset({",", ".", "!", "?", "-"})
 
 
@@ -105,7 +107,9 @@ def behind_what_is_told(text: str, now: datetime, lexicon: Lexicon) -> tuple[str
 def bare(said: Said) -> Said:
     """Leave out what opens and closes a line and says nothing of wishes: "oh, … after all, please"."""
     rest = said.without_exclamations() if said.words else said
-    corrected = opening_correction(rest) if rest.words else 0
+    # "No swimming tomorrow" wishes for none.
+    none = rest.forms[:1] == (NO,) and rest.forms[1:2] not in {(COMMA,), ()}
+    corrected = opening_correction(rest) if rest.words and not none else 0
     rest = rest.behind(corrected) if corrected < len(rest.words) else rest
     rest = rest.without_thanks().without_end(
         frozenset().union(*map(said.table, CLOSING)) - said.table("instead")

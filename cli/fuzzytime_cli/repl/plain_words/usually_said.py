@@ -22,12 +22,17 @@ JOINTS = re.compile(r"(,\s+|;\s+|\s+[-\u2013\u2014]+\s+|\s+(?:because|since)\s+)
 
 COMMA = ", "
 
+LONGEST = 40
+"""Words of a line that is about what was asked for, at most."""
+
 
 def as_usually_said(scene: Scene, words: str) -> str:
     """Give a line with what it says about wishes as that is usually said; as it is where it says nothing.
 
     Behind that a reason stands behind a comma, whatever stood there: "skip the gym - I'm tired".
     """
+    if len(words.split()) > LONGEST:
+        return words
     words = _with_labels(scene, words)
     if (whole := _usual(scene, words)) is not None:
         return whole
@@ -56,20 +61,23 @@ def _usual(scene: Scene, clause: str) -> str | None:
     """Give a clause as it is usually said; None where it says nothing about wishes, or does so already."""
     if not clause.strip() or is_news(scene, clause):
         return None
-    usual = in_usual_words(
-        clause, scene.now, scene.lexicon, lambda thing, told: _is_known(scene, thing, told)
-    )
+    about = about_wishes(clause, scene.now, scene.lexicon)
+    # "Leave it" is said of what was changed.
+    sure = about is not None and about.certain
+
+    def known(thing: Said, told: bool) -> bool:  # noqa: FBT001 - as the ways ask
+        return _is_known(scene, thing, told or (sure and thing.is_in("last")))
+
+    usual = in_usual_words(clause, scene.now, scene.lexicon, known)
     if usual is not None:
         return usual
     whole = Said.of(clause, scene.now, scene.lexicon)
     plain = bare(whole)
-    if plain.text == whole.text or about_wishes(clause, scene.now, scene.lexicon) is not None:
+    if plain.text == whole.text or about is not None:
         return None
     about = about_wishes(plain.text, scene.now, scene.lexicon)
-    known = about is not None and (
-        about.certain or (about.names and entry_of(scene, about.names) is not None)
-    )
-    return plain.text if known else None
+    named = about is not None and about.names and entry_of(scene, about.names) is not None
+    return plain.text if named or (about is not None and about.certain) else None
 
 
 def _is_known(scene: Scene, thing: Said, told: bool) -> bool:  # noqa: FBT001 - as the language asks
