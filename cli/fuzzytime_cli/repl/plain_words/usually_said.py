@@ -69,7 +69,7 @@ def _usual(scene: Scene, clause: str) -> str | None:
         return _is_known(scene, thing, told or (sure and thing.is_in("last")))
 
     usual = in_usual_words(clause, scene.now, scene.lexicon, known)
-    if usual is not None:
+    if usual is not None and about_wishes(usual, scene.now, scene.lexicon) is not None:
         return usual
     whole = Said.of(clause, scene.now, scene.lexicon)
     plain = bare(whole)

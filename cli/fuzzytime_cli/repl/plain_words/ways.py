@@ -100,7 +100,8 @@ def _is_meant(slots: Slots, is_known: Callable[[Said, bool], bool], *, told: boo
     times = [said for name, said in slots.items() if name in TIMES]
     things = [said for name, said in slots.items() if name not in TIMES | OPEN | {LENGTH, MORE}]
     return (
-        all(said.forms[0].endswith(PARTICIPLE) for name, said in slots.items() if name == DOING)
+        all(said.words for said in slots.values())
+        and all(said.forms[0].endswith(PARTICIPLE) for name, said in slots.items() if name == DOING)
         and all(is_known(said, told) for said in things)
         and all(map(_time, times))
         and all(_is_length(said) for name, said in slots.items() if name == LENGTH)
@@ -123,5 +124,6 @@ def _is_length(said: Said) -> bool:
 def _with_slots(usual: str, slots: Slots) -> str:
     for name, said in slots.items():
         text = _time(said).removeprefix(AT) if name in TIMES else said.text
+        text = said.label if name == THING and said.label else text
         usual = usual.replace({DOING: THING, MORE: LENGTH}.get(name, name), text)
     return usual
