@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from fuzzytime.english import SHORT_FOR_IS
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import Lexicon, Reading, content_words, reported
+from fuzzytime.language import Lexicon, Operation, Reading, content_words, reported
 from fuzzytime.language.instruction import overlap
 
 NAMING = ("N", "D", "PRP", "J", "CD", "R")
@@ -57,6 +57,8 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
         return _is_somehow(reading, lexicon)
     if _is_short_for_is(reading) or _goes_on(reading, lexicon) or _is_somehow(reading, lexicon):
         return True
+    if not reading.instructions[0].requirements and _is_remark(reading, operation, lexicon):
+        return True
     if operation.due is not None:
         # "Mum called"
         calls = operation.lemma in lexicon.addressing and not reading.instructions[0].requirements
@@ -74,6 +76,28 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
         return past and spoken and reported(reading, lexicon) is None
     # No order begins with "she" or "that".
     return first in closed.third_person_singular | closed.singular_anaphors and not owed
+
+
+def _is_remark(reading: Reading, operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether words say what somebody thinks, has, or may do: "I like piano", "it might be short"."""
+    tokens, closed = reading.tokens, lexicon.closed
+    root = next((token for token in tokens if token.relation == "root"), tokens[0])
+    mine = tokens[0].text.lower() in closed.first_person
+    minds = (operation.lemma,) in lexicon.conversation["minding"]
+    clause = any(token.relation == "ccomp" for token in tokens)
+    may = any((token.text.lower(),) in lexicon.conversation["may be"] for token in tokens)
+    being = operation.lemma == "be" or operation.lemma in lexicon.doing.being
+    # "Good to know", and "Bob cooks", which trees take for what is done with cooks
+    judged = root.tag == "JJ" and operation.object is None and not operation.stated
+    named = tokens[0].text.lower() in lexicon.people and [token.tag for token in tokens[1:]] == ["NNS"]
+    return (
+        (minds and (mine or clause))
+        or (may and (being or mine))
+        or (being and root.tag == "VBZ")
+        or (mine and root.tag == "VBP" and operation.lemma == "have" and operation.due is None)
+        or judged
+        or named
+    )
 
 
 def _goes_on(reading: Reading, lexicon: Lexicon) -> bool:

@@ -10,7 +10,7 @@ seen to first.
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.called_by_time import called_by_time
 from fuzzytime.language.about_wishes.corrections import added_time, restated, without_closing
-from fuzzytime.language.about_wishes.lengths import by_how_much
+from fuzzytime.language.about_wishes.lengths import by_how_much, later_by
 from fuzzytime.language.about_wishes.other_words.answers import choice_meant, chooses_none, lets_be
 from fuzzytime.language.about_wishes.other_words.merging import merged_time
 from fuzzytime.language.about_wishes.other_words.replacing import (
@@ -27,7 +27,13 @@ from fuzzytime.language.about_wishes.other_words.rewording import (
     reworded,
     without_article,
 )
-from fuzzytime.language.about_wishes.reading import about_wishes, behind_what_is_told
+from fuzzytime.language.about_wishes.reading import (
+    about_wishes,
+    bare,
+    behind_what_is_told,
+    without_request,
+)
+from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.about_wishes.things import about_things, continuing
 from fuzzytime.language.about_wishes.told.awaited import (
     done_at_once,
@@ -87,6 +93,7 @@ __all__ = [
     "Reading",
     "Remark",
     "RemarkKind",
+    "Said",
     "StrictReading",
     "Times",
     "Token",
@@ -94,6 +101,7 @@ __all__ = [
     "about_wishes",
     "added_time",
     "answer",
+    "bare",
     "behind_an_answer",
     "behind_what_is_told",
     "by_how_much",
@@ -116,6 +124,7 @@ __all__ = [
     "is_thing",
     "is_untold",
     "is_word_table",
+    "later_by",
     "lets_be",
     "may_be_thing",
     "merged_time",
@@ -141,5 +150,6 @@ __all__ = [
     "with_words",
     "without_article",
     "without_closing",
+    "without_request",
     "written_out",
 ]

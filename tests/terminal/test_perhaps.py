@@ -31,7 +31,7 @@ def test_a_length_is_of_the_thing_that_is_named_of_several(line: str) -> None:
     assert (lasts(talk)["s1"], lasts(talk)["s1.3"]) == (30.0, 35.0)
 
 
-@pytest.mark.parametrize("line", [":duration 1 35min", ":duration s1.3 35min", "s1 takes 35min"])
+@pytest.mark.parametrize("line", [":duration 1 35min", ":duration s1.3 35min"])
 def test_which_of_several_takes_so_long_is_asked(line: str) -> None:
     talk = talk_of(THREE)
     before = lasts(talk)

@@ -56,6 +56,19 @@ def is_named_itself(scene: Scene, names: frozenset[str]) -> bool:
     )
 
 
+def may_be_told_of(scene: Scene, names: frozenset[str]) -> bool:
+    """Whether what is told of some words is of what was asked for, and may be of nothing that comes besides.
+
+    Lunch may be at one where it is to be bought, but no lawn is that is to be mown.
+    """
+    entry = entry_of(scene, names) if names else None
+    if entry is None or not names <= words_of_entry(scene, entry):
+        return False
+    lexicon = scene.lexicon
+    timed = lexicon.happening | lexicon.events | lexicon.taken
+    return is_named_itself(scene, names) or names.isdisjoint(timed)
+
+
 def is_of_one_task(scene: Scene, names: frozenset[str]) -> bool:
     """Whether words name what one planned thing is done with, and nothing that has a time of its own.
 
@@ -212,8 +225,10 @@ def running_one(scene: Scene, names: frozenset[str]) -> Started | None:
 def part_meant(scene: Scene, number: int, names: frozenset[str]) -> str | None:
     """Give the only one of several things to do of an instruction that words name; None for the whole."""
     label = label_meant(scene, names)
-    if "." in label and number_of(label) == number:
-        return label
+    if label and number_of(label) == number:
+        # "Drop s1", of s1 and s1.2, is of the first
+        several = len({part for part in _parts(scene) if number_of(part) == number}) > 1
+        return label if several and label in _parts(scene) else None
     begun = {one.identifier: one.name for one in scene.conversation.running(scene.now)}
     parts = begun | {one.identifier: one.skill.name for _, one in waiting(scene, number)}
     mine = {key: name for key, name in parts.items() if number_of(key) == number}

@@ -6,7 +6,8 @@ from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import Instruction, content_words, merged_time
+from fuzzytime.language import Instruction, Said, content_words, find_times, merged_time
+from fuzzytime.language.instruction import Span
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import instant_after
 from fuzzytime_cli.repl.scene import FIRST, Scene, begun_parts, waiting
@@ -32,17 +33,31 @@ def with_time_of_part(scene: Scene, entry: Entry, time: str, part: str) -> str:
         # "Move the lawn to sunday", which was to be mown at ten, leaves it at ten.
         lexicon = scene.lexicon
         time = merged_time(entry.text[first:end], entry.given, time, scene.now, lexicon)
-    front, behind = f"{entry.text[:first].rstrip()} {time}", entry.text[end:]
+    front, behind = placed_at(scene, entry.text, (first, end), time)
     others = [other for other in _parts_of(scene, entry) if other is not one]
     shares = first < end and any((first, end) == _time_of(other, length=length) for other in others)
     if shares:
         return _checked(scene, entry, _each_with_time(scene, entry, one, time), {one.skill.name})
     try:
-        return _checked(scene, entry, front + behind, {one.skill.name})
+        return _checked(scene, entry, untied(scene, front + behind), {one.skill.name})
     except FuzzytimeError:
         # "On friday" would be of the next one, too.
-        then = _on_its_day(scene, entry, others, end)
-        return _checked(scene, entry, front + then, {one.skill.name})
+        then = _on_its_day(scene, entry, others, len(entry.text) - len(behind))
+        return _checked(scene, entry, untied(scene, front + then), {one.skill.name})
+
+
+def placed_at(scene: Scene, text: str, span: Span, time: str) -> tuple[str, str]:
+    """Give words up to a new time in the place of the old one, and those behind it.
+
+    What it comes "after" stands behind how long it takes, which would else be said of that.
+    """
+    front, behind = text[: span[0]].rstrip(), text[span[1] :]
+    length = find_times(behind.lstrip(), scene.now, scene.lexicon).requirements[:1]
+    lasts = any(part.constraint is Constraint.FOR and part.span[0] == 0 for part in length)
+    if lasts and Said(time, scene.now, scene.lexicon).beside() is not None:
+        end = len(behind) - len(behind.lstrip()) + length[0].span[1]
+        front, behind = f"{front} {behind[:end].strip()}", behind[end:]
+    return f"{front} {time}".lstrip(), behind
 
 
 def _on_its_day(scene: Scene, entry: Entry, others: Sequence[Interpreted], end: int) -> str:
@@ -89,7 +104,21 @@ def swapped_parts(scene: Scene, entry: Entry, parts: Sequence[str | None]) -> st
     if first == end or begin == over or end > begin:
         raise FuzzytimeError(f"which two change places is not clear: say it anew, with :edit {entry.number}")
     swapped = f"{text[:first]}{text[begin:over]}{text[end:begin]}{text[first:end]}{text[over:]}"
-    return _checked(scene, entry, swapped, {one.skill.name for one in both})
+    return _checked(scene, entry, untied(scene, swapped), {one.skill.name for one in both})
+
+
+def untied(scene: Scene, text: str) -> str:
+    """Leave out what ties things with times of their own to those before: "mow the lawn, then rest at one".
+
+    What was moved behind them would else take them along.
+    """
+    for one in reversed(_asked_in(scene, text, scene.now)):
+        timed = any(part.t_spec is not None and part.anchor is None for part in one.requirements)
+        for part in one.requirements if timed else ():
+            if part.anchor is not None and tuple(part.text.lower().split()) in scene.lexicon.connectives:
+                first, end = part.span
+                text = f"{_without_joints(scene, text[:first])} and {text[end:].lstrip()}"
+    return text
 
 
 def without_part(scene: Scene, entry: Entry, name: str) -> str:

@@ -28,6 +28,7 @@ from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.pending import Pending, asked_late, question_lines, question_of, untold_notes
 from fuzzytime_cli.repl.plain_words.perhaps import second_lines
 from fuzzytime_cli.repl.plain_words.speaking import reply_about
+from fuzzytime_cli.repl.plain_words.usually_said import as_usually_said
 from fuzzytime_cli.repl.scene import (
     UNREAD,
     AskedBackError,
@@ -139,7 +140,8 @@ class Turns:
         if words[0] in ":/":
             command, rest = command_of(words)
             return command.run(self._scene(now), rest)
-        parts = said_apart(behind_an_answer(words, now, self.lexicon), now, self.lexicon)
+        usual = as_usually_said(self._scene(now), behind_an_answer(words, now, self.lexicon))
+        parts = said_apart(usual, now, self.lexicon)
         return self._one_by_one(parts, now) if len(parts) > 1 else self._said(parts[0], now)
 
     def _one_by_one(self, parts: Sequence[str], now: datetime) -> Reply:

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime, time, timedelta
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, about_wishes, content_words
+from fuzzytime.language import About, AboutKind, Said, about_wishes, content_words
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import (
     called,
@@ -210,6 +210,21 @@ def with_label(scene: Scene, words: str, span: tuple[int, int], times: frozenset
         raise FuzzytimeError(f"several start then: say which, such as: {', '.join(then)}")
     clock = words[first:end].split(maxsplit=1)[1]
     raise FuzzytimeError(f"nothing that is planned starts at {clock} (:list shows what is)")
+
+
+def with_labels_of_places(scene: Scene, words: str) -> str:
+    """Give a line with the label of each that it calls by its place in the list: "the second one"."""
+    left = [label for one in scene.conversation.state.entries if (label := called(scene, one.number))]
+    if len(left) == 1:
+        left = list(dict.fromkeys(one.identifier for _, one in waiting(scene)))
+    said = Said(words, scene.now, scene.lexicon)
+    for first in range(len(said.words) - 2, -1, -1):
+        one = said.until(first + 3).behind(first)
+        known = len(one.words) > 2 and len(one.places) == 1 and -len(left) <= one.places[0] <= len(left)
+        if known and one.forms[0] in scene.lexicon.closed.noun_openers:
+            label = left[one.places[0] - (one.places[0] > 0)]
+            words = f"{words[: said.words[first].start]}{label}{words[said.words[first + 2].end :]}"
+    return words
 
 
 def which_one(scene: Scene, words: str, asked: About) -> About | None:

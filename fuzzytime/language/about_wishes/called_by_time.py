@@ -52,5 +52,12 @@ def _clock_times(said: Said) -> frozenset[time]:
 
 def _ends(behind: Said) -> bool:
     """Whether what is called so ends there: "the nine o'clock train" is a train."""
-    small = bool(behind.words) and not content_words(behind.forms[0])
-    return not behind.words or small or any(behind.opens_with(name) for name in BEHIND)
+    if not behind.words:
+        return True
+    lexicon, first = behind.lexicon, behind.forms[0]
+    small = (
+        not content_words(first)
+        or first in lexicon.function_words
+        or (first,) in lexicon.questions["helping"]
+    )
+    return small or any(behind.opens_with(name) for name in BEHIND)

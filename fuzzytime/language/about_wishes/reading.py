@@ -11,10 +11,15 @@ from fuzzytime.language.about_wishes.said import ENDS, Said
 from fuzzytime.language.about_wishes.told.reports import report
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
+CLOSING = ("anew", "preferring", "closing")
+"""Tables of what may close a line, and says nothing of wishes."""
+
 LONGEST_NAME = 4
 """Words that somebody is called by before what they ask for, at most, and one."""
 
 SO = " so "
+
+NO, COMMA = "no", ","
 
 MARKS = frozenset({",", ".", "!", "?", "-"})
 
@@ -63,7 +68,7 @@ def _read(said: Said) -> About | None:
         return About(kind=AboutKind.HOW, text=meant.kind.value, certain=True)
     if how is not None and how.words and how.forms[0] in said.lexicon.moving:
         return About(kind=AboutKind.HOW, text=AboutKind.MOVE.value, certain=True)
-    return asked(said) or question(said) or change(_without_request(said)) or change(said) or report(said)
+    return asked(said) or question(said) or change(without_request(said)) or change(said) or report(said)
 
 
 def _of_thing(said: Said) -> About | None:
@@ -99,7 +104,20 @@ def behind_what_is_told(text: str, now: datetime, lexicon: Lexicon) -> tuple[str
     return "" if said is not None and said.certain else front.text, about
 
 
-def _without_request(said: Said) -> Said:
+def bare(said: Said) -> Said:
+    """Leave out what opens and closes a line and says nothing of wishes: "oh, … after all, please"."""
+    rest = said.without_exclamations() if said.words else said
+    # "No swimming tomorrow" wishes for none.
+    none = rest.forms[:1] == (NO,) and rest.forms[1:2] not in {(COMMA,), ()}
+    corrected = opening_correction(rest) if rest.words and not none else 0
+    rest = rest.behind(corrected) if corrected < len(rest.words) else rest
+    rest = rest.without_thanks().without_end(
+        frozenset().union(*map(said.table, CLOSING)) - said.table("instead")
+    )
+    return rest if rest.text == said.text or not rest.words else bare(rest)
+
+
+def without_request(said: Said) -> Said:
     """Leave out what makes a question or a suggestion of an order: "could we", "let's"."""
     questions = said.lexicon.questions
     opening = {*questions["requesting"], *questions["suggesting"], *said.table("letting")}

@@ -132,9 +132,10 @@ def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
             raise FuzzytimeError(ONE_AT_A_TIME)
     part = first_part(scene, meant[0]) if about.upcoming else part_meant(scene, meant[0].number, about.names)
     if len(meant) == 1 and part:
-        # "Forget the roses", of "water the roses, then mow the lawn"
-        name = next(one.skill.name for one in scene.plan.everything if one.identifier == part)
-        anew = without_part(scene, meant[0], name)
+        # "Forget the roses", of "water the roses, then mow the lawn"; what is running is only ended
+        names = (one.skill.name for one in scene.plan.everything if one.identifier == part)
+        name = next(names, None)
+        anew = "" if name is None else without_part(scene, meant[0], name)
         return f":edit {numbers} {anew}" if anew else f":done {part}"
     left = {one.skill.name for entry in meant for _, one in waiting(scene, entry.number)}
     told = [name for name in left if about.names <= content_words(name)]

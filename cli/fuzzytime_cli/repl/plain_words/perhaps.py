@@ -12,7 +12,6 @@ from fuzzytime.times import instant_after
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.plain_words.leaving_out import repeats
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
-from fuzzytime_cli.repl.typed import number_of
 from fuzzytime_cli.session import Started
 
 BE, MUST_BE = "be", "must be"
@@ -77,11 +76,7 @@ def second_lines(
         return ()
     ((identifier, name, when),) = told
     first = f"{identifier} {name}{f' ({when})' if when else ''}"
-    # "Drop s1" is of its whole line.
-    line = {one.skill.name for one in made.everything if number_of(one.identifier) == number_of(identifier)}
-    one_of_several = len(line) > 1 and "." not in identifier
-    dropped = name if one_of_several else identifier
-    return (Text(plain(f"beside {first}, which stays; if they are one: drop {dropped}")),)
+    return (Text(plain(f"beside {first}, which stays; if they are one: drop {identifier}")),)
 
 
 def _day(one: Interpreted, now: datetime) -> date | None:

@@ -27,6 +27,9 @@ CHANGING = frozenset(
 )
 """What changes what is asked for, and so may be supposed."""
 
+FOR_A_REASON = CHANGING | {AboutKind.DONE, AboutKind.MORE, AboutKind.TAKES}
+"""What may be said in front of what is only told."""
+
 NOUNS = frozenset({"NN", "NNS"})
 """Tags of what names a thing."""
 
@@ -95,13 +98,13 @@ def with_reason(scene: Scene, words: str, taken: Taken) -> Reply | None:
     front, mark, why = words.partition(",")
     about = about_wishes(front, scene.now, language.lexicon) if mark and why.strip() else None
     anaphors = language.lexicon.closed.anaphors
-    if about is None or about.kind not in CHANGING or not (about.certain or entries_meant(scene, about)):
+    if about is None or about.kind not in FOR_A_REASON or not (about.certain or entries_meant(scene, about)):
         return None
     whole = about_wishes(words, scene.now, language.lexicon)
     if whole is not None and whole.each and all(entry_of(scene, names) for names in whole.each):
         # "Cancel Ann, Bob and Carl"
         return None
-    if not about.names and anaphors.isdisjoint(front.lower().split()):
+    if _names_nothing(about) and anaphors.isdisjoint(front.lower().split()):
         # "Never mind, it works"
         return None
     reading = language.read(why, now=scene.now)

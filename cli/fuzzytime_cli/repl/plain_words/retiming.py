@@ -20,7 +20,7 @@ from fuzzytime.language import (
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration
 from fuzzytime_cli.repl.naming import starts_of_entry
-from fuzzytime_cli.repl.parts import with_time_of_part
+from fuzzytime_cli.repl.parts import placed_at, untied, with_time_of_part
 from fuzzytime_cli.repl.scene import Scene, check_sole
 from fuzzytime_cli.repl.which import entries_meant
 from fuzzytime_cli.session import Entry
@@ -129,7 +129,7 @@ def with_time(
         time = AT.sub(rf"\1{times[0].preposition} ", time, count=1)
     if len(times) > 1 or repeated:
         raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
-    text = f"{entry.text[:first]}{time}{entry.text[end:]}"
+    text = untied(scene, "".join(placed_at(scene, entry.text, (first, end), time)))
     return text if length else f"{text}{_length_lost(scene, entry, mine, text)}"
 
 

@@ -14,7 +14,7 @@ from fuzzytime.language import (
     about_wishes,
     added_time,
     by_how_much,
-    called_by_time,
+    content_words,
     lets_be,
     reported,
     respelled,
@@ -23,7 +23,15 @@ from fuzzytime.language.sentence.trees.model import is_verb
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands import looking
 from fuzzytime_cli.repl.commands.by_name import how_to, what_if
-from fuzzytime_cli.repl.naming import LABEL, entry_of, is_named_itself, is_of_one_task, label_meant, unknown
+from fuzzytime_cli.repl.naming import (
+    LABEL,
+    entry_of,
+    is_named_itself,
+    is_of_one_task,
+    label_meant,
+    may_be_told_of,
+    unknown,
+)
 from fuzzytime_cli.repl.plain_words.happened import happened
 from fuzzytime_cli.repl.plain_words.has_done import done, perhaps_done
 from fuzzytime_cli.repl.plain_words.leaning import leaning, the_other
@@ -43,11 +51,14 @@ from fuzzytime_cli.repl.plain_words.telling import (
 )
 from fuzzytime_cli.repl.questions import answering, gaps
 from fuzzytime_cli.repl.scene import Reply, Scene
-from fuzzytime_cli.repl.which import which_one, with_label
+from fuzzytime_cli.repl.which import which_one
 from fuzzytime_cli.told_states import tells_what_is
 
 OF_ITSELF = frozenset({AboutKind.DROP, AboutKind.MOVE, AboutKind.EXCEPT})
 """What is told of a thing, and is of no wish that only has to do with it: "lunch is off", of buying lunch."""
+
+BE = "be"
+"""The verb of what is only told."""
 
 ASKED_BACK = {
     AboutKind.WRONG: "what is meant instead? Say: no, at six (or: undo that)",
@@ -64,9 +75,7 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
     FuzzytimeError
         If nothing that is known can be meant, or which of several is not said.
     """
-    called = called_by_time(words, scene.now, scene.lexicon)
-    labelled = None if called is None else with_label(scene, words, *called)
-    reply = _reply_about(scene, words if labelled is None else labelled)
+    reply = _reply_about(scene, words)
     if reply is not None:
         return reply
     anew = respelled(words, scene.now, scene.lexicon, is_verb)
@@ -143,6 +152,8 @@ def _told(scene: Scene, words: str) -> Reply | None:
         if anew is not None:
             return run(scene, About(kind=AboutKind.MOVE), anew)
         leant = leaning(scene, words, reading, _taken)
+        if leant is None:
+            _check_told(scene, words, reading)
         # What asks for something is no question: "could you feed the cat?"
         return leant if leant is not None or wish else answering.asked_of(scene, words)
     reply = done(scene, operation, _taken)
@@ -177,6 +188,25 @@ def _check_labels(scene: Scene, reading: Reading) -> None:
                 f"{said} was asked for already, and this is not understood of it; say: move {said} to six, "
                 f"push {said} back by ten minutes, drop {said}, {said} is done, why {said}"
             )
+
+
+def _check_told(scene: Scene, words: str, reading: Reading) -> None:
+    """Refuse to plan what only tells how something is that is planned: "the dog is a bit much today".
+
+    Raises
+    ------
+    FuzzytimeError
+        If it does.
+    """
+    operations = [one.operation for one in reading.instructions]
+    told = all(one is not None and one.stated and one.lemma == BE for one in operations)
+    if not told or len(operations) != 1 or is_news(scene, words):
+        return
+    if may_be_told_of(scene, content_words(operations[0].object if operations[0] is not None else None)):
+        raise FuzzytimeError(
+            f"{words!r} tells how something is that is planned, and what to do then is not understood: "
+            "say: move it to six, push it back by ten minutes, drop it"
+        )
 
 
 def _taken(scene: Scene, about: About) -> Reply | None:

@@ -114,7 +114,8 @@ def _ordered(said: Said) -> About | None:
     if verb == "make" and said.without("more")[1]:
         # "Make the lesson an hour longer"
         return None
-    for place in range(2, len(said.words)):
+    # "S3" is one word.
+    for place in (n for n in range(2, len(said.words)) if not said.words[n].glued):
         thing, rest = said.until(place).behind(1), said.behind(place)
         if rest.is_in("first"):
             time = AT_FIRST if rest.forms == ("first",) else AT_ONCE

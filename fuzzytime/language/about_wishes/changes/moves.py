@@ -8,11 +8,8 @@ from fuzzytime.language.about_wishes.meant import about_thing, is_last
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.about_wishes.told.told_of import told_of
 from fuzzytime.language.finding import find_times
-from fuzzytime.language.sentence.trees.content_words import content_words
 
 OFF = frozenset({("off",)})
-LEFT = frozenset({"for", "till", "until"})
-"""What stands between what is left and until when."""
 
 
 def delayed(said: Said) -> About | None:
@@ -71,7 +68,7 @@ def moved(said: Said) -> About | None:
     if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
         # "I need it by three"
         return About(kind=AboutKind.MOVE, time=time, certain=True)
-    if (able := _able(said) or told_of(said) or _left_for(said)) is not None:
+    if (able := _able(said) or told_of(said)) is not None:
         return able
     delaying = said.after("delaying")
     if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
@@ -81,7 +78,7 @@ def moved(said: Said) -> About | None:
     if not joint:
         if delaying is not None:
             return _moved_at(said, behind)
-        return _moved_beside(said) or _put_at(said) or _moved_somewhen(said)
+        return _moved_somewhen(said)
     place = f" {behind.lower()}".rfind(f" {joint}")
     thing = Said(behind[:place].rstrip(), said.now, said.lexicon)
     # "Move s2 up to nine"
@@ -104,17 +101,6 @@ def moved(said: Said) -> About | None:
     return None if beside is None else replace(about, time=beside[0], others=beside[1].names)
 
 
-def _moved_beside(said: Said) -> About | None:
-    """Read what something is moved behind, or in front of: "move the call after the soup"."""
-    if said.forms[0] not in said.lexicon.moving:
-        return None
-    for place in range(2, len(said.words)):
-        thing, beside = said.until(place).behind(1), said.behind(place).beside()
-        if beside is not None and thing.names and beside[1].names:
-            return About(kind=AboutKind.MOVE, names=thing.names, time=beside[0], others=beside[1].names)
-    return None
-
-
 def _able(said: Said) -> About | None:
     """Read when somebody can do what was asked for: "they can only do four", "Ann can make it at one"."""
     for place in range(1, len(said.words) if said.is_one else 0):
@@ -129,33 +115,11 @@ def _able(said: Said) -> About | None:
     return None
 
 
-def _left_for(said: Said) -> About | None:
-    """Read until when something is left: "leave it till monday"; but "leave the dough for an hour"."""
-    for place in range(2, len(said.words) if said.forms[0] == "leave" else 0):
-        thing, new = said.until(place).behind(1), said.behind(place)
-        time = new.as_time() if new.forms[0] in LEFT else ""
-        if time and not time.startswith("for ") and (thing.names or is_last(thing)):
-            return replace(about_thing(AboutKind.MOVE, thing), time=time)
-    return None
-
-
 def _moved_somewhen(said: Said) -> About | None:
     """Read what is to be moved, where when to is not said: "move the gym"."""
     thing = said.behind(1)
     known = said.forms[0] in said.lexicon.moving and thing.is_one and thing.names and not thing.has_time
     return replace(about_thing(AboutKind.UNABLE, thing), told=True) if known else None
-
-
-def _put_at(said: Said) -> About | None:
-    """Read a new time behind what is put there: "put the review at eleven"."""
-    what, time = said.behind(1).parted() if said.forms[0] == "put" else ("", "")
-    thing = Said(what, said.now, said.lexicon)
-    # "Put the soup on at four" is done with soup.
-    named = bool(what) and (is_last(thing) or bool(content_words(what.split()[-1])))
-    new = Said(time, said.now, said.lexicon).as_time() if named else ""
-    if not new or new.lower().startswith("for ") or not said.text.lower().endswith(time.lower()):
-        return None
-    return replace(about_thing(AboutKind.MOVE, thing), time=new)
 
 
 def _moved_at(said: Said, behind: str) -> About | None:

@@ -112,7 +112,9 @@ def in_its_place(text: str, now: datetime, lexicon: Lexicon) -> tuple[About, str
     """
     said = Said.of(text, now, lexicon)
     for place in range(1, len(said.words)):
-        if said.forms[place : place + 1] not in said.table("parting"):
+        # "S1.2" is one word.
+        inside = said.words[place].glued and all(word.glued for word in said.words[place + 1 : place + 2])
+        if inside or said.forms[place : place + 1] not in said.table("parting"):
             continue
         about = about_wishes(said.until(place).text, now, lexicon)
         if about is None or about.kind is not AboutKind.DROP or about.everything:

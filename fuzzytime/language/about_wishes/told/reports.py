@@ -16,8 +16,6 @@ def report(said: Said) -> About | None:
         _of_last(said)
         or _late(said)
         or _more(said)
-        or _added(said)
-        or _so_long(said)
         or lengthened(said)
         or _unstarted(said)
         or _started(said)
@@ -93,30 +91,6 @@ def _made_longer(said: Said) -> About | None:
         if "more" in tables and found is not None and not found.rest.words:
             thing = without.until(place)
             return About(kind=AboutKind.MORE, names=thing.meant, by=found.seconds, certain=True)
-    return None
-
-
-def _added(said: Said) -> About | None:
-    """Read what is added to something that goes on: "add five minutes to the timer"."""
-    found = said.length() if said.opens_with("adding") else None
-    if found is not None and found.rest.forms == ("add",):
-        return About(kind=AboutKind.MORE, by=found.seconds, certain=True)
-    if found is None or found.joint or found.rest.forms[1:2] not in {("to",), ("on",)}:
-        return None
-    thing = found.rest.behind(2)
-    names = thing.meant
-    return About(kind=AboutKind.MORE, names=names, by=found.seconds) if names or thing.words else None
-
-
-def _so_long(said: Said) -> About | None:
-    """Read how long takes what was spoken of last, or what has a label: "it takes two hours"."""
-    for place in range(1, len(said.words)):
-        rest = said.behind(place).after("lasting so long")
-        if rest is None:
-            continue
-        thing, time = said.until(place), rest.as_time()
-        if time.lower().startswith(FOR) and (thing.is_in("last") or thing.label):
-            return About(kind=AboutKind.TAKES, names=thing.meant, time=time, certain=True)
     return None
 
 

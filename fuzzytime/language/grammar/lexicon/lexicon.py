@@ -65,6 +65,8 @@ class Lexicon:
         By their sounds, feasts whose names Latin letters spell in many ways.
     usual_hours
         By words for what people do, the hours at which they do it.
+    ways
+        What is said of wishes in usual words, and a way to say the same: what may stand in its places.
     function_words
         Words that may follow a bare number without making it a count.
     misspelt, clipped
@@ -162,6 +164,7 @@ class Lexicon:
     amount_nouns: frozenset[str]
     questions: Mapping[str, Forms[None]]
     conversation: Mapping[str, frozenset[tuple[str, ...]]]
+    ways: tuple[tuple[str, tuple[frozenset[str], ...]], ...]
     foreign: frozenset[str]
     function_words: frozenset[str]
     misspelt: Mapping[str, str]

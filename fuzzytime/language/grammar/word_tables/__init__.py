@@ -30,6 +30,7 @@ from fuzzytime.language.grammar.word_tables.speech import (
     read_groups,
     read_hedges,
     read_prepositions,
+    read_ways,
     read_words,
 )
 from fuzzytime.language.grammar.word_tables.tables import Tables, by_form, numbers
@@ -99,6 +100,7 @@ def _lexicon(speech: Tables, days: Tables) -> Lexicon:
         closed=read_groups(speech, "closed_classes", ClosedClasses),
         beside=read_groups(speech, "beside_times", BesideTimes),
         no_times=read_groups(speech, "no_times", NoTimes),
+        ways=read_ways(speech),
         misspelt={
             **misspellings(speech.single_words("spelling", "words"), known),
             **{"".join(form[:-1]): form[-1] for form in speech.words("spelling", "short")},
@@ -152,7 +154,7 @@ _SPEECH = (
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
-    "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
+    "happening", "frames", "standing", "conversation", "ways", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
     "passing", "doing", "past", "undoing", "circling", "dosing", "coming_in", "dining", "closed_classes",
     "beside_times", "no_times", "called",
@@ -186,7 +188,7 @@ _ROWS = {
         "unable", "more", "lengthening", "shortening", "busy", "unable then", "able at", "still at",
         "needing", "open", "doing", "moment", "plan", "what", "showing", "when", "lasting", "why",
         "supposing", "filling", "first", "instead", "letting", "answering", "going ahead", "beginning now",
-        "on time", "having left", "lasting so long", "greeting",
+        "on time", "having left", "greeting",
         "again", "like", "continuing", "following", "closing", "naming anew", "meaning", "other",
         "reversing", "stopping", "no longer", "restoring", "staying", "unable at", "unable of", "asking to",
         "saying", "slightly", "several", "skipping", "no more",
@@ -197,7 +199,7 @@ _ROWS = {
         "a week on", "a week back", "agreeing", "of course", "the earlier", "the later", "choosing none",
         "the next", "forgetting", "started", "asking for a while",
         "how to", "done with", "done next", "wanted by", "told of", "blocking", "keeping free",
-        "kept free", "being away", "half of the day", "towards", "behind swapping",
+        "kept free", "being away", "half of the day", "minding", "may be", "towards", "behind swapping",
         "in its place of", "going", "one", "clock", "parting", "asking for help", "asking for the list",
         "asking to clear", "quitting",
     ),

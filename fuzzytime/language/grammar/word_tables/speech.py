@@ -9,7 +9,7 @@ from fuzzytime.language.grammar.lexicon import Entry, Form, Forms, Preposition, 
 from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
 from fuzzytime.language.grammar.lexicon.verb_groups import Doing
 from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses, Words
-from fuzzytime.language.grammar.word_tables.tables import Row, Tables
+from fuzzytime.language.grammar.word_tables.tables import CHOICE, Row, Tables
 from fuzzytime.language.meaning.expressions import Edge, Quantity, TimeWord
 from fuzzytime.requirement import Constraint, Side
 from fuzzytime.spelling import suggestion
@@ -122,3 +122,15 @@ def _group(tables: Tables, node: Node, key: str, above: dict[str, Words]) -> Wor
                 tables.reader.mistake(item, key, f"words of a group must differ, got {text!r} twice")
             said.add(text)
     return frozenset(said | held)
+
+
+def read_ways(tables: Tables) -> tuple[tuple[str, tuple[frozenset[str], ...]], ...]:
+    """Give other ways to say what is said of wishes: of each, what may stand in each of its places.
+
+    What a choice with nothing in it says may be missing: "|just".
+    """
+    return tuple(
+        (name.text, tuple(frozenset(place.lower().split(CHOICE)) for place in text.split()))
+        for name, node in tables.rows("ways")
+        for text in tables.reader.strings(node, f"ways.{name.text}")
+    )

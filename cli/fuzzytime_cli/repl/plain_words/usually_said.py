@@ -1,0 +1,105 @@
+"""What a line says of what was asked for as it is usually said: "Tom rang, the gym can wait till six"."""
+
+import re
+
+from fuzzytime.english import PARTICIPLE
+from fuzzytime.language import (
+    Said,
+    about_wishes,
+    bare,
+    called_by_time,
+    content_words,
+    verb_forms,
+)
+from fuzzytime_cli.repl.naming import entry_of, may_be_told_of, words_of_entry
+from fuzzytime_cli.repl.plain_words.telling import is_news
+from fuzzytime_cli.repl.plain_words.ways import in_usual_words
+from fuzzytime_cli.repl.scene import Scene
+from fuzzytime_cli.repl.which import with_label, with_labels_of_places
+
+JOINTS = re.compile(r"(,\s+|;\s+|\s+[-\u2013\u2014]+\s+|\s+(?:because|since)\s+)", re.IGNORECASE)
+"""What stands between what is asked for and what is told beside it."""
+
+COMMA = ", "
+
+LONGEST = 40
+"""Words of a line that is about what was asked for, at most."""
+
+
+def as_usually_said(scene: Scene, words: str) -> str:
+    """Give a line with what it says about wishes as that is usually said; as it is where it says nothing.
+
+    Behind that a reason stands behind a comma, whatever stood there: "skip the gym - I'm tired".
+    """
+    if len(words.split()) > LONGEST:
+        return words
+    words = _with_labels(scene, words)
+    if (whole := _usual(scene, words)) is not None:
+        return whole
+    parts = JOINTS.split(words)
+    clauses, joints = parts[::2], parts[1::2]
+    usual = [_usual(scene, clause) for clause in clauses]
+    for place, joint in enumerate(joints):
+        said = usual[place] or clauses[place]
+        known = usual[place] is not None or about_wishes(said, scene.now, scene.lexicon) is not None
+        joints[place] = COMMA if known else joint
+    said = [one or clause for one, clause in zip(usual, clauses, strict=True)]
+    return "".join(part for pair in zip(said, [*joints, ""], strict=True) for part in pair)
+
+
+def _with_labels(scene: Scene, words: str) -> str:
+    """Give a line with labels for what it calls by a time, or place: "the four o'clock", "the first one"."""
+    while (called := called_by_time(words, scene.now, scene.lexicon)) is not None:
+        labelled = with_label(scene, words, *called)
+        if labelled is None or labelled == words:
+            break
+        words = labelled
+    return with_labels_of_places(scene, words)
+
+
+def _usual(scene: Scene, clause: str) -> str | None:
+    """Give a clause as it is usually said; None where it says nothing about wishes, or does so already."""
+    if not clause.strip() or is_news(scene, clause):
+        return None
+    about = about_wishes(clause, scene.now, scene.lexicon)
+    # "Leave it" is said of what was changed.
+    sure = about is not None and about.certain
+
+    def known(thing: Said, told: bool) -> bool:  # noqa: FBT001 - as the ways ask
+        return _is_known(scene, thing, told or (sure and thing.is_in("last")))
+
+    usual = in_usual_words(clause, scene.now, scene.lexicon, known)
+    if usual is not None and about_wishes(usual, scene.now, scene.lexicon) is not None:
+        return usual
+    whole = Said.of(clause, scene.now, scene.lexicon)
+    plain = bare(whole)
+    if plain.text == whole.text or about is not None:
+        return None
+    about = about_wishes(plain.text, scene.now, scene.lexicon)
+    named = about is not None and about.names and entry_of(scene, about.names) is not None
+    return plain.text if named or (about is not None and about.certain) else None
+
+
+def _is_known(scene: Scene, thing: Said, told: bool) -> bool:  # noqa: FBT001 - as the language asks
+    """Whether words name something that was asked for, and nothing else that may be told of."""
+    if thing.label or thing.places or thing.is_in("the next"):
+        return True
+    if thing.is_in("last"):
+        return bool(scene.conversation.state.entries) and not told
+    names, openers = thing.names, scene.lexicon.closed.noun_openers
+    if not content_words(thing.forms[-1]) or not (content_words(thing.forms[0]) or thing.forms[0] in openers):
+        return False
+    entry = entry_of(scene, names) if names and thing.is_one and not thing.has_time else None
+    if entry is None or not names <= words_of_entry(scene, entry):
+        return False
+    if thing.forms[0] in _verbs_of(scene, names) and not thing.forms[0].endswith(PARTICIPLE):
+        # "Feed the dog" may be done twice, but "feeding the dog" is what was asked for.
+        return False
+    return not told or may_be_told_of(scene, names)
+
+
+def _verbs_of(scene: Scene, names: frozenset[str]) -> frozenset[str]:
+    """Give the verbs of what is named, in any form."""
+    asked = (one.operation for one in scene.plan.everything if names <= content_words(one.skill.name))
+    verbs = (verb_forms(one.lemma, scene.lexicon) for one in asked if one is not None and not one.stated)
+    return frozenset[str]().union(*verbs)

@@ -1,0 +1,114 @@
+"""What is said of what was asked for, in many ways; and what is told, and asks for nothing."""
+
+import pytest
+
+from terminal.talking import NINE, Talk, talk_of
+
+pytestmark = pytest.mark.model
+
+APART = (
+    "judo at ten for an hour",
+    "mow the lawn at one for twenty minutes",
+    "call mum at four for half an hour",
+)
+TOGETHER = (f"{APART[0]}, {APART[1]} and {APART[2]}",)
+
+
+def planned(talk: Talk) -> dict[str, tuple[str, float]]:
+    """Give when everything starts, and how many minutes it takes."""
+    plan = talk.turns.plan
+    assert plan is not None
+    found = {}
+    for place, one in enumerate(plan.skills):
+        start = plan.instant(plan.schedule.start_times[place]) if plan.has_time(place) else None
+        day = "" if start is None or start.date() == NINE.date() else f"{start:%a} "
+        found[one.skill.name] = (f"{day}{start:%H:%M}" if start else "", one.skill.time_until_done / 60)
+    return found
+
+
+AS_ASKED = {"judo": ("10:00", 60.0), "mow the lawn": ("13:00", 20.0), "call mum": ("16:00", 30.0)}
+
+
+@pytest.mark.parametrize("asked", [APART, TOGETHER], ids=["apart", "together"])
+@pytest.mark.parametrize(
+    ("line", "name", "then"),
+    [
+        ("judo got pushed to six", "judo", ("18:00", 60.0)),
+        ("judo's not till half five", "judo", ("17:30", 60.0)),
+        ("oh, set the lawn for friday please", "mow the lawn", ("Fri 13:00", 20.0)),
+        ("the lawn at six then", "mow the lawn", ("18:00", 20.0)),
+        ("can the lawn wait till six, sorry?", "mow the lawn", ("18:00", 20.0)),
+        ("mowing the lawn at six", "mow the lawn", ("18:00", 20.0)),
+        ("mum wants to make it noon", "call mum", ("12:00", 30.0)),
+        ("Ann says judo can wait till six", "judo", ("18:00", 60.0)),
+        ("judo at six not ten - the hall is taken", "judo", ("18:00", 60.0)),
+        ("the second one has to be at six", "mow the lawn", ("18:00", 20.0)),
+        ("let's do the one o'clock at six because I'm tired", "mow the lawn", ("18:00", 20.0)),
+        ("I'll start the lawn an hour later", "mow the lawn", ("14:00", 20.0)),
+        ("could judo start half an hour earlier", "judo", ("09:30", 60.0)),
+        ("allow forty minutes for judo", "judo", ("10:00", 40.0)),
+        ("I reckon the lawn will take forty minutes", "mow the lawn", ("13:00", 40.0)),
+        ("the last one only takes forty minutes", "call mum", ("16:00", 40.0)),
+        ("the lawn wants an extra half hour to dry", "mow the lawn", ("13:00", 50.0)),
+        ("add half an hour to judo", "judo", ("10:00", 90.0)),
+        ("leave the lawn", "mow the lawn", None),
+        ("don't bother with the lawn, it's wet", "mow the lawn", None),
+        ("we can skip judo", "judo", None),
+        ("take judo off the list", "judo", None),
+        ("mum bailed", "call mum", None),
+    ],
+)
+def test_one_thing_is_changed_and_the_others_stay(
+    asked: tuple[str, ...], line: str, name: str, then: tuple[str, float] | None
+) -> None:
+    talk = talk_of(*asked)
+    talk.turns.pending = None
+    assert planned(talk) == AS_ASKED
+    talk.say(line)
+    assert planned(talk) == {key: value for key, value in (AS_ASKED | {name: then}).items() if value}
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "the lawn might be wet", "I like judo", "hope judo goes well", "good to know", "Bob cooks",
+        "I have a headache", "I might skip judo", "the lawn is a bit much today", "I think judo is fine",
+        "the lawn is taken until six", "judo already feels late",
+    ],
+)  # fmt: skip
+def test_what_is_told_is_no_wish(line: str) -> None:
+    talk = talk_of(*APART)
+    talk.say(line)
+    assert planned(talk) == AS_ASKED
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "leave the house at six", "set the alarm for six", "allow an hour for lunch", "feed the cat at six",
+        "take the bins out", "the guests arrive at six", "Bob cooks at six",
+    ],
+)  # fmt: skip
+def test_what_names_nothing_that_was_asked_for_is_a_wish(line: str) -> None:
+    talk = talk_of(*APART)
+    talk.say(line)
+    assert planned(talk).items() > AS_ASKED.items()
+
+
+def test_what_stands_before_another_has_its_own_time_when_it_moves() -> None:
+    talk = talk_of("call mum at ten for an hour, then mow the lawn at one for twenty minutes")
+    talk.say("move the call to six")
+    assert planned(talk) == {"call mum": ("18:00", 60.0), "mow the lawn": ("13:00", 20.0)}
+    talk.say("swap the call and the lawn")
+    assert planned(talk) == {"call mum": ("13:00", 60.0), "mow the lawn": ("18:00", 20.0)}
+    talk.say("first the lawn, then the call")
+    assert planned(talk) == {"call mum": ("18:20", 60.0), "mow the lawn": ("18:00", 20.0)}
+
+
+def test_a_label_is_of_one_thing_of_a_line() -> None:
+    talk = talk_of(*TOGETHER)
+    talk.turns.pending = None
+    talk.say("drop s1")
+    assert sorted(planned(talk)) == ["call mum", "mow the lawn"]
+    talk.say("let's skip s1.3, it's raining")
+    assert sorted(planned(talk)) == ["mow the lawn"]
