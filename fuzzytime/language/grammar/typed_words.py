@@ -55,6 +55,8 @@ def as_meant(typed: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
             continue
         if _is_dash(words, place):
             found.append(replace(word, text="-"))
+        elif _is_upon(words, place, lexicon):
+            found.append(replace(word, text="upon"))
         elif _is_shorthand(words, place, lexicon):
             # "B4 noon"
             meant = lexicon.misspelt[words[place - 1].text + word.text]
@@ -64,6 +66,13 @@ def as_meant(typed: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
         else:
             found += _cut(words, place, lexicon)
     return tuple(found)
+
+
+def _is_upon(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether "on" says after what something is done: "on arrival", "on your return"; but "put it on"."""
+    behind = [word.text for word in words[place + 1 : place + 3]]
+    owned = behind[:1] != [] and behind[0] in lexicon.closed.possessives
+    return words[place].text == "on" and not lexicon.beside.done_upon.isdisjoint(behind[owned:][:1])
 
 
 def _is_dash(words: Sequence[Word], place: int) -> bool:

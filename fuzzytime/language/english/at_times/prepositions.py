@@ -6,7 +6,18 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.days.relations import Relative, days_away
-from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Edge,
+    Ending,
+    Goal,
+    HourMark,
+    Offset,
+    Said,
+    SameTime,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.meaning.joined.distances import LOWER, UPPER
 from fuzzytime.language.meaning.times_of_day import Clock, Part
@@ -50,15 +61,15 @@ def beside(preposition: Preposition, goal: Goal) -> Said | None:
 
 @grammar.rule(
     "said",
-    "when|once|whenever it's|its <hedge>? <wall>",
-    "when|once|whenever it is|gets|strikes|hits|turns <hedge>? <wall>",
-    "when|once|whenever the clock strikes|hits|shows|says|reads|turns <hedge>? <wall>",
+    "when|once|whenever it's|its <hedge>? <wall>|<same>",
+    "when|once|whenever it is|gets|strikes|hits|turns <hedge>? <wall>|<same>",
+    "when|once|whenever the clock strikes|hits|shows|says|reads|turns <hedge>? <wall>|<same>",
     weight=0.55,
 )
-def when_it_is(hedge: str | None, wall: Wall) -> Said | None:
-    """When it is three p.m., once it's noon, when it's nearly ten."""
-    hedges = () if hedge is None else (hedge,)
-    return Said(wall, None, "at", hedges) if wall.clock is not None else None
+def when_it_is(hedge: str | None, time: Wall | HourMark | SameTime) -> Said | None:
+    """When it is three p.m., once it's noon, when it's nearly ten, when it's a quarter to."""
+    known = isinstance(time, HourMark) or (isinstance(time, Wall) and time.clock is not None)
+    return Said(time, None, "at", () if hedge is None else (hedge,)) if known else None
 
 
 @grammar.rule(

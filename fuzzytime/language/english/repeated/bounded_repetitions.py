@@ -106,7 +106,9 @@ def from_first_time(repeat: Repeat, said: Said) -> Repeat | None:
     weight=0.6,
 )
 def to_last_time(repeat: Repeat, said: Said) -> Repeat | None:
-    """Every two hours, the last time at ten."""
+    """Every two hours, the last time at ten, the last one before midnight."""
+    if said.constraint is Constraint.BEFORE and repeat.every is not None:
+        return bounded_repeat(repeat, said)
     moment = _moment_of(repeat, said)
     bounded = repeat.until is not None or (repeat.times is not None and repeat.starting is not None)
     return None if moment is None or bounded else ending_with(repeat, moment)

@@ -6,6 +6,7 @@ from fuzzytime.language.grammar.judging.further import Further
 from fuzzytime.language.grammar.judging.lengths import Lengths
 from fuzzytime.language.grammar.judging.ranges import Ranges
 from fuzzytime.language.grammar.judging.repeats import Repeats
+from fuzzytime.language.grammar.judging.walls.bare_hours import QUARTERS
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS_ALONE, heads_list
 from fuzzytime.language.grammar.judging.walls.walls import Walls
 from fuzzytime.language.grammar.lexicon import longest_match
@@ -100,7 +101,11 @@ class Judge(Around):
         """Whether "for" and a number are a time: "rotate for two seconds and wait for one"."""
         lent = any(self.around.is_unit(place) for place in range(piece.start))
         appointed = self._appoints(piece) and not self._is_behind_hour(piece)
-        return lent or appointed or self.lent.times(piece) or is_due(self.texts, piece.start, self.lexicon)
+        clock, costing = piece.value.wall.clock, self.lexicon.no_times.costing
+        # "Order a cab for 7.15"; but "get apples for 2.50", "sell it for 5.30"
+        quarter = clock is not None and _is_pair(clock) and clock.minute in QUARTERS
+        told = lent or appointed or (quarter and costing.isdisjoint(self.texts))
+        return told or self.lent.times(piece) or is_due(self.texts, piece.start, self.lexicon)
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
         if said.preposition == INTO:

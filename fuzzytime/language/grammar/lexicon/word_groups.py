@@ -247,6 +247,7 @@ class BesideTimes:
     behind_another: Words
     sized: Words
     ways: Words
+    done_upon: Words
     before_ways: Words
     each_time: Words
     as_long_as_it_is: Words
