@@ -58,6 +58,9 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
             continue
         before = scanned.words[old.first - 1].text if old.first else ""
         between = [word.text for word in scanned.words[old.end : new.first]]
+        if between == ["than"] and any(word.text == "rather" for word in scanned.words[: old.first]):
+            # "I'd rather go on thursday than friday"
+            between = ["rather", "than"]
         if between == ["instead"] and scanned.words[new.first].text == "of":
             between = ["instead", "of"]
         if "not" in between and _lies_in(new.said.time, old.said.time):
