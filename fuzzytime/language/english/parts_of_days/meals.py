@@ -42,6 +42,18 @@ def before_meal_on_day(duration: Duration, meal: Part, days: Calendar) -> Goal |
     return None if meal.place else before_goal(duration, Goal(Wall(days, meal)))
 
 
+@grammar.rule("goal", "<duration> before the? <meal> at|@ <clock>", weight=1.4)
+def so_long_before_meal_at(duration: Duration, meal: Part, clock: Clock) -> Goal | None:
+    """An hour before dinner at seven."""
+    return None if meal.place else before_goal(duration, Goal(Wall(part=meal, clock=clock)))
+
+
+@grammar.rule("goal", "<duration> after|following the? <meal> at|@ <clock>", weight=1.4)
+def so_long_after_meal_at(duration: Duration, meal: Part, clock: Clock) -> Goal | None:
+    """Two hours after lunch at one."""
+    return None if meal.place else after_goal(duration, Goal(Wall(part=meal, clock=clock)))
+
+
 @grammar.rule("several meals", "<meal> ,|and <meal>")
 @grammar.rule("several meals", "<several meals> ,|and <meal>", "<several meals> , and <meal>")
 def several_meals(first: Part | Meals, last: Part) -> Meals | None:
