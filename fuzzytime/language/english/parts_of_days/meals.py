@@ -44,8 +44,8 @@ def before_meal_on_day(duration: Duration, meal: Part, days: Calendar) -> Goal |
 
 @grammar.rule("goal", "<duration> before the? <meal> at|@ <clock>", weight=1.4)
 def so_long_before_meal_at(duration: Duration, meal: Part, clock: Clock) -> Goal | None:
-    """An hour before dinner at seven."""
-    return None if meal.place else before_goal(duration, Goal(Wall(part=meal, clock=clock)))
+    """An hour before dinner at seven, ten minutes before school at nine."""
+    return before_goal(duration, Goal(Wall(part=meal, clock=clock)))
 
 
 @grammar.rule("goal", "<duration> after|following the? <meal> at|@ <clock>", weight=1.4)
