@@ -8,6 +8,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Order
 from fuzzytime.language.meaning.expressions import Phrase, TimeWord
+from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.named import is_of_its_own
@@ -78,22 +79,26 @@ def verbs_left_out(one: Waiting, part: Part) -> list[int]:
             or _is_elsewhere(words, between, part.lexicon, old, new)
         ):
             found.append(between[1].start)
-    return found + _on_other_days(one, part, own) + _behind_first(one, part, own)
+    return found + _times_in_front(one, part, own) + _behind_first(one, part, own)
 
 
-def _on_other_days(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int]:
-    """Give where what happens on another day begins: "monday gym at six and tuesday choir at seven"."""
+def _times_in_front(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int]:
+    """Give where what happens at a time in front begins: "monday gym at six and tuesday choir at seven"."""
     words, lexicon = one.source.scanned.words, part.lexicon
-    days = [phrase for phrase in own if phrase.said.is_day]
-    if not days or days[0] is not own[0] or part.tree.nodes[part.tree.root].tag not in NAMES:
+    heads = own[:1] and own[0].span[0] == one.segment.span[0]
+    if not heads or part.tree.nodes[part.tree.root].tag not in NAMES:
         return []
-    found = []
-    for before, day in pairwise(days):
-        behind = words[day.end].text if day.end < len(words) else ""
+    found, timed = [], places_in(own)
+    for new in own[1:]:
+        end = new.end
+        for further in own:
+            end = further.end if further.first == end else end
+        behind = words[end].text if end < len(words) else ""
         # "Monday and tuesday gym" is the same on both.
-        led = words[day.first - 1].text == "and" and before.end < day.first - 1
+        named = not timed.issuperset(range(own[0].end, new.first - 1))
+        led = words[new.first - 1].text == "and" and named
         if led and behind.isalpha() and behind not in lexicon.function_words:
-            found.append(day.span[0])
+            found.append(new.span[0])
     return found
 
 
