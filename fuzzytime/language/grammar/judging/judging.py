@@ -94,7 +94,9 @@ class Judge(Around):
         if piece.rule in HEADS_ALONE:
             return heads_list(self.words, piece.start, piece.end)
         lent = any(self.around.is_unit(place) for place in range(piece.start))
-        step = self.around.before(piece) in self.beside.before_another
+        # "Fry it for ten minutes, …, cook another five"
+        goes_on = self.lexicon.doing.resting | self.lexicon.timing
+        step = self.around.before(piece) in self.beside.before_another | goes_on
         return lent and step and self.around.follower(piece) in self.beside.behind_another | {""}
 
     def _tells_time(self, piece: Piece) -> bool:
