@@ -54,7 +54,8 @@ def _with_labels(scene: Scene, words: str) -> str:
         if labelled is None or labelled == words:
             break
         words = labelled
-    return with_labels_of_places(scene, words)
+    # "The first one" may answer which is meant.
+    return words if scene.asked is not None else with_labels_of_places(scene, words)
 
 
 def _usual(scene: Scene, clause: str) -> str | None:
