@@ -188,7 +188,7 @@ def test_what_is_called_like_a_time_is_not_pointed_at(text: str) -> None:
 
 
 def test_words_without_a_verb_that_is_understood_are_pointed_at() -> None:
-    (remark,) = language().read("on arrival call reception", now=NOW).remarks
+    (remark,) = language().read("on reception call duty", now=NOW).remarks
     assert "names nothing to do" in remark.message
     assert language().read("in ten minutes", now=NOW).remarks == ()
 
