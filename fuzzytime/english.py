@@ -49,6 +49,8 @@ WHITHER = ("wards", "wise")
 PARTICIPLE = "ing"
 """The ending of a verb that goes on beside another."""
 
+_VOWELS = frozenset("aeiouy")
+
 SHORT_FOR_IS = frozenset({"'s", "\u2019s"})
 """What is short for "is", or tells whose something is."""
 
@@ -56,6 +58,15 @@ _NAMED_AFTER = ("ation", "ator", "ion", "or", "ing", "er", "ment")
 """Endings of words that are named after what is done, the longest first."""
 
 _SHORTEST_STEM = 5
+
+
+def is_participle(word: str) -> bool:
+    """Whether a word ends like a verb that goes on.
+
+    >>> is_participle("baking"), is_participle("drying"), is_participle("bring"), is_participle("ring")
+    (True, True, False, False)
+    """
+    return word.endswith(PARTICIPLE) and not _VOWELS.isdisjoint(word.removesuffix(PARTICIPLE))
 
 
 def of_any_tense(text: str) -> str:

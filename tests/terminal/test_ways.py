@@ -112,3 +112,9 @@ def test_a_label_is_of_one_thing_of_a_line() -> None:
     assert sorted(planned(talk)) == ["call mum", "mow the lawn"]
     talk.say("let's skip s1.3, it's raining")
     assert sorted(planned(talk)) == ["mow the lawn"]
+
+
+@pytest.mark.parametrize("line", ["bring the ladder back by noon", "ring mum at six", "sing at six"])
+def test_what_only_ends_like_what_goes_on_is_asked_for_again(line: str) -> None:
+    talk = talk_of(line, line)
+    assert [entry.text for entry in talk.turns.conversation.state.entries] == [line, line]

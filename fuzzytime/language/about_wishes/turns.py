@@ -1,6 +1,6 @@
 """What turns to what was said or done just before: "stop that", "the other one", "both calls"."""
 
-from fuzzytime.english import PARTICIPLE
+from fuzzytime.english import is_participle
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.said import Said
@@ -48,7 +48,7 @@ def _retracts(said: Said) -> bool:
 def _stopped(said: Said) -> frozenset[str] | None:
     """Give the words for what is to be done no longer: "stop stirring the soup"; None where none is."""
     rest = said.after("no longer")
-    going_on = rest is not None and rest.is_one and rest.forms[0].endswith(PARTICIPLE) and not rest.has_time
+    going_on = rest is not None and rest.is_one and is_participle(rest.forms[0]) and not rest.has_time
     return rest.names if rest is not None and going_on else None
 
 

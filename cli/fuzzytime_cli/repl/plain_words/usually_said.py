@@ -2,7 +2,7 @@
 
 import re
 
-from fuzzytime.english import PARTICIPLE
+from fuzzytime.english import is_participle
 from fuzzytime.language import (
     Said,
     about_wishes,
@@ -93,7 +93,7 @@ def _is_known(scene: Scene, thing: Said, told: bool) -> bool:  # noqa: FBT001 - 
     entry = entry_of(scene, names) if names and thing.is_one and not thing.has_time else None
     if entry is None or not names <= words_of_entry(scene, entry):
         return False
-    if thing.forms[0] in _verbs_of(scene, names) and not thing.forms[0].endswith(PARTICIPLE):
+    if thing.forms[0] in _verbs_of(scene, names) and not is_participle(thing.forms[0]):
         # "Feed the dog" may be done twice, but "feeding the dog" is what was asked for.
         return False
     return not told or may_be_told_of(scene, names)

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from datetime import datetime
 
-from fuzzytime.english import PARTICIPLE
+from fuzzytime.english import is_participle
 from fuzzytime.language import Lexicon, Said, bare, later_by, without_request, written_out
 
 SLOT = "<"
@@ -101,7 +101,7 @@ def _is_meant(slots: Slots, is_known: Callable[[Said, bool], bool], *, told: boo
     things = [said for name, said in slots.items() if name not in TIMES | OPEN | {LENGTH, MORE}]
     return (
         all(said.words for said in slots.values())
-        and all(said.forms[0].endswith(PARTICIPLE) for name, said in slots.items() if name == DOING)
+        and all(is_participle(said.forms[0]) for name, said in slots.items() if name == DOING)
         and all(is_known(said, told) for said in things)
         and all(map(_time, times))
         and all(_is_length(said) for name, said in slots.items() if name == LENGTH)

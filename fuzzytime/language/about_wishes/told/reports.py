@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from fuzzytime.english import PARTICIPLE
+from fuzzytime.english import is_participle
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import lengthened
@@ -127,7 +127,7 @@ def _started(said: Said) -> About | None:
 def _going_on(said: Said) -> About | None:
     """Read what is not over yet, of which nothing changes: "still cutting the boards"."""
     rest = said.after("still at")
-    going_on = rest is not None and rest.words and rest.forms[0].endswith(PARTICIPLE) and not rest.has_time
+    going_on = rest is not None and rest.words and is_participle(rest.forms[0]) and not rest.has_time
     return About(kind=AboutKind.WHEN, names=rest.names, certain=True) if rest and going_on else None
 
 
