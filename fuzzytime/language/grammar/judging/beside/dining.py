@@ -34,7 +34,9 @@ class Dining(Around):
     def is_covered(self, piece: Piece) -> bool:
         """Whether something is put on a meal: "pour the water over the tea"."""
         over = self.texts[piece.start] == "over" and self.around.is_meal(piece.end - 1)
-        return over and not self.lexicon.doing.covering.isdisjoint(self.texts[: piece.start])
+        # "Pour the wine and talk over dinner"
+        said = {self.texts[place] for place in self._beside(piece) if place < piece.start}
+        return over and not self.lexicon.doing.covering.isdisjoint(said)
 
     def is_subject(self, piece: Piece) -> bool:
         """Whether it ends in a meal of which a clause says how it is: "before lunch | is served"."""

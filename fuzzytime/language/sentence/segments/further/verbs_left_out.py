@@ -129,14 +129,17 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     # "Tomorrow call Ann at eight and Bob at nine": a tree may have whom for what it becomes.
     objects = part.tree.children(root, "dobj", "oprd")
     things = part.tree.said(objects)
-    nodes = part.at((between[1].start, between[-1].end))
+    nodes = [*part.at((between[1].start, between[-1].end))]
     others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
     happens = not part.lexicon.happening.isdisjoint(word.text for word in between)
     # "Lunch at one and dinner at seven", "yoga is at six and judo at eight"
     verb, takes_time = part.tree.nodes[root], part.lexicon.happening | part.lexicon.taken
     is_then = verb.lower in part.lexicon.closed.present_be and bool(part.tree.children(root, *SUBJECTS))
     happening = verb.tag in NAMES or (verb.tag == "VBG" and verb.lower in takes_time) or is_then
-    listed = happening and between[0].text in {",", "and"}
+    # But "the shop is open at nine and closed at six" says two things of one.
+    tags = [part.tree.nodes[p].tag for p in nodes]
+    says_how = NAMES.isdisjoint(tags) and any(tag.startswith(("JJ", "VB")) for tag in tags)
+    listed = happening and not says_how and between[0].text in {",", "and"}
     if listed and not happens:
         # "Story at seven, lights out by half past": one word says what becomes of the thing.
         return all(tag == "RP" for tag in others[1:])
@@ -151,7 +154,7 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     led = between[1].text in prepositions
     has_object = one.segment.verbless or bool(part.tree.children(root, "dobj", "oprd", "intj"))
     # "Call with Ann at six and gym at eight"
-    own = len(between) == SHORTEST_GAP and between[1].text in takes_time
+    own = len(between) == SHORTEST_GAP and between[1].text in takes_time and not says_how
     named = led or opened or listed or own or (has_object and between[0].text in {"and", ",", "or"})
     return named and not others
 
