@@ -93,8 +93,7 @@ def after_duration(first: str | Duration, second: Duration | None = None) -> Sai
 @grammar.rule("said", "after another <integer>", "after <integer> more", weight=0.3)
 def after_another(number: Integer) -> Said:
     """(flip it after two minutes and again) after another two: of the unit that was said before."""
-    minutes = replace(minutes_of(Quantity(number.value)), bare_end=True)
-    return said_length(minutes, Constraint.AFTER, "after")
+    return said_length(minutes_of(Quantity(number.value)), Constraint.AFTER, "after")
 
 
 @grammar.rule("said", "after <hedge>? <15h30>", "after <hedge>? <hh:mm> hours|hrs", weight=0.9)

@@ -12,6 +12,9 @@ DETERMINERS = frozenset({"DT", "PRP$"})
 IMPERATIVE = frozenset({"VB", "VBP"})
 """Tags of bare verbs."""
 
+PRESENT = frozenset({"VBZ", "VBP"})
+"""Tags of verbs of what is so now."""
+
 SINGULAR = frozenset({"NN", "NNP"})
 """Tags of nouns that name one."""
 

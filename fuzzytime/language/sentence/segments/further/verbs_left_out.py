@@ -26,6 +26,9 @@ THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH", "CD"})
 NAMES = frozenset({"NN", "NNS", "NNP", "NNPS"})
 """Tags of what names something, where a sentence has no verb."""
 
+DESCRIBING = frozenset({"JJ", "JJR", "VBN", "VBD", "VBG"})
+"""Tags of how a thing is; a plural may have that of a verb: "finals"."""
+
 MOMENTS = frozenset({None, Constraint.AT, Constraint.BETWEEN})
 """How times bind that say when."""
 
@@ -138,7 +141,7 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     happening = verb.tag in NAMES or (verb.tag == "VBG" and verb.lower in takes_time) or is_then
     # But "the shop is open at nine and closed at six" says two things of one.
     tags = [part.tree.nodes[p].tag for p in nodes]
-    says_how = NAMES.isdisjoint(tags) and any(tag.startswith(("JJ", "VB")) for tag in tags)
+    says_how = NAMES.isdisjoint(tags) and any(tag in DESCRIBING for tag in tags)
     listed = happening and not says_how and between[0].text in {",", "and"}
     if listed and not happens:
         # "Story at seven, lights out by half past": one word says what becomes of the thing.

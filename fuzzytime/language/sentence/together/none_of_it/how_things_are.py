@@ -3,6 +3,7 @@
 from fuzzytime.language.instruction import overlap
 from fuzzytime.language.meaning.expressions import Phrase, TimeWord
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.trees import tags
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.statements.beside_orders import subjects_before
 
@@ -10,8 +11,6 @@ PRESENT = frozenset({"now", "then", "beforehand"})
 """Time words of when things are so: now, when what is asked for is done, or until then."""
 
 GOT = "got"
-
-PRESENT_TENSE = frozenset({"VBZ", "VBP"})
 
 DESCRIBING = ("acomp", "prep", "advmod")
 """What says how somebody or something is: "he's hungry", "I'm in a meeting", "she's there"."""
@@ -42,7 +41,7 @@ def holds_true(tree: Tree) -> bool:
     node, things = tree.nodes[root], tree.said(tree.children(root, "dobj"))
     helping = [tree.nodes[place] for place in tree.children(root, "aux")]
     # "We don't have any"
-    finite = node.tag in PRESENT_TENSE or any(one.lemma == "do" for one in helping)
+    finite = node.tag in tags.PRESENT or any(one.lemma == "do" for one in helping)
     # "I've got an interview"
     got = node.lower == GOT and any(one.lower in closed.have for one in helping)
     if tree.children(root, "xcomp", "ccomp"):

@@ -2,14 +2,13 @@
 
 from dataclasses import dataclass
 
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tags import PRESENT, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.orders_before import is_order, is_purpose, order_before
 from fuzzytime.language.sentence.verbs.meant.small_clauses import gets_to_do, reference_of, small_clause
 from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("xcomp", "ccomp")
-PRESENT = frozenset({"VBZ", "VBP"})
 FINITE = PRESENT | {"VBD"}
 
 DEEPEST = 4

@@ -3,7 +3,7 @@
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, PRESENT
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.statements.statement_trees import singular_verb
 
@@ -60,7 +60,7 @@ def worker_doing(tree: Tree, verb: int) -> str | None:
             name = tree.nodes[max(first, 0) : first + 2]
             numbered = len(name) == 2 and name[1].tag == "CD" and name[1].text.isdigit()
             if first >= 0 and numbered and name[0].lower in tree.lexicon.workers and first + 1 < verb:
-                acts = node.tag in {"VBZ", "VBP"} or helping
+                acts = node.tag in PRESENT or helping
                 return " ".join(part.text for part in name) if acts else None
     return None
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Set as AbstractSet
 
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, PRESENT, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.statements.beside_orders import (
     BEFORE_ORDER,
@@ -267,7 +267,7 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str]) -> bool:
         # "Tom is washing the car at five", "Tom washing the car", "rep coming"; but "bins emptying" is to do.
         acts = bool(helping or tree.children(verb, "dobj")) or node.lemma in lexicon.intransitive
         return acts and (named or subjects[0].lower not in lexicon.machines - beside.awaited_in_a_stretch)
-    finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= closed.future | {"can"}
+    finite = node.tag in PRESENT if not helping else helping <= closed.future | {"can"}
     if helping == {"can"} and subjects[0].tag in NOUNS:
         # "The surveyor can only come before noon": nobody else can help that.
         only = "only" in tree.said(tree.children(verb, "advmod"))
