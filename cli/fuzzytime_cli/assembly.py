@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.faults import ConfigError, NoInputError, UsageError, as_config, as_usage
 from fuzzytime_cli.options import Moment, Solving, Understanding
-from fuzzytime_cli.places import data_folder, parse_cache, standing_customs, standing_rules
+from fuzzytime_cli.places import cache_folder, data_folder, standing_customs, standing_rules
 from fuzzytime_cli.settings import Settings, Value, load_settings
 
 if TYPE_CHECKING:
@@ -119,14 +119,14 @@ class Assembly:
         actor = self.settings.text("actor")
         profile = Profile(self.settings.text("profile"))
         try:
-            return Rulebook.shipped(profile, Actor(actor) if actor else None, files)
+            return Rulebook.shipped(profile, Actor(actor) if actor else None, files, cache_folder(os.environ))
         except FuzzytimeError as error:
             customs = next((path for path in files if path.is_file() and is_word_table(path)), None)
             mistake = f"{customs}: this holds customs and no rules: --customs takes it" if customs else error
             raise ConfigError(str(mistake)) from error
 
     def language(self) -> "Language":
-        """Load the language, with the cache of parses.
+        """Load the language, with the cache of parses and tables.
 
         Raises
         ------
@@ -143,7 +143,7 @@ class Assembly:
             for path in customs:
                 require_file(path, "file of customs")
             try:
-                return Language.shipped(cache=parse_cache(os.environ), customs=customs)
+                return Language.shipped(cache=cache_folder(os.environ), customs=customs)
             except FuzzytimeError as error:
                 from fuzzytime.rulebook import check
 

@@ -111,12 +111,12 @@ def _settings(environment: Mapping[str, str]) -> Check:
 
 
 def _folders(environment: Mapping[str, str]) -> Iterator[Check]:
-    from fuzzytime_cli.places import data_folder, parse_cache
+    from fuzzytime_cli.places import cache_folder, data_folder
 
     sessions = data_folder()
     damage = _damage(sessions)
     yield Check("sessions", good=not damage, finding=damage or _folder(sessions))
-    yield Check("cache", good=True, finding=_folder(parse_cache(environment)))
+    yield Check("cache", good=True, finding=_folder(cache_folder(environment)))
 
 
 def _damage(folder: Path | None) -> str:

@@ -23,8 +23,8 @@ def _standing(environment: Mapping[str, str], users: str, projects: str) -> tupl
     return tuple(path for path in candidates if path.is_file())
 
 
-def parse_cache(environment: Mapping[str, str]) -> Path | None:
-    """Give the folder of the cache of parses; None where FUZZYTIME_CACHE is empty."""
+def cache_folder(environment: Mapping[str, str]) -> Path | None:
+    """Give the folder of parses, and of tables as they were read; None where FUZZYTIME_CACHE is empty."""
     where = environment.get("FUZZYTIME_CACHE")
     if where is not None:
         return Path(where) if where else None

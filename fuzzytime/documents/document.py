@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 from typing import NoReturn, Self
 
-from fuzzytime.documents.tree import Node, Place, Scalar, TreeError, parse_tree
+from fuzzytime.documents.tree import Node, Place, Scalar, TreeError
 from fuzzytime.errors import DocumentError, Mistake
 
 MAX_BYTES = 1 << 20
@@ -70,6 +70,9 @@ class Document:
         DocumentError
             If it is not one well-formed YAML document within the limits.
         """
+        # The parser takes a while to import, and what is kept needs none.
+        from fuzzytime.documents.parsing import parse_tree
+
         try:
             return parse_tree(self.text, self._note)
         except TreeError as error:

@@ -6,6 +6,7 @@ from datetime import datetime
 from functools import cache
 from pathlib import Path
 
+from fuzzytime.documents.kept import Kept
 from fuzzytime.errors import DocumentError, InstructionError, Mistake
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.leftovers.leftovers import leftovers
@@ -48,19 +49,21 @@ class Times:
 
 
 @cache
-def shipped_lexicon() -> Lexicon:
-    """Give the shipped word tables, which are English, read once.
+def shipped_lexicon(kept: Kept | None = None) -> Lexicon:
+    """Give the shipped word tables, which are English, read once, or as they were ``kept`` before.
 
     Raises
     ------
     DocumentError
         If a table breaks rules: every mistake with file, line and column.
     """
-    return lexicon_with(())
+    return lexicon_with((), kept)
 
 
-def lexicon_with(customs: Iterable[Path]) -> Lexicon:
+def lexicon_with(customs: Iterable[Path], kept: Kept | None = None) -> Lexicon:
     """Give the shipped word tables, with customs of one's own over the calendar, each over those before it.
+
+    Where they are ``kept``, they are read only where they have changed since.
 
     Raises
     ------
@@ -70,7 +73,10 @@ def lexicon_with(customs: Iterable[Path]) -> Lexicon:
         If a table breaks rules: every mistake with file, line and column.
     """
     rules = rules_directory()
-    return read_lexicon(rules / "lexicon.yaml", rules / "calendar.yaml", customs)
+    words, calendar, customs = rules / "lexicon.yaml", rules / "calendar.yaml", tuple(customs)
+    if kept is None:
+        return read_lexicon(words, calendar, customs)
+    return kept.made("lexicon", (words, calendar, *customs), lambda: read_lexicon(words, calendar, customs))
 
 
 def check_customs(customs: Iterable[Path]) -> tuple[Mistake, ...]:

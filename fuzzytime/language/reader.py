@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 
+from fuzzytime.documents.kept import Kept
 from fuzzytime.language.about_wishes.told.told_done import reported
 from fuzzytime.language.finding import check_length, lexicon_with, shipped_grammar, shipped_lexicon
 from fuzzytime.language.grammar.chart import Grammar
@@ -55,7 +56,7 @@ class Language:
         Parameters
         ----------
         cache
-            A folder where parses are kept.
+            A folder where parses are kept, and the tables as they were read.
         customs
             Files of one's own parts of the day, feasts, policy and others, over the shipped calendar, each
             over those before it.
@@ -69,7 +70,8 @@ class Language:
         DocumentError
             If a table breaks rules.
         """
-        lexicon = lexicon_with(customs) if customs else shipped_lexicon()
+        kept = None if cache is None else Kept(cache)
+        lexicon = lexicon_with(customs, kept) if customs else shipped_lexicon(kept)
         if policy is not None:
             lexicon = replace(lexicon, policy=policy)
         return cls(

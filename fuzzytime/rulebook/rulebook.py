@@ -6,6 +6,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from fuzzytime.context import Context, Reading, Signal
+from fuzzytime.documents.kept import Kept
 from fuzzytime.documents.nodes import Reader
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.requirement import Anchor, Condition, Reference, TimeRequirement
@@ -51,15 +52,19 @@ class Rulebook:
         profile: Profile = Profile.EVERYDAY,
         actor: Actor | None = None,
         files: Sequence[Path] = (),
+        cache: Path | None = None,
     ) -> "Rulebook":
         """Load the shipped tables and, over them, files in rising precedence (user, project, ``--rules``).
+
+        The shipped ones are kept in the folder ``cache`` as they were read.
 
         Raises
         ------
         DocumentError
             With every mistake of every file.
         """
-        tables = load([Document(path, str(path)) for path in files], profile, shipped_tables(profile))
+        shipped = shipped_tables(profile, None if cache is None else Kept(cache))
+        tables = load([Document(path, str(path)) for path in files], profile, shipped)
         return cls(tables, profile, actor)
 
     def with_rules(self, text: str, shown: str) -> "Rulebook":

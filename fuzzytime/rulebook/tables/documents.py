@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from fuzzytime.documents.kept import Kept
 from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.errors import DocumentError, Mistake
 from fuzzytime.resources import rules_directory
@@ -82,9 +83,13 @@ class Document:
 
 
 @cache
-def shipped_tables(profile: Profile) -> Tables:
-    """Give the shipped tables for a profile; they are read once, as they do not change."""
-    return load([Document.shipped(name) for name in SHIPPED], profile)
+def shipped_tables(profile: Profile, kept: Kept | None = None) -> Tables:
+    """Give the shipped tables for a profile, read once, or as they were ``kept`` before."""
+    documents = [Document.shipped(name) for name in SHIPPED]
+    if kept is None:
+        return load(documents, profile)
+    files = [document.path for document in documents]
+    return kept.made(f"rules-{profile}", files, lambda: load(documents, profile))
 
 
 def load(documents: Sequence[Document], profile: Profile, over: Tables | None = None) -> Tables:
