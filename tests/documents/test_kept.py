@@ -153,7 +153,7 @@ def test_the_next_start_parses_no_yaml(tmp_path: Path) -> None:
         "print('yaml' in sys.modules, len(found))"
     )
     said = [
-        subprocess.run(  # noqa: S603 - this interpreter
+        subprocess.run(
             [sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True
         ).stdout.split()
         for _ in range(2)

@@ -11,7 +11,7 @@ from typing import Any
 import yaml
 
 from fuzzytime.language import Times
-from fuzzytime.language.grammar.chart import Action, Grammar, Rule
+from fuzzytime.language.grammar.chart import Action, Grammar, Pattern
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.requirement import Constraint
@@ -52,20 +52,22 @@ def idle_rules(grammar: Grammar, lexicon: Lexicon, texts: Iterable[str]) -> list
     """Give the rules of a grammar that make no piece of any text."""
     made: Counter[str] = Counter()
 
-    def counting(rule: Rule) -> Action:
+    def counting(pattern: Pattern) -> Action:
         def action(*values: object) -> object:
-            found = rule.action(*values)
-            made[rule.name] += found is not None
+            found = pattern.action(*values)
+            made[pattern.name] += found is not None
             return found
 
         return action
 
     counted = Grammar()
-    for rule in grammar.rules:
-        counted.add(rule._replace(action=counting(rule)))
+    for pattern in grammar.patterns:
+        counted.add(pattern._replace(action=counting(pattern)))
     for text in texts:
         Scanned.of(text, counted, lexicon)
-    return sorted({rule.name for rule in grammar.rules} - {name for name, count in made.items() if count})
+    return sorted(
+        {pattern.name for pattern in grammar.patterns} - {name for name, count in made.items() if count}
+    )
 
 
 @cache

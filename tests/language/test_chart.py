@@ -12,12 +12,12 @@ def pieces(grammar: Grammar, text: str, category: str) -> list[Piece]:
 
 
 def test_a_choice_and_an_option_unfold_to_plain_rows() -> None:
-    assert unfolded("a|an b? <c>") == [
+    assert unfolded("a|an b? <c>") == (
         (("'a", "'b", "c"), (2,)),
         (("'a", "c"), (1,)),
         (("'an", "'b", "c"), (2,)),
         (("'an", "c"), (1,)),
-    ]
+    )
 
 
 def test_an_optional_piece_that_is_absent_is_given_as_none() -> None:
@@ -25,7 +25,7 @@ def test_an_optional_piece_that_is_absent_is_given_as_none() -> None:
 
 
 def test_a_category_may_have_spaces() -> None:
-    assert unfolded("<month day> of") == [(("month day", "'of"), (0,))]
+    assert unfolded("<month day> of") == ((("month day", "'of"), (0,)),)
 
 
 def test_pieces_of_any_length_are_found_by_recursion() -> None:

@@ -17,8 +17,9 @@ which bounds the work: no input makes it explode.
 
 import itertools
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, NamedTuple, TypeVar
 
 from fuzzytime.language.grammar.words import Word, joins
@@ -29,11 +30,13 @@ LONGEST = 28
 Action = Callable[..., Any]
 _Action = TypeVar("_Action", bound=Callable[..., Any])
 
-_ELEMENT = re.compile(r"(?:<[^>]*>|[^\s<])+")
+_PART = re.compile(r"(?:<[^>]*>|[^\s<])+")
+_Element = tuple[bool, list[str | None]]
+"""A part of a pattern: whether it is an argument, and what it may be; None where it may be absent."""
 
 
 class Rule(NamedTuple):
-    """One way to make a piece: its pattern unfolded to a plain row of symbols.
+    """One way to make a piece: a pattern unfolded to a plain row of symbols.
 
     ``slots`` gives, for each argument of the action, the position of its symbol, or None.
     """
@@ -44,6 +47,21 @@ class Rule(NamedTuple):
     slots: tuple[int | None, ...]
     action: Action
     weight: float
+
+
+class Pattern(NamedTuple):
+    """One pattern of a rule, as it is written."""
+
+    name: str
+    category: str
+    text: str
+    action: Action
+    weight: float
+
+    def rules(self) -> Iterator[Rule]:
+        """Give the plain rows that it stands for."""
+        for symbols, slots in unfolded(self.text):
+            yield Rule(self.name, self.category, symbols, slots, self.action, self.weight)
 
 
 class Piece(NamedTuple):
@@ -90,20 +108,24 @@ class _Beginning:
 
 
 class _Index:
-    """Rules by their first symbol, sorted further when a text first has it: few texts have all."""
+    """Patterns by the symbols that may begin them, unfolded when a text first has one: few texts have all."""
 
-    def __init__(self, rules: Iterable[Rule]) -> None:
-        self._rules: dict[str, list[Rule]] = {}
+    def __init__(self, patterns: Iterable[Pattern]) -> None:
+        self._patterns: dict[str, list[Pattern]] = {}
         self._beginnings: dict[str, _Beginning] = {}
-        for rule in rules:
-            self._rules.setdefault(rule.symbols[0], []).append(rule)
-        symbols = {symbol for found in self._rules.values() for rule in found for symbol in rule.symbols}
+        symbols: set[str] = set()
+        for pattern in patterns:
+            elements = _elements(pattern.text)
+            symbols.update(symbol for _, choices in elements for symbol in choices if symbol is not None)
+            for first in _firsts(elements):
+                self._patterns.setdefault(first, []).append(pattern)
         self.literals = frozenset(symbol[1:] for symbol in symbols if symbol[0] == "'")
 
     def beginning(self, first: str) -> _Beginning:
         """Give the rules that begin with a symbol."""
         if first not in self._beginnings:
-            self._beginnings[first] = _Beginning.of(self._rules.get(first, ()))
+            rules = (rule for pattern in self._patterns.get(first, ()) for rule in pattern.rules())
+            self._beginnings[first] = _Beginning.of(rule for rule in rules if rule.symbols[0] == first)
         return self._beginnings[first]
 
 
@@ -111,7 +133,7 @@ class Grammar:
     """The rules of a language."""
 
     def __init__(self) -> None:
-        self.rules: list[Rule] = []
+        self.patterns: list[Pattern] = []
         self._index: _Index | None = None
 
     @property
@@ -124,9 +146,8 @@ class Grammar:
 
         def added(action: _Action) -> _Action:
             name = f"{action.__module__.rpartition('.')[2]}.{action.__name__}"
-            for pattern in patterns:
-                for symbols, slots in unfolded(pattern):
-                    self.add(Rule(name, category, symbols, slots, action, weight))
+            for text in patterns:
+                self.add(Pattern(name, category, text, action, weight))
             return action
 
         return added
@@ -136,18 +157,18 @@ class Grammar:
         """Give the rules of others in one."""
         whole = cls()
         for other in others:
-            whole.rules += other.rules
+            whole.patterns += other.patterns
         return whole
 
-    def add(self, rule: Rule) -> None:
+    def add(self, pattern: Pattern) -> None:
         """Add a rule."""
-        self.rules.append(rule)
+        self.patterns.append(pattern)
         self._index = None
 
     def _indexed(self) -> "_Index":
         """Give the rules by their first symbols: only a grammar that parses needs them so."""
         if self._index is None:
-            self._index = _Index(self.rules)
+            self._index = _Index(self.patterns)
         return self._index
 
     def parse(self, words: Sequence[Word], lexical: Mapping[int, Iterable[Piece]]) -> list[Cell]:
@@ -261,18 +282,14 @@ def _make(rule: Rule, found: tuple[Piece, ...], weight: float, cell: Cell, agend
         agenda.append(Piece(rule.category, found[0].start, end, value, weight, rule.name))
 
 
-def unfolded(pattern: str) -> list[tuple[tuple[str, ...], tuple[int | None, ...]]]:
+@cache
+def unfolded(pattern: str) -> tuple[tuple[tuple[str, ...], tuple[int | None, ...]], ...]:
     """Give the plain rows of symbols that a pattern stands for, and where their arguments are.
 
     >>> unfolded("half past? <hour>")
-    [(("'half", "'past", 'hour'), (2,)), (("'half", 'hour'), (1,))]
+    ((("'half", "'past", 'hour'), (2,)), (("'half", 'hour'), (1,)))
     """
-    elements: list[tuple[bool, list[str | None]]] = []
-    for part in _ELEMENT.findall(pattern):
-        names = part.rstrip("?").split("|")
-        wanted = names[0].startswith("<")
-        choices: list[str | None] = [name[1:-1] if wanted else literal(name) for name in names]
-        elements.append((wanted, [*choices, None] if part.endswith("?") else choices))
+    elements = _elements(pattern)
     rows = []
     for row in itertools.product(*[choices for _, choices in elements]):
         symbols: list[str] = []
@@ -284,4 +301,24 @@ def unfolded(pattern: str) -> list[tuple[tuple[str, ...], tuple[int | None, ...]
                 symbols.append(symbol)
         if symbols:
             rows.append((tuple(symbols), tuple(slots)))
-    return rows
+    return tuple(rows)
+
+
+def _elements(pattern: str) -> list[_Element]:
+    found: list[_Element] = []
+    for part in _PART.findall(pattern):
+        names = part.rstrip("?").split("|")
+        wanted = names[0].startswith("<")
+        choices: list[str | None] = [name[1:-1] if wanted else literal(name) for name in names]
+        found.append((wanted, [*choices, None] if part.endswith("?") else choices))
+    return found
+
+
+def _firsts(elements: Iterable[_Element]) -> list[str]:
+    """Give the symbols that a row of a pattern may begin with, each once."""
+    firsts: dict[str, None] = {}
+    for _, choices in elements:
+        firsts |= dict.fromkeys(symbol for symbol in choices if symbol is not None)
+        if None not in choices:
+            break
+    return list(firsts)
