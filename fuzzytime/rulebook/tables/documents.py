@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -82,14 +81,24 @@ class Document:
         return cls(rules_directory() / name, f"rules/{name}")
 
 
-@cache
 def shipped_tables(profile: Profile, kept: Kept | None = None) -> Tables:
-    """Give the shipped tables for a profile, read once, or as they were ``kept`` before."""
-    documents = [Document.shipped(name) for name in SHIPPED]
-    if kept is None:
-        return load(documents, profile)
-    files = [document.path for document in documents]
-    return kept.made(f"rules-{profile}", files, lambda: load(documents, profile))
+    """Give the shipped tables for a profile; they are read once, or were ``kept`` by an earlier program."""
+    if profile not in _ONCE:
+        documents = [Document.shipped(name) for name in SHIPPED]
+        _ONCE[profile] = (
+            load(documents, profile)
+            if kept is None
+            else kept.made(
+                f"rules-{profile}",
+                [document.path for document in documents],
+                lambda: load(documents, profile),
+            )
+        )
+    return _ONCE[profile]
+
+
+_ONCE: dict[Profile, Tables] = {}
+"""The shipped tables that were read so far: they do not change."""
 
 
 def load(documents: Sequence[Document], profile: Profile, over: Tables | None = None) -> Tables:
