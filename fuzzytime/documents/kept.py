@@ -1,23 +1,21 @@
 """What is made of documents, kept on disk, so that a program's next start need not read them again.
 
-It only ever saves time: what cannot be kept, or is damaged, is made anew. As with the modules that Python
-itself compiles, who may write to the folder is trusted; a file that somebody else could have written is not
-read.
+It only ever saves time: what cannot be kept, or is damaged, is made anew. A file that somebody else could
+have written is not read, as it says what words mean.
 """
 
-import copyreg
 import hashlib
 import os
-import pickle
 import stat
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from types import MappingProxyType
-from typing import Any, TypeVar, cast
+from typing import TypeVar, cast
+
+from fuzzytime.documents.plain import made_again, written
 
 MOST = 4
 """Files of one name that are kept: as many tables as one person goes between."""
@@ -26,7 +24,6 @@ CODE = Path(__file__).parent.parent
 """The library's own modules: with another library, everything is made anew."""
 
 _Made = TypeVar("_Made")
-_Frozen = MappingProxyType[Any, Any]
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +54,7 @@ class Kept:
         code = _code_as_it_is()
         if not code:
             return make()
-        path = self.folder / f"{name}-{_key(code, files)}.pickle"
+        path = self.folder / f"{name}-{_key(code, files)}.json"
         known = _read(path)
         if known is not None:
             return cast("_Made", known)
@@ -65,7 +62,7 @@ class Kept:
         with suppress(Exception):  # a full disk, or what is nested too deeply to be written
             self.folder.mkdir(parents=True, exist_ok=True)
             _write(path, made)
-            for old in _by_age(self.folder, f"{name}-*.pickle")[MOST:]:
+            for old in _by_age(self.folder, f"{name}-*.json")[MOST:]:
                 old.unlink(missing_ok=True)
         return made
 
@@ -99,9 +96,9 @@ def _key(code: bytes, files: Sequence[Path]) -> str:
 def _read(path: Path) -> object | None:
     """Give what is in a file of one's own, or None."""
     try:
-        with path.open("rb") as stream:
-            return pickle.load(stream) if _is_ones_own(os.fstat(stream.fileno())) else None  # noqa: S301
-    except Exception:  # noqa: BLE001 - a damaged file may raise anything, and is as none
+        with path.open(encoding="utf-8") as stream:
+            return made_again(stream.read()) if _is_ones_own(os.fstat(stream.fileno())) else None
+    except Exception:  # noqa: BLE001 - a damaged file may hold anything, and is as none
         return None
 
 
@@ -116,25 +113,15 @@ def _write(path: Path, made: object) -> None:
     """Put a file in its place at once, as another program may be reading it."""
     from tempfile import NamedTemporaryFile
 
-    with NamedTemporaryFile(dir=path.parent, prefix=path.name, delete=False) as stream:
+    text = written(made)
+    with NamedTemporaryFile("w", encoding="utf-8", dir=path.parent, prefix=path.name, delete=False) as stream:
         try:
-            pickler = pickle.Pickler(stream, pickle.HIGHEST_PROTOCOL)
-            pickler.dispatch_table = {**copyreg.dispatch_table, MappingProxyType: _reduced}
-            pickler.dump(made)
+            stream.write(text)
             stream.close()
             Path(stream.name).replace(path)
         except BaseException:
             Path(stream.name).unlink(missing_ok=True)
             raise
-
-
-def _reduced(mapping: _Frozen) -> tuple[Callable[[Mapping[Any, Any]], _Frozen], tuple[dict[Any, Any]]]:
-    """Give what a frozen mapping, which cannot be pickled as it is, is made of again."""
-    return _frozen, (dict(mapping),)
-
-
-def _frozen(mapping: Mapping[Any, Any]) -> _Frozen:
-    return MappingProxyType(mapping)
 
 
 def _by_age(folder: Path, pattern: str) -> list[Path]:

@@ -83,7 +83,20 @@ def test_the_stamp_changes_with_a_module(tmp_path: Path) -> None:
     assert list(kept._modules(package)) != before
 
 
-@pytest.mark.parametrize("damage", [b"", b"no pickle", b"\x80\x05", b"cno_such_module\nname\n."])
+@pytest.mark.parametrize(
+    "damage",
+    [
+        b"",
+        b"no JSON",
+        b"\xff",
+        b"{}",
+        b"[]",
+        b'{"kinds":[],"atoms":[],"made":[],"whole":0}',
+        b'{"kinds":["tuple"],"atoms":[],"made":[[0,1]],"whole":0}',
+        b'{"kinds":["os:system"],"atoms":["true"],"made":[[0,0]],"whole":1}',
+        b'{"kinds":["fuzzytime.no_such:Name"],"atoms":[],"made":[[0]],"whole":0}',
+    ],
+)
 def test_a_damaged_file_is_as_none(maker: Maker, tmp_path: Path, damage: bytes) -> None:
     folder = tmp_path / "cache"
     made_of(maker, folder)
@@ -111,7 +124,7 @@ def test_where_nothing_can_be_written_it_is_made(maker: Maker, tmp_path: Path) -
     assert made_of(maker, tmp_path / "file" / "cache") == ("soon", "later")
 
 
-def test_what_cannot_be_pickled_is_made(maker: Maker, tmp_path: Path) -> None:
+def test_what_cannot_be_written_is_made(maker: Maker, tmp_path: Path) -> None:
     folder = tmp_path / "cache"
     made = Kept(folder).made("words", [maker.file], lambda: (maker(), lambda: None))
     assert made[0] == ("soon", "later")
