@@ -324,6 +324,8 @@ def test_times_of_what_is_told_or_named_are_pointed_at(text: str, verb: str, obj
     ("text", "said"),
     [
         ("leave the tray in room twelve at the usual time", "at the usual time"),
+        ("hand out the cups at sunday's match", "at sunday's match"),
+        ("post the form by friday's last collection", "by friday's last"),
         ("ring the gong at the same old time", "at the same old time"),
         ("get up at silly o'clock", "silly o'clock"),
         ("pick the plums on the first dry day", "day"),

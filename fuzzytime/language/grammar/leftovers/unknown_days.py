@@ -13,10 +13,13 @@ SHORTEST_MOMENT, LONGEST_MOMENT = 3, 4
 DAY = "day"
 """What words of days end in: "holidays", "match days", "birthday"."""
 
+DAYS = frozenset({"weekday", "day"})
+"""What names a day."""
+
 
 def unknown_days(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
     """Give the places of words of such days that were not understood."""
-    for kind in (_weekends, _other_feasts, _dates, _moments, _untold, _left_out):
+    for kind in (_weekends, _other_feasts, _dates, _moments, _untold, _left_out, _owning):
         yield from kind(scanned, known)
 
 
@@ -117,3 +120,22 @@ def _left_out(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
         timed = led in known and known.isdisjoint(range(first, last))
         if first < last and timed and texts[last - 1].removesuffix("s").endswith(DAY):
             yield from range(first, last)
+
+
+def _owning(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
+    """Give the places of days that own what is meant: "at sunday's match", "by friday's post"."""
+    around = scanned.around
+    closed, lexicon, texts = around.closed, around.lexicon, around.texts
+    for place in range(1, len(texts) - 1):
+        binds = texts[place - 1] in closed.prepositions_of_points | closed.prepositions_of_times_taken
+        day = texts[place].removesuffix("'s")
+        named = any(
+            entry.words == (day,) and entry.category in DAYS for entry in lexicon.entries.get(day, ())
+        )
+        # "Before tuesday's class" is a clause, and so is "by saturday's game".
+        happens = texts[place + 1] in lexicon.happening
+        clause = (texts[place - 1] == "by" and happens) or (texts[place - 1],) in lexicon.clauses
+        # "Wrap it in today's paper"
+        binds = binds and (happens or texts[place - 1] not in {"in", "with"})
+        if binds and named and day != texts[place] and place not in known and not clause:
+            yield from range(place - 1, place + 2)

@@ -82,7 +82,33 @@ def verbs_left_out(one: Waiting, part: Part) -> list[int]:
             or _is_elsewhere(words, between, part.lexicon, old, new)
         ):
             found.append(between[1].start)
-    return found + _times_in_front(one, part, own) + _behind_first(one, part, own)
+    return (
+        found
+        + _things_behind_clauses(one, part, own)
+        + _times_in_front(one, part, own)
+        + _behind_first(one, part, own)
+    )
+
+
+def _things_behind_clauses(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int]:
+    """Give where another thing follows a clause: "the hens when you get up and the ducks at nine"."""
+    words, tree, lexicon = one.source.scanned.words, part.tree, part.lexicon
+    behind = tree.nodes[tree.root].end + part.offset
+    clause: Word | None = None
+    for place in one.source.places(part.offset, one.segment.span[1])[:-SHORTEST_GAP]:
+        word = words[place]
+        if word.start >= behind and longest_match(words, place, lexicon.clauses):
+            clause = word
+        time = next((phrase for phrase in own if phrase.first >= place), None)
+        if word.text != "and" or clause is None or time is None or time.said.constraint is Constraint.FOR:
+            continue
+        # "When you get up"; but "when the rice and the peas are done"
+        acts = any(tree.nodes[p].is_verb for p in part.at((clause.start, word.start)))
+        added = [*part.at((word.end, time.span[0]))]
+        named = added[:1] and (tree.nodes[added[0]].tag in NAMES | DETERMINERS)
+        if acts and named and all(_is_of_thing(part, p, ()) for p in added):
+            return [words[place + 1].start]
+    return []
 
 
 def _times_in_front(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int]:

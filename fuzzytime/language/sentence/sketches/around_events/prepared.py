@@ -31,10 +31,12 @@ def due_of(
     if goes and _is_to_the_hour(sketch):
         # "Vet at ten", then "leave at twenty to"
         return _begin_of(instructions[-1]) if before else since
-    if not before or (words[-1:] != ["so"] and not bounded and not goes) or before[-1].operation is None:
+    so = words[-1:] == ["so"]
+    if not before or not (so or bounded or goes) or before[-1].operation is None:
         return None
     asked = sketch.operation is None or not sketch.operation.stated
-    told = before[-1].operation.stated or before[-1].operation.due is not None
+    # "I need to be at the dentist at ten to three so leave by quarter past two"
+    told = before[-1].operation.stated or before[-1].operation.due is not None or (so and _goes(before[-1]))
     if not told or not asked:
         # "Story at seven, lights out by half past" is one after the other.
         return None
@@ -43,7 +45,9 @@ def due_of(
 
 def _begin_of(instruction: Instruction) -> float | None:
     """Give when something begins, in seconds; of what is repeated, the first of today."""
-    said = [requirement.earliest for requirement in instruction.requirements]
+    # "From monday the shop opens at eight" begins at eight.
+    requirements = sorted(instruction.requirements, key=lambda one: one.constraint is not Constraint.AT)
+    said = [requirement.earliest for requirement in requirements]
     repeats = instruction.repeats
     said += repeats.occurrences(DAY_SECONDS)[:1] if repeats is not None else ()
     return next((seconds for seconds in said if seconds is not None), None)

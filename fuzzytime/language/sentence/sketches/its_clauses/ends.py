@@ -51,10 +51,11 @@ class ClauseEnds:
             return True
         if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text in ENDS
-        # "Before you leave and again when you get back"
-        behind = place + 1 + (self.words[place + 1].text == "again" and place + 2 < len(self.words))
+        # "Before you leave and again when you get back", "… and again every two hours"
+        again = self.words[place + 1].text == "again" and place + 2 < len(self.words)
+        behind = place + 1 + again
         clause = longest_match(self.words, behind, self.lexicon.clauses)
-        bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
+        bound = any(one.first == behind and (again or one.said.preposition) for one in self.phrases)
         return bound or bool(clause and self.lexicon.clauses[clause])
 
     def _lasts(self, first: int, place: int) -> bool:
