@@ -24,7 +24,10 @@ def is_done_elsewhere(wish: Wish) -> list[Stretch] | None:
     if verb is None or here == len(tree.nodes):
         return None
     end = _end_behind(wish, here)
-    time = next((p for p in range(verb.stop, here) if p in wish.timed), here)
+    # "Feed the hens when you get up and the ducks at nine": that "up" is none of the feeding.
+    clauses = wish.lexicon.clauses
+    said_when = (p for p in range(verb.stop, here) if p in wish.timed or (tree.nodes[p].lower,) in clauses)
+    time = next(said_when, here)
     in_front = here > wish.start
     if not wish.apart and ((time < wish.start) is in_front or (end == len(tree.nodes) and not in_front)):
         return None

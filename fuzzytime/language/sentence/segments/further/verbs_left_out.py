@@ -105,7 +105,9 @@ def _things_behind_clauses(one: Waiting, part: Part, own: Sequence[Phrase]) -> l
         # "When you get up"; but "when the rice and the peas are done"
         acts = any(tree.nodes[p].is_verb for p in part.at((clause.start, word.start)))
         added = [*part.at((word.end, time.span[0]))]
-        named = added[:1] and (tree.nodes[added[0]].tag in NAMES | DETERMINERS)
+        # But "and another one": that is the same again.
+        named = added[:1] and tree.nodes[added[0]].tag in NAMES | DETERMINERS
+        named = named and tree.nodes[added[-1]].lower not in lexicon.closed.plural_anaphors | {"one"}
         if acts and named and all(_is_of_thing(part, p, ()) for p in added):
             return [words[place + 1].start]
     return []
