@@ -138,7 +138,8 @@ def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piec
     yield Piece("integer", start, start + 1, value, 0.0, "digits")
     following = words[start + 1] if start + 1 < len(words) else None
     if following is not None and following.glued and following.text in lexicon.beside.ordinal_endings:
-        yield Piece("ordinal", start, start + 2, value.value, 0.0, "digits")
+        for category in ("ordinal", "ordinal in digits"):
+            yield Piece(category, start, start + 2, value.value, 0.0, "digits")
     yield from _spaced(words, start)
     run, ends = _typed_together(words, start)
     for category, shape in _SHAPES:

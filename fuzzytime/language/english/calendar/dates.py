@@ -62,9 +62,12 @@ def ides(month: int) -> Fields:
     return Fields(month=month, day=15 if month in {3, 5, 7, 10} else 13)
 
 
-@grammar.rule("weak date", "the? <ordinal>", "the <integer>", weight=-0.3)
+@grammar.rule("weak date", "the <ordinal>", "<ordinal in digits>", "the <integer>", weight=-0.3)
 def day_alone(day: int | Integer) -> Fields | None:
-    """The 15th, the 24: sure only with a preposition, as "the second drawer" is none; nor is "the two"."""
+    """The third, 15th: sure only with a preposition, as "the second drawer" is none; nor is "the two".
+
+    A word alone only counts: "first dose at ten, second at two, third at bedtime".
+    """
     if isinstance(day, Integer) and not day.digits:
         return None
     number = day.value if isinstance(day, Integer) else day

@@ -157,6 +157,9 @@ def _is_ordering(phrase: Phrase) -> bool:
 def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phrase, new: Phrase) -> bool:
     """Whether words between two times name another thing to do the same with: "and the dog at 9"."""
     root = part.tree.root
+    if len(between) == SHORTEST_GAP and between[1].text in part.lexicon.ordinals:
+        # "The first dose at ten, second at two"
+        return True
     # "Tomorrow call Ann at eight and Bob at nine": a tree may have whom for what it becomes.
     objects = part.tree.children(root, "dobj", "oprd")
     things = part.tree.said(objects)
