@@ -9,7 +9,7 @@ from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Said, TimeWord, UnitWord
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.meaning.joined.distances import EARLIER, HALFWAY, LAST, LEFT, far_off, said_offset
+from fuzzytime.language.meaning.joined.distances import EARLIER, HALFWAY, LAST, LEFT, said_offset
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
 
@@ -177,12 +177,6 @@ def hedged_so_far_off(told: Said) -> Said | None:
 def so_far_off_alone(told: Said) -> Said:
     """(before they come,) no later than an hour before."""
     return told
-
-
-@grammar.rule("said", "<said> ,|-|( <bounded so far off> )?", weight=0.3)
-def and_so_far_off(named: Said, distance: Said) -> Said | None:
-    """Before noon, at the latest ten minutes before."""
-    return far_off(named, distance)
 
 
 @grammar.rule("said", "after", weight=-0.5)

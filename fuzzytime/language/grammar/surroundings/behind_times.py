@@ -14,9 +14,6 @@ class BehindTimes(LookedUp):
     def may_end(self, piece: Piece) -> bool:
         """Whether what follows does not make its last word count or describe something."""
         follower = self.follower(piece)
-        if follower in {"to", "past"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"], ["?"]):
-            # "At ten to": of which hour is not said.
-            return False
         if follower in {"first", "last"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"]):
             # "Feed the cat in the morning first"
             return True
