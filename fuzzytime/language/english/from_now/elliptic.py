@@ -29,43 +29,39 @@ def in_hours_and_minutes(numbers: Typed) -> Said | None:
     return Said(Duration(((hours, Unit.HOUR), (minutes, Unit.MINUTE))), Constraint.AT, "in")
 
 
+def _minutes(number: Integer) -> Duration:
+    """Give so many minutes, which may be of another unit that was said before."""
+    return Duration(((number.value, Unit.MINUTE),), bare_end=True, unsaid=True)
+
+
 @grammar.rule("said", "every|each <integer>", weight=0.1)
 def every_number(number: Integer) -> Said | None:
     """(bake for forty minutes, turning) every 10: of the unit that was said before."""
-    duration = Duration(((number.value, Unit.MINUTE),), bare_end=True, unsaid=True)
-    return Said(Repeat(duration)) if number.value > 0 else None
+    return Said(Repeat(_minutes(number))) if number.value > 0 else None
 
 
 @grammar.rule("said", "after <integer>", weight=-0.5)
 def after_number(number: Integer) -> Said | None:
     """(bake for forty minutes, turning it) after 30, which is no hour: of the unit that was said before."""
-    if number.value <= DAY_HOURS:
-        return None
-    return Said(
-        Duration(((number.value, Unit.MINUTE),), bare_end=True, unsaid=True), Constraint.AFTER, "after"
-    )
+    return Said(_minutes(number), Constraint.AFTER, "after") if number.value > DAY_HOURS else None
 
 
 @grammar.rule("said", "for <integer>", weight=-0.5)
 def for_number(number: Integer) -> Said | None:
     """(simmer) for 40, which is no hour: so many minutes, or of the unit that was said before."""
-    if number.value <= DAY_HOURS:
-        return None
-    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True, unsaid=True), Constraint.FOR, "for")
+    return for_more(number) if number.value > DAY_HOURS else None
 
 
 @grammar.rule("said", "<integer>", weight=-0.9)
 def number_left(number: Integer) -> Said | None:
     """(let it rest) 40, which is no hour: so many minutes."""
-    if number.value <= DAY_HOURS:
-        return None
-    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True, unsaid=True), Constraint.FOR)
+    return Said(_minutes(number), Constraint.FOR) if number.value > DAY_HOURS else None
 
 
 @grammar.rule("said", "for <integer> more|longer", "for another <integer>", weight=-0.4)
 def for_more(number: Integer) -> Said | None:
     """(blend) for 10 more: of the unit that was said before."""
-    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True, unsaid=True), Constraint.FOR, "for")
+    return Said(_minutes(number), Constraint.FOR, "for")
 
 
 @grammar.rule("said", "halfway|midway", "halfway|midway through", "half way through?")

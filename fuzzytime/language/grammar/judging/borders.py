@@ -82,7 +82,6 @@ class Borders(Around):
             or self._is_asked(piece)
             or tells_when_due(piece, self.texts, self.lexicon)
             or self._counts_nothing(piece)
-            or self._says_how_much(piece)
             or self._is_way(piece)
             or self.measures.counts_hundreds(piece)
         )
@@ -109,18 +108,6 @@ class Borders(Around):
         other = self.closed.first_person_objects | self.lexicon.particles.keys()
         particle = self.texts[first - 1] not in other and self.particles.hold(piece._replace(start=first))
         return clock is not None and clock.hour == 1 and near and not particle
-
-    def _says_how_much(self, piece: Piece) -> bool:
-        """Whether the number that it ends in counts units: "shift it this afternoon by one | hour".
-
-        Or whether it begins with what something is set to: "set the fan to max at six".
-        """
-        first, *behind = self.texts[piece.start : piece.start + 2]
-        level = first in self.lexicon.levels and self.around.before(piece) in {"to", "on"}
-        if level and behind and behind[0] in self.closed.prepositions_of_points:
-            return True
-        led = self.texts[piece.end - 2 : piece.end - 1] == ["by"]
-        return led and self.measures.is_number(piece.end - 1) and self.around.is_unit(piece.end)
 
     def _is_way(self, piece: Piece) -> bool:
         """Whether it begins with a way that somebody goes: "on the way after lunch"."""

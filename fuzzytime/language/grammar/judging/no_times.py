@@ -52,7 +52,6 @@ class NoTime(Standing):
             or self.around.names_person(piece.start)
             or self._is_person(piece)
             or self._is_of_played(piece)
-            or self._ends_name(piece)
             or self._ends_in_article(piece)
         )
 
@@ -182,13 +181,6 @@ class NoTime(Standing):
             return False
         clocked = wall_of(time).clock is not None and piece.value.preposition is None
         return clocked and follower.isalpha() and not self.around.may_end(piece)
-
-    def _ends_name(self, piece: Piece) -> bool:
-        """Whether it is the second half of what a thing is called by: "the ten to midnight film"."""
-        first = piece.start - 1
-        joined = self.texts[piece.start] == "to" and self.measures.is_number(first)
-        named = joined and first > 0 and self.texts[first - 1] in self.closed.articles
-        return named and not self.around.may_end(piece)
 
     def _ends_in_article(self, piece: Piece) -> bool:
         """Whether its last letter is an article, and no half of the day: "5 a | day"."""

@@ -38,9 +38,6 @@ class Standing(Around):
     def is_called(self, place: int) -> bool:
         """Whether somebody is called right before a place: "call ann | five thirty"; not "call room 1430"."""
         verb = place - 2
-        if verb > 0 and self.texts[verb] in self.closed.noun_openers:
-            # "Ring the office five thirty"
-            verb -= 1
         calling = self.lexicon.addressing - self.lexicon.doing.learning
         if verb < 0 or self.texts[verb] not in calling or not self.texts[place - 1].isalpha():
             return False

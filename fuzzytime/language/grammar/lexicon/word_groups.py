@@ -80,6 +80,7 @@ class ClosedClasses:
     stative_verbs: Words
     future: Words
     requesting_modals: Words
+    proposing_together: Words
     tentative_modals: Words
     predicting_modals: Words
     obligation: Words

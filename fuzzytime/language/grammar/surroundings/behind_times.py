@@ -1,14 +1,11 @@
 """What follows a time, and whether that leaves its last word a time: "at six love", but "at six robots"."""
 
-from fuzzytime.english import looks_plural
+from fuzzytime.english import is_participle, looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.surroundings.looked_up import LookedUp
 from fuzzytime.language.grammar.timetables import counts_nothing
 from fuzzytime.language.meaning.expressions import Said
-
-PARTICIPLE = "ing"
-"""The ending of what somebody is doing."""
 
 
 class BehindTimes(LookedUp):
@@ -17,9 +14,6 @@ class BehindTimes(LookedUp):
     def may_end(self, piece: Piece) -> bool:
         """Whether what follows does not make its last word count or describe something."""
         follower = self.follower(piece)
-        if follower in {"to", "past"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"], ["?"]):
-            # "At ten to": of which hour is not said.
-            return False
         if follower in {"first", "last"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"]):
             # "Feed the cat in the morning first"
             return True
@@ -36,7 +30,7 @@ class BehindTimes(LookedUp):
 
         But "at six friendly shops", "at six meeting points".
         """
-        text, acts = self.texts[place], self.texts[place].endswith(PARTICIPLE)
+        text, acts = self.texts[place], is_participle(self.texts[place])
         how = acts or any(map(text.endswith, self.closed.endings_of_manner))
         behind = self.texts[place + 1] if place + 1 < len(self.texts) else ""
         apart = not behind[:1].isalnum() and not acts

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.english import PARTICIPLE
+from fuzzytime.english import is_participle
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.understood.lent import is_heated, is_left_for, lasts_minutes
@@ -67,7 +67,7 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexi
 def _hour_in_unit(phrase: Phrase, between: Sequence[Word], unit: Unit, lexicon: Lexicon) -> Phrase:
     """Lend a number that would be an hour the unit of the length before it, where it is so long."""
     said, clock = phrase.said, phrase.said.wall.clock
-    meanwhile = any(word.text.endswith(PARTICIPLE) for word in between)
+    meanwhile = any(is_participle(word.text) for word in between)
     if clock is None or clock.grain is not Unit.HOUR or (said.preposition == "after" and not meanwhile):
         return phrase
     if between and between[-1].text in lexicon.events:

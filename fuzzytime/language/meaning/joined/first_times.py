@@ -13,7 +13,6 @@ from fuzzytime.language.meaning.expressions import (
     Rest,
     Said,
     Time,
-    TimeWord,
     Wall,
 )
 from fuzzytime.language.meaning.joined.distances import EARLIER, HALFWAY, INTO, LAST, LATER, LEFT
@@ -28,10 +27,6 @@ def first_time(said: Said) -> Time | None:
     time, beginning = said.time, said.constraint in MOMENTS or said.constraint is Constraint.AFTER
     if said.preposition in COUNTED_FROM_ELSEWHERE or isinstance(time, (Repeat, Ending, Rest)):
         return None
-    if isinstance(time, TimeWord):
-        # "Starting now"
-        bound = said.constraint in {None, Constraint.AT, Constraint.AFTER}
-        return time if bound and time.constraint is Constraint.AT else None
     if isinstance(time, Duration):
         return Offset(time) if beginning else None
     if isinstance(time, Range):

@@ -37,6 +37,13 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
         return (
             None if told is None else only_counted(requirement, replace(told, lag=distance), Constraint.AFTER)
         )
+    return _since_asked_before(anchors, own, said, requirement, distance)
+
+
+def _since_asked_before(
+    anchors: Anchors, own: Operation, said: Said, requirement: TimeRequirement, distance: float
+) -> TimeRequirement | None:
+    """Count from what was asked for of the same thing, from its begin where that lasts longer."""
     target = _asked_before(anchors) if said.preposition in {"after", "in"} else None
     if target is None or _is_said_before(anchors, target, requirement):
         return None

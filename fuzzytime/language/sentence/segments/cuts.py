@@ -10,7 +10,6 @@ from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_beside
 from fuzzytime.language.sentence.segments.further.further_orders import further_verbs
-from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_left_out
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
@@ -56,9 +55,7 @@ def pieces_of(one: Waiting, part: Part) -> list[Segment]:
     denied = _denied_list(one, starts)
     if denied:
         return denied
-    # "Feed the cat and chase dave": what borrows no verb
-    done = {part.tree.nodes[p].start + part.offset for p in _done_to_somebody(one, part)}
-    wishes = {start: said for start, said in wishes_beside(one, part).items() if start not in done}
+    wishes = wishes_beside(one, part)
     gaps = _gaps(one, part)
     for start in (*sorted(wishes), *(start for start in starts if start not in gaps)):
         pieces = _around(one, part, start)
@@ -125,17 +122,8 @@ def _gaps(one: Waiting, part: Part) -> set[int]:
     nodes, timed = part.tree.nodes, {place for span in _times(one, part) for place in part.tree.at(*span)}
     others = [second_statement(part.tree, place, timed) for place in range(len(nodes))]
     others += [p for p in range(2, len(nodes)) if is_order_between_times(part.tree, p, timed)]
-    others += _done_to_somebody(one, part)
     starts = {nodes[place].start + part.offset for place in others if place is not None}
     return set(verbs_left_out(one, part)) - starts
-
-
-def _done_to_somebody(one: Waiting, part: Part) -> list[int]:
-    """Give the words behind a joint that are orders by themselves, whatever a tree has them for."""
-    nodes, timed = part.tree.nodes, one.timed(part.tree)
-    joints = part.lexicon.closed.joints_of_orders
-    behind = (p for p in range(2, len(nodes)) if nodes[p - 1].lower in joints)
-    return [place for place in behind if is_bare_order(part.tree, place, timed)]
 
 
 def _due_too(part: Part, start: int) -> str | None:

@@ -18,9 +18,6 @@ THESE = frozenset({"this", "that"})
 TIMES = "times"
 """What a number of turns counts."""
 
-LONGEST_DAY = 4
-"""Words of the name of a day at most: "the day after tomorrow"."""
-
 TENS = 10
 LONG_DIGITS = 3
 """Digits of the parts of a telephone number, at least."""
@@ -33,14 +30,7 @@ class Cuts(Standing):
         """Whether a reading is only a part of what is said."""
         within = self._begins_clause(piece) or self._is_now_and_again(piece) or self._is_in_name(piece)
         within = within or self._counts_hourly(piece) or self._ends_in_next_day(piece)
-        within = within or self._begins_inside_day(piece)
         return within or self.runs_on(piece) or self._divides(piece) or self._opens_another(piece)
-
-    def _begins_inside_day(self, piece: Piece) -> bool:
-        """Whether it begins with the last words of a day's name: "watch the day | after tomorrow"."""
-        before = range(max(0, piece.start - LONGEST_DAY), piece.start)
-        names = (one for place in before for one in self.around.pieces(place) if one.category == "day")
-        return any(one.start < piece.start < one.end for one in names)
 
     def _ends_in_next_day(self, piece: Piece) -> bool:
         """Whether a comma parts it from the day of the next time: "at 2, friday | at 3"."""
@@ -73,9 +63,6 @@ class Cuts(Standing):
             if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
                 # "Twenty-year-old", "second-hand"
                 return True
-            if word.text == "." and self.texts[piece.end + 1 : piece.end + 2] == ["."]:
-                # "At eleven… no, at twelve"
-                return False
             if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
                 after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
                 # "(Call mum at 9.)": what closes behind a full stop is no part of a number.

@@ -13,7 +13,6 @@ from fuzzytime.language.grammar.timetables import (
     leads_entry,
     timetable_of,
 )
-from fuzzytime.language.grammar.words import joins
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.requirement import Unit
 
@@ -96,9 +95,6 @@ class BareHours(Standing):
     def _is_counted(self, piece: Piece, said: Said) -> bool:
         """Whether a number before it makes it the second of two: "two by four", "pages 3 through 7"."""
         before = piece.start - 1
-        if piece.start > 1 and joins(self.words, before):
-            # "A two-by-four"
-            return True
         if not self.measures.is_number(before):
             return False
         called = self.texts[before - 1] if before else ""

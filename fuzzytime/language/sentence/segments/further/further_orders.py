@@ -57,9 +57,6 @@ def further_verbs(tree: Tree, root: int, times: Sequence[Span], *, told: bool) -
     for place in range(len(tree.nodes)):
         if place in timed and place != root:
             continue
-        if place and tree.nodes[place - 1].tag == "POS" and tree.nodes[place - 1].relation == "case":
-            # "Give dad's dog its pill"
-            continue
         start = _start_at(tree, place, root, timed)
         if start is None and _is_second_statement(tree, place, root, timed, told=told):
             start = place

@@ -49,37 +49,42 @@ def _sure(prepositions: frozenset[str], halves: frozenset[str]) -> re.Pattern[st
     )
 
 
+def _with_digits(
+    fronts: Sequence[re.Match[str] | None], behind: Sequence[Sequence[re.Match[str]]]
+) -> list[bool]:
+    """Give which lines have four digits that are hours: "1830 doors", "1900 supper", "2015 raffle".
+
+    They are where one begins with a zero, or most lines begin with them.
+    """
+    digits = [
+        [found["digits"] for found in (*hours, front) if found and found["digits"]]
+        for front, hours in zip(fronts, behind, strict=True)
+    ]
+    led = sum(front is not None and front["digits"] is not None for front in fronts)
+    zero = any(number.startswith("0") for numbers in digits for number in numbers)
+    timed = zero or (led >= MOST and 2 * led >= len(fronts))
+    return [timed and bool(numbers) for numbers in digits]
+
+
 def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     """Give whether lines are a list of times, as two are surely timed, or three have numbers like hours."""
     lines = [line[0] for text in texts for line in LINE.finditer(text)]
     halves = hours_behind(lexicon.beside.of_hours)
+    behind, fronts = [[*halves.finditer(line)] for line in lines], [LEADING.match(line) for line in lines]
     prepositions = lexicon.closed.prepositions_of_points | lexicon.closed.prepositions_of_time
     surely = _sure(prepositions, lexicon.beside.of_hours)
-    sure = [surely.search(line) is not None for line in lines]
     decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
     typed = [
-        LEADING.match(line) is not None
-        or any(found["minutes"] or found["digits"] or found["last"] for found in halves.finditer(line))
-        for line in lines
+        front is not None or any(found["minutes"] or found["digits"] or found["last"] for found in hours)
+        for front, hours in zip(fronts, behind, strict=True)
     ]
     happens = sum(
         found["minutes"] is not None and has_time(words_of(line[: found.start()])[-1].text, lexicon)
-        for line in lines
-        for found in halves.finditer(line)
+        for line, hours in zip(lines, behind, strict=True)
+        for found in hours
     )
-    digits = [
-        [
-            found["digits"]
-            for found in (*halves.finditer(line), LEADING.match(line))
-            if found and found["digits"]
-        ]
-        for line in lines
-    ]
-    led = sum(found is not None and found["digits"] is not None for found in map(LEADING.match, lines))
-    zero = any(number.startswith("0") for numbers in digits for number in numbers)
-    # "1830 doors", "1900 supper", "2015 raffle"
-    if zero or (led >= MOST and 2 * led >= len(lines)):
-        sure = [one or bool(numbers) for one, numbers in zip(sure, digits, strict=True)]
+    digits = _with_digits(fronts, behind)
+    sure = [surely.search(line) is not None or one for line, one in zip(lines, digits, strict=True)]
     odd = sum(digits >= MINUTES or digits % FIVES != 0 for digits in decimals)
     # "Bus 8.02": what happens has any minutes, but no price.
     happen = happens >= TYPED and max(decimals, default=0) < MINUTES
@@ -89,11 +94,14 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     surest = [one or other for one, other in zip(sure, typed, strict=True)]
     timed = sum(surest)
     perhaps = (
-        ALONE.match(line) or any(found["ends"] is not None for found in halves.finditer(line))
-        for line in lines
+        ALONE.match(line) or any(found["ends"] is not None for found in hours)
+        for line, hours in zip(lines, behind, strict=True)
     )
     most = sum(one or bool(other) for one, other in zip(surest, perhaps, strict=True))
     if timed < MOST or FEWEST * timed < len(lines) or MOST * most < len(lines):
         return Timed.SOME
-    leading = sum(surely.match(line.strip()) is not None or LEADING.match(line) is not None for line in lines)
+    leading = sum(
+        front is not None or surely.match(line.strip()) is not None
+        for line, front in zip(lines, fronts, strict=True)
+    )
     return Timed.LEAD if leading >= MOST and MOST * leading >= timed else Timed.MOST

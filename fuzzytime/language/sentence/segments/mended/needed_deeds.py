@@ -5,7 +5,7 @@ Who speaks needs things: "we need cleaning products"; and so does what has a nou
 
 from collections.abc import Set as AbstractSet
 
-from fuzzytime.english import PARTICIPLE
+from fuzzytime.english import PARTICIPLE, is_participle
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -36,7 +36,7 @@ def _needs_deed(tree: Tree, need: int, timed: AbstractSet[int]) -> bool:
     needs = word.lower.removesuffix("s") in tree.lexicon.doing.needing and not tree.children(
         need, "neg", "aux"
     )
-    done = deed.lower.endswith(PARTICIPLE) and need + 1 not in timed
+    done = is_participle(deed.lower) and need + 1 not in timed
     return called and needs and done and not any(node.tag.startswith(("NN", "DT", "PRP")) for node in behind)
 
 

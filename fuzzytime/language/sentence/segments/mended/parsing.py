@@ -41,8 +41,6 @@ from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import with_nam
 CARRIERS = ("please ", "you should ")
 """Words that make a parser see the verb behind them, tried in this order."""
 
-LETS = frozenset({"let's", "let’s", "lets"})
-
 
 def trees_of(waiting: Sequence[Waiting], trees: Trees) -> list[Tree]:
     """Parse segments without a time in front; one whose tree is doubtful again behind other words."""
@@ -104,7 +102,7 @@ def _behind_asking(one: Waiting) -> int:
     first, second = ([word.text for word in words] + ["", ""])[:2]
     asks = first in closed.requesting_modals and second in closed.second_person
     asks = asks or (first in one.lexicon.doing.trying and second == "and")
-    asked = 2 if asks else int(first in LETS)
+    asked = 2 if asks else int(first in closed.proposing_together)
     return words[asked].start - one.main if asked < len(words) else start
 
 

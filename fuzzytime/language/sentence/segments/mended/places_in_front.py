@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from fuzzytime.english import PARTICIPLE
+from fuzzytime.english import is_participle
 from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_order, may_be_done
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
@@ -63,7 +63,7 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
             return
         if here == root and node.may_act and is_bare(node, tree.lexicon):
             return
-        led = before.text == "," or (before.tag.startswith("NN") and not before.lower.endswith(PARTICIPLE))
+        led = before.text == "," or (before.tag.startswith("NN") and not is_participle(before.lower))
         if led and may_be_done(tree, here) and nodes[here + 1].lower != "of":
             front, order = tree.text[nodes[first].start : before.end], tree.text[node.start :]
             yield _Try(place, front.rstrip(" ,"), order)

@@ -27,20 +27,7 @@ def replaced(old: Said, new: object) -> Said | None:
             new if whole is None else replace(new, time=whole, preposition=new.preposition or old.preposition)
         )
     if isinstance(new, Said):
-        bare = isinstance(new.time, Duration) or (isinstance(new.time, Wall) and new.time.bare)
-        counted = isinstance(old.time, (Duration, Offset)) and isinstance(new.time, Wall) and new.time.clock
-        if bare and counted:
-            # "Within ten minutes, no, within twenty"
-            return _counted(old, Quantity(counted.hour))
-        if new.preposition is None and bare:
-            return replaced(old, new.time)
-        if isinstance(new.time, Wall) and new.time == Wall(clock=new.time.clock):
-            # "On monday at nine, no, at six"
-            placed = replaced(old, new.time)
-            new = new if placed is None else replace(new, time=placed.time)
-        alike = type(old.time) is type(new.time) and new.constraint in MOMENTS and _is_alike(old, new)
-        # "By five pm, no, six pm"
-        return replace(old, time=new.time, hedges=new.hedges) if alike and not new.preposition else new
+        return _said_anew(old, new)
     if isinstance(new, Wall) and isinstance(old.time, Wall):
         clock = new.clock
         if clock is not None and old.time.clock is not None:
@@ -58,6 +45,22 @@ def replaced(old: Said, new: object) -> Said | None:
     if isinstance(new, Quantity) and not new.indefinite:
         return _counted(old, new)
     return None
+
+
+def _said_anew(old: Said, new: Said) -> Said | None:
+    """Give what is said instead: "within ten minutes, no, within twenty", "by five pm, no, six pm"."""
+    bare = isinstance(new.time, Duration) or (isinstance(new.time, Wall) and new.time.bare)
+    counted = isinstance(old.time, (Duration, Offset)) and isinstance(new.time, Wall) and new.time.clock
+    if bare and counted:
+        return _counted(old, Quantity(counted.hour))
+    if new.preposition is None and bare:
+        return replaced(old, new.time)
+    if isinstance(new.time, Wall) and new.time == Wall(clock=new.time.clock):
+        # "On monday at nine, no, at six"
+        placed = replaced(old, new.time)
+        new = new if placed is None else replace(new, time=placed.time)
+    alike = type(old.time) is type(new.time) and new.constraint in MOMENTS and _is_alike(old, new)
+    return replace(old, time=new.time, hedges=new.hedges) if alike and not new.preposition else new
 
 
 def _is_alike(old: Said, new: Said) -> bool:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.told.asides import OPENING, Aside
 from fuzzytime.requirement import MOMENTS, Constraint
@@ -37,13 +37,9 @@ def bounding(phrase: Phrase, *, closing: bool) -> Phrase:
 
 
 def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | None:
-    doing, closed = lexicon.doing, lexicon.closed
+    doing = lexicon.doing
     verb, behind = phrase.first - 1, phrase.end
     if verb < 1 or words[verb].text not in doing.hours or phrase.said.constraint not in MOMENTS:
-        return None
-    if not isinstance(phrase.said.time, Wall) or (
-        behind < len(words) and words[behind].text not in closed.end_of_an_aside
-    ):
         return None
     opening, named = _opening(words, verb, lexicon)
     if opening is None or not any(word.is_letters for word in _sentence_before(words, opening)):

@@ -148,9 +148,7 @@ class _Clauses:
         """Read the clause that a marker at a place begins; None where it begins none."""
         bound = self.before.bound(place) if form in WITHIN else None
         edge, first = self.markers.edge(place + len(form)) or (None, place + len(form))
-        counted = place > 0 and self.words[place - 1].text == "one"
-        if counted and {word.text for word in self.words[first : first + 1]} & self.lexicon.beside.the_other:
-            # "One after the other"
+        if self._is_one_after_the_other(place, first):
             return None
         kind = self._kind(form, bound, edge)
         if edge is None and bound is not None and isinstance(bound.said.time, Coming):
@@ -185,6 +183,12 @@ class _Clauses:
         )
         names = edge is not None or form == BY or (form == (OF,) and bound is None)
         return self._told(clause, nodes, (place, first), time, names=names)
+
+    def _is_one_after_the_other(self, place: int, first: int) -> bool:
+        """Whether a marker stands between "one" and "the other"."""
+        behind = {word.text for word in self.words[first : first + 1]}
+        one = place > 0 and self.words[place - 1].text == "one"
+        return one and not self.lexicon.beside.the_other.isdisjoint(behind)
 
     def _told(
         self,

@@ -24,8 +24,7 @@ class Reader(Particles):
 
     def operation(self, action: Action) -> Operation:
         """Give the operation of an action."""
-        verb = action.place
-        node = self.tree.nodes[verb]
+        verb, node = action.place, self.tree.nodes[action.place]
         clause = small_clause(self.tree, verb)
         result = self._participle(verb) if clause is None else self._result(clause)
         result = result or self._joined_result(verb) or self._let(verb)
@@ -44,10 +43,9 @@ class Reader(Particles):
             attending = self.attending(verb)
             direct, particle = self.said(attending), None if particle in attending else particle
         whole_verb = self._whole_verb(verb)
-        places += whole_verb[:-1]
-        purpose = [] if stated else self._purpose(verb, [*whole, *places, *where])
-        taken = [*whole, *places, *where, *purpose]
-        how = [] if stated and node.lemma == "be" else self.manner(verb, taken)
+        taken = [*whole, *places, *whole_verb[:-1], *where]
+        purpose = [] if stated else self._purpose(verb, taken)
+        how = [] if stated and node.lemma == "be" else self.manner(verb, [*taken, *purpose])
         return Operation(
             # "Robot 2 cleans the tank" asks it to clean the tank.
             verb=" ".join(self.tree.nodes[p].lower for p in whole_verb) if doer is None else node.lemma,

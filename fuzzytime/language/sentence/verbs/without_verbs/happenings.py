@@ -2,12 +2,11 @@
 
 from collections.abc import Sequence
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Repeat
 from fuzzytime.language.meaning.phrases import is_at_clock, is_window
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
-from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.places import Places
 from fuzzytime.requirement import MOMENTS, Constraint
 
@@ -66,11 +65,8 @@ def _opens_order(tree: Tree) -> bool:
     if tree.root and first.lower in tree.lexicon.appointing:
         # "Schedule lunch at noon" asks for it.
         return True
-    if tree.root == 0 and any(node.tag in {"DT", "PRP$"} for node in behind):
-        # "Book the meeting room from three to four": no noun stands right before an article.
-        return True
-    # "Text Jo Smith at five"
-    return first.lower in tree.lexicon.addressing and any(_is_person(node, tree.lexicon) for node in behind)
+    # "Book the meeting room from three to four": no noun stands right before an article.
+    return tree.root == 0 and any(node.tag in {"DT", "PRP$"} for node in behind)
 
 
 def _is_frame(tree: Tree, phrases: Sequence[Phrase]) -> bool:
@@ -84,11 +80,6 @@ def _is_somebodys(tree: Tree, root: int) -> bool:
     """Whether it is named by whose it is, which no order is: "kids' bath at half six"."""
     owners = tree.children(root, "poss")
     return tree.nodes[root].tag in {*SINGULAR, "VBG"} and any(tree.children(p, "case") for p in owners)
-
-
-def _is_person(node: Node, lexicon: Lexicon) -> bool:
-    """Whether a word names somebody."""
-    return node.tag == "NNP" or node.lower in lexicon.people
 
 
 def _leads_particle(tree: Tree) -> bool:
