@@ -74,9 +74,9 @@ def run_on_orders(waiting: Sequence[Waiting], found: Sequence[Tree], trees: Tree
             # "Wake me at six I'm flying at nine"; but "text Ann at six I'm late"
             sure = attempt.sure and bool(one.nodes) and one.nodes[0].lemma not in messages
             done = _has_object(one) or (sure and bool(one.children(one.root, "prt")))
-            whole = is_whole(one, timed=sure) and done and _tells(other)
+            whole = is_whole(one, timed=sure) and done and tells(other)
         else:
-            whole = _tells(one) if attempt.tells else is_whole(one, timed=attempt.timed)
+            whole = tells(one) if attempt.tells else is_whole(one, timed=attempt.timed)
             surely = attempt.timed or not attempt.tells or _is_state(one)
             whole = whole and (surely or _is_done_with_it(other, 0))
             whole = whole and (attempt.sure or governs(other) or governs(own))
@@ -238,7 +238,7 @@ def is_whole(tree: Tree, *, timed: bool) -> bool:
     return (timed or not leads) and named
 
 
-def _tells(tree: Tree) -> bool:
+def tells(tree: Tree) -> bool:
     """Whether words tell what somebody does, or what is, from their first: "we're having guests at seven"."""
     root = tree.root
     if not tree.nodes or not tree.nodes[root].is_verb:
