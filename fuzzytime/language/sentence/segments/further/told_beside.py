@@ -99,7 +99,7 @@ def _may_tell(tree: Tree, place: int) -> bool:
         behind = behind[:1]
     finite = (node.tag in OPEN | {"POS"} for node in behind)
     taken = (node.may_act and node.tag in NOUNS | {"NNPS", "VB"} for node in behind)
-    return (known or first.tag in TELLING) and (any(finite) or any(taken))
+    return known or (first.tag in TELLING and (any(finite) or any(taken)))
 
 
 def _may_order(tree: Tree, place: int) -> bool:

@@ -109,7 +109,11 @@ def _names_doer(tree: Tree) -> bool:
     bare = singular_verb(does.lower)
     acts = does.lower.endswith("s") and (does.may_act or bare in lexicon.addressing)
     led = any(node.tag in DETERMINERS or node.lower in lexicon.people for node in behind)
-    return acts and tree.nodes[0].relation not in SUBJECTS and (led or bare in lexicon.needing_nothing)
+    return (
+        acts
+        and tree.nodes[0].relation not in SUBJECTS
+        and (led or bare in lexicon.needing_nothing | lexicon.alone)
+    )
 
 
 def with_event(tree: Tree) -> Tree:
