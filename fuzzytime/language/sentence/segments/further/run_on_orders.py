@@ -14,9 +14,10 @@ from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER, COMPLEMENTS, binds, is_bare, is_order
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.waiting import Waiting
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
+from fuzzytime.language.sentence.verbs.statements.beside_orders import subjects_before
 
 LEAST = 2
 """Words of an order that another may stand behind, at least."""
@@ -243,7 +244,7 @@ def tells(tree: Tree) -> bool:
     root = tree.root
     if not tree.nodes or not tree.nodes[root].is_verb:
         return False
-    subjects = tree.children(root, *SUBJECTS, "expl")
+    subjects = subjects_before(tree, root)
     verbs = (root, *tree.children(root, "aux", "auxpass"))
     finite = any(tree.nodes[place].tag in FINITE | {"VBP", "MD"} for place in verbs)
     return finite and any(tree.reach(place)[0] == 0 for place in subjects)
