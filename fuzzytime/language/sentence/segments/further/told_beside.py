@@ -8,15 +8,18 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
-from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_order
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.further.run_on_orders import tells
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, NOUNS, PRESENT
-from fuzzytime.language.sentence.trees.tree import Tree, Trees
+from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
+from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
 from fuzzytime.language.sentence.verbs.statements.called import with_doer
 from fuzzytime.language.sentence.verbs.statements.statement_trees import as_statement
+
+APOSTROPHES = frozenset({"'", "’"})
 
 LEAST = 2
 """Words of an order, or of what is told, at least."""
@@ -72,10 +75,12 @@ def told_beside(waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees)
 def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     lexicon, source, timed = tree.lexicon, one.source, one.timed(tree)
     joints = lexicon.closed.joints_of_orders - {"then", "also", "please"}
-    may_begin = bool(tree.nodes) and tree.nodes[0].may_act and is_bare(tree.nodes[0], lexicon)
+    denied = bool(lexicon.closed.negators_as_typed.intersection(node.lower for node in tree.nodes[:2]))
+    may_begin = denied or any(node.may_act and is_bare(node, lexicon) for node in tree.nodes[:1])
     for here in range(LEAST + 1, len(tree.nodes) - 1):
         joint, start = tree.nodes[here - 1].lower, tree.nodes[here].start + one.main
-        if joint not in joints or not timed.isdisjoint({here, here - 1}):
+        joined = joint in joints and here - 1 not in timed
+        if here in timed or not (joined or (may_begin and _is_parted(tree, here, timed))):
             continue
         before = {*source.places(one.main, start)} - source.covered
         if any(longest_match(source.scanned.words, word, lexicon.clauses) for word in before):
@@ -90,11 +95,28 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
             yield _Try(place, start, one.main, second, first)
 
 
+def _is_parted(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
+    """Whether what is told begins where an order is over: "turn the tv on at eight | the game is starting".
+
+    So it does behind a particle: "bring the washing in | it's raining"; but "text Ann at six I'm late".
+    """
+    lexicon, (before, node, behind) = tree.lexicon, tree.nodes[place - 1 : place + 2]
+    pronoun = node.lower in lexicon.closed.subject_pronouns
+    if place - 1 in timed:
+        clipped = behind.text[0] in APOSTROPHES
+        messages = lexicon.no_times.speaking | lexicon.no_times.sending
+        return (pronoun or node.tag in DETERMINERS) and not (clipped and tree.nodes[0].lemma in messages)
+    over = (before.lower,) in lexicon.courtesies or before.lower in lexicon.particles
+    over = over and all(below < place - 1 for below in tree.children(place - 1))
+    return over and pronoun and behind.text[0] in APOSTROPHES
+
+
 def _may_tell(tree: Tree, place: int) -> bool:
     """Whether words behind a joint may tell something: one of them may be what somebody does."""
     first, *behind = tree.nodes[place:]
     known = first.lower in tree.lexicon.people
-    if first.tag in {"NN", "NNS"} and not known:
+    sure = known or _is_surely_timed(behind, tree.lexicon)
+    if first.tag in {"NN", "NNS"} and not sure:
         # "School starts at nine"; but "buy stamps, cards and the tea mum likes"
         behind = behind[:1]
     finite = (node.tag in OPEN | {"POS"} for node in behind)
@@ -111,16 +133,18 @@ def _may_order(tree: Tree, place: int) -> bool:
 
 def _is_asked(tree: Tree) -> bool:
     """Whether words are an order that is said to its end."""
+    lexicon = tree.lexicon
     if not tree.nodes or any(node.tag in OPEN - {"VBP"} for node in tree.nodes[1:]):
         return False
     if is_bare_order(tree, 0, frozenset()):
         # "Text jo at five"
         return True
-    first = tree.nodes[0]
-    whole = bool(tree.children(0, *WHOLE)) or first.lower in tree.lexicon.needing_nothing
+    verb = tree.root if denied_from(tree, tree.root) == 0 else 0
+    node = tree.nodes[verb]
+    whole = bool(tree.children(verb, *WHOLE)) or node.lower in lexicon.needing_nothing
     # "Please hoover the stairs": a tree may have that for no verb.
-    done = is_order(tree) if first.tag in IMPERATIVE else tree.root == 0 and bool(tree.children(0, "dobj"))
-    return whole and done and first.may_act and is_bare(first, tree.lexicon)
+    done = is_order(tree) if node.tag in IMPERATIVE else tree.root == 0 and bool(tree.children(0, "dobj"))
+    return whole and done and node.may_act and is_bare(node, lexicon)
 
 
 def _is_told(tree: Tree, timed: AbstractSet[int]) -> bool:
@@ -129,8 +153,13 @@ def _is_told(tree: Tree, timed: AbstractSet[int]) -> bool:
         return False
     lexicon, first = tree.lexicon, tree.nodes[0]
     known = first.lower in lexicon.people | lexicon.happening | lexicon.taken
-    ordered = first.may_act and first.tag not in DETERMINERS and not known
-    if not ordered and not tree.children(tree.root, "relcl"):
+    known = known or first.tag in DETERMINERS or _is_surely_timed(tree.nodes, lexicon)
+    if (known or not first.may_act) and not tree.children(tree.root, "relcl"):
         tree = as_statement(with_doer(tree), timed, lexicon.travelling)
     verbs = (tree.root, *tree.children(tree.root, "aux", "auxpass"))
     return tells(tree) and any(tree.nodes[place].tag in OPEN for place in verbs)
+
+
+def _is_surely_timed(nodes: Sequence[Node], lexicon: Lexicon) -> bool:
+    """Whether a word is hardly anything but what something with a time does: "garden centre shuts"."""
+    return not lexicon.doing.surely_timed.isdisjoint(node.lower for node in nodes)
