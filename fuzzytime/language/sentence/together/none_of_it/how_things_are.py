@@ -44,7 +44,7 @@ def holds_true(tree: Tree) -> bool:
     finite = node.tag in tags.PRESENT or any(one.lemma == "do" for one in helping)
     # "I've got an interview"
     got = node.lower == GOT and any(one.lower in closed.have for one in helping)
-    asked = node.lemma in doing.needing or node.lower in closed.have
+    asked = node.lemma in doing.needing or node.lower in closed.have | {GOT}
     if tree.children(root, "ccomp") or (asked and tree.children(root, "xcomp")):
         # "Bob needs to be called"; but "he likes to chat"
         return False
