@@ -155,7 +155,11 @@ def _is_told(tree: Tree, timed: AbstractSet[int]) -> bool:
     known = first.lower in lexicon.people | lexicon.happening | lexicon.taken
     known = known or first.tag in DETERMINERS or _is_surely_timed(tree.nodes, lexicon)
     if (known or not first.may_act) and not tree.children(tree.root, "relcl"):
-        tree = as_statement(with_doer(tree), timed, lexicon.travelling)
+        told = as_statement(with_doer(tree), timed, lexicon.travelling)
+        verb = told.nodes[told.root]
+        # "The train leaves at nine"; but "order the screws today and the drill bits at ten"
+        plural = tree.nodes[told.root].tag == "NNS" and first.lower not in lexicon.people
+        tree = tree if plural and verb.lower not in lexicon.doing.timed else told
     verbs = (tree.root, *tree.children(tree.root, "aux", "auxpass"))
     return tells(tree) and any(tree.nodes[place].tag in OPEN for place in verbs)
 
