@@ -178,10 +178,7 @@ def _governing(tree: Tree) -> int | None:
 
 
 def _keeps_on(tree: Tree, root: int) -> bool:
-    """Whether it tells what happens again and again, or what others like: "I keep losing my keys".
-
-    But "I will keep it on", "I like to have it ready".
-    """
+    """Whether it tells what happens again, or others like: "I keep losing it"; but "I will keep it on"."""
     closed, node = tree.lexicon.closed, tree.nodes[root]
     helping = tree.children(root, "aux")
     # "She loves talking": a tree may have the first for one that helps
