@@ -118,7 +118,9 @@ def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
         or holds_stretch(scanned.words, piece.start, piece.end, lexicon)
         or is_moved(scanned.words, piece.start, piece.end, lexicon)
     ]
-    called += [piece for piece in scanned.pieces("hours open") if judge.walls.is_open(piece.start)]
+    # "She works three to five shifts"
+    open_hours = (piece for piece in scanned.pieces("hours open") if judge.around.may_end(piece))
+    called += [piece for piece in open_hours if judge.walls.is_open(piece.start)]
     called += [piece for piece in scanned.pieces("so many each") if judge.lengths.counts_each(piece)]
     instead = {(piece.start, piece.end) for piece in called}
     said = [piece for piece in scanned.pieces("said") if (piece.start, piece.end) not in instead]

@@ -143,7 +143,7 @@ class _Composer:
             self.moment,
             listed=place > 0 and sketch.part is sketches[place - 1].part,
             follows=then or follows_night(sketches, place),
-            due=due_of(self.draft.text, sketches[:place], sketch, instructions, self.moment.since),
+            due=due_of(self.draft.text, sketches[:place], sketch, instructions, self.moment),
             leads=leads_to(sketches, place, self.draft.text),
             overnight=side_of_night(sketches, place, self.draft.text),
             onto=follows_on(sketches, place, self.draft.text) or (then and place > 0),

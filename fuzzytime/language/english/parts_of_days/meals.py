@@ -77,11 +77,15 @@ def beside_meals(preposition: Preposition, meals: Meals) -> Said | None:
     return _at_each(meals, Said(Wall(), preposition.constraint, preposition.name, edge=preposition.edge))
 
 
-@grammar.rule("said", "<preposition_before> the? <meal> at|@ <clock>", weight=1.2)
-def before_meal_at(preposition: Preposition, meal: Part, clock: Clock) -> Said | None:
-    """Before lunch at one, until tea at five: when it is."""
+@grammar.rule("said", "<preposition_before>|<preposition_after> the? <meal> at|@ <clock>", weight=1.2)
+def beside_meal_at(preposition: Preposition, meal: Part, clock: Clock) -> Said | None:
+    """Before lunch at one, until tea at five, after dinner at seven: when it is."""
+    before = preposition.constraint is Constraint.BEFORE
+    # "After lunch at three", "before school at seven" says when to do it.
+    then = any(meal.start <= seconds < meal.end + before for seconds in clock.candidates())
+    is_then = then or (before and not meal.place)
     time = Wall(part=meal, clock=clock)
-    return None if meal.place else Said(time, preposition.constraint, preposition.name, edge=preposition.edge)
+    return Said(time, preposition.constraint, preposition.name, edge=preposition.edge) if is_then else None
 
 
 @grammar.rule(

@@ -109,6 +109,11 @@ class BehindTimes(LookedUp):
             return True
         # "At six pizza with Ana", "at ten log in": what more than one counts is a plural.
         alone = not behind[:1].isdigit() and counts_nothing(self.words, piece.end, self.lexicon)
+        # "At six robot 2 weld the frame", "at one lunch"
+        alone = alone or (behind.isdigit() and follower in self.lexicon.called_by_number)
+        happens = follower in self.lexicon.happening | self.lexicon.taken
+        if happens and self.texts[piece.start : piece.end] == ["at", "one"]:
+            return True
         return alone and self._ends_in_number(piece)
 
     def _ends_in_number(self, piece: Piece) -> bool:

@@ -1,6 +1,6 @@
 """What two days mean that are said side by side: "monday next week", "tomorrow, the 13th"."""
 
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, is_weekday
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, is_weekday
 from fuzzytime.language.meaning.days.nested import Within
 from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative, Which
 from fuzzytime.requirement import Unit
@@ -16,6 +16,10 @@ def narrowed(first: Calendar, second: Calendar) -> Calendar | None:
     """
     if isinstance(first, Fields) and isinstance(second, Fields):
         return first.joined(second)
+    for weekend, day in ((first, second), (second, first)):
+        # "Next weekend, saturday if possible"
+        if isinstance(weekend, Deictic) and isinstance(weekend.of, Weekend) and is_weekday(day):
+            return Within(day, weekend)
     sizes = list(Unit)
     finer, coarser = sorted((first, second), key=lambda calendar: sizes.index(calendar.grain))
     if sizes.index(finer.grain) >= sizes.index(coarser.grain):

@@ -241,5 +241,5 @@ def before_due(here: Standpoint, clock: Clock) -> list[datetime]:
     moments = [day + timedelta(seconds=seconds) for day in days for seconds in clock.candidates()]
     last = max(moment for moment in moments if moment <= here.due)
     # "My shift starts at nine, leave at five" is behind it.
-    early = not here.ends and not _is_plausible(here, last, ahead=True)
+    early = not here.ends and last != here.due and not _is_plausible(here, last, ahead=True)
     return [last] if last > here.now and here.due - last <= FOLLOWING and not early else []

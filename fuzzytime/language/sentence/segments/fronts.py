@@ -26,6 +26,9 @@ BINDING = frozenset({"DT", "PRP$", "TO", "MD", "IN", "CC", "PDT", "WDT", "EX"})
 OPENING = frozenset({"DT", "PRP", "PRP$"})
 """Tags of words that begin what an order is about."""
 
+NAMING = frozenset({"JJ", "NN", "NNS", "NNP", "CD", "POS"})
+"""Tags of words behind an article that name one thing."""
+
 HELPING = frozenset({"have", "do", "get"})
 """Verbs that help another, beside "be" and the modals."""
 
@@ -156,8 +159,13 @@ def may_be_done(tree: Tree, place: int) -> bool:
 
 
 def _is_wish(tree: Tree, place: int) -> bool:
-    """Whether somebody begins to say what is to be done: "when it is dark | I want to lock up"."""
+    """Whether it begins to be said what is to be done, or be so: "when it is dark | I want to lock up"."""
     behind = tree.nodes[place + 1 : place + 3]
+    if tree.nodes[place].tag in {"DT", "PRP$"}:
+        # "Before the guests arrive | the hall must be swept"
+        due = tree.lexicon.closed.obligation | tree.lexicon.closed.verbs_of_obligation
+        thing = next((node for node in tree.nodes[place + 1 :] if node.tag not in NAMING), None)
+        return bool(behind) and thing is not None and (thing.tag in {"VBZ", "MD"} or thing.lower in due)
     asks = any(node.tag == "MD" or node.lemma in tree.lexicon.wanting for node in behind[:1])
     # "If it rains I have to bring in the washing"
     asks = asks or [node.lemma for node in behind] == ["have", "to"]

@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.segments.further.calls import addressed, called
 from fuzzytime.language.sentence.segments.further.orders_behind_joints import orders_behind_joints
 from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.further.same_doers import done_next
+from fuzzytime.language.sentence.segments.further.told_beside import told_beside
 from fuzzytime.language.sentence.segments.further.verbs_left_out import with_own_verbs
 from fuzzytime.language.sentence.segments.mended.parsing import trees_of, uncapitalised
 from fuzzytime.language.sentence.segments.segment import Segment, segments_of
@@ -69,7 +70,8 @@ def _cut_again(
     """Give for each segment what waits anew in its place; nothing where it is one instruction."""
     alone = [place for place in range(len(waiting)) if place not in led]
     unled = [waiting[place] for place in alone], [parsed[place].tree for place in alone]
-    runs_on = {alone[at]: start for at, start in run_on_orders(*unled, trees).items()}
+    second = told_beside(*unled, trees) | run_on_orders(*unled, trees)
+    runs_on = {alone[at]: start for at, start in second.items()}
     cuts = [
         list(one.cut_at(led[place].start, led[place].main))
         if place in led

@@ -255,6 +255,11 @@ def _behind_place(tree: Tree, place: int) -> int:
     return next(led, start)
 
 
+def _is_let(tree: Tree, place: int) -> bool:
+    """Whether somebody is let do it."""
+    return tree.nodes[tree.nodes[place].head].lemma == "let"
+
+
 def _is_embedded(tree: Tree, place: int, root: int) -> bool:
     """Whether a verb is joined to one that the instruction is about: "remind me to call mum and buy milk"."""
     for above in tree.above(place):
@@ -264,10 +269,11 @@ def _is_embedded(tree: Tree, place: int, root: int) -> bool:
         # "Leave the dough covered and shape it": a bare verb is no second participle.
         apart = node.tag in {"VBN", "VBG"} and tree.nodes[place].tag == "VB"
         # "Let the dough rest overnight and bake it in the morning": what rests bakes nothing.
-        acts = any(
-            tree.nodes[p].lower in tree.lexicon.closed.it_or_them for p in tree.children(place, "dobj")
-        )
-        apart = apart or (acts and node.relation == "ccomp" and not tree.children(above, "dobj", "dative"))
+        objects = tree.said(tree.children(place, "dobj", "dative"))
+        acts = bool(objects & tree.lexicon.closed.it_or_them) and not tree.children(above, "dobj", "dative")
+        # "Let me rest for an hour and wake me at four"
+        acts = acts or (bool(objects & tree.lexicon.closed.speakers) and _is_let(tree, above))
+        apart = apart or (acts and node.relation == "ccomp")
         if node.relation in EMBEDDED and node.tag not in FINITE and not apart:
             return True
     return False

@@ -1,9 +1,8 @@
 """Orders one behind the other without a joint: "feed the baby at six bath her at seven".
 
-So is an order behind what is told with its time: "the gym opens at six remind me to pack", and what is told
-behind an order with its time: "turn the tv on at eight the game is starting". One tree of both
-mostly goes wrong, as it does for clauses in front (``fronts``). So it is tried: wherever a bare verb governs
-something and nothing joins it to what stands before, both parts are parsed.
+So is an order behind what is told with its time: "the gym opens at six remind me to pack". One tree of
+both mostly goes wrong, as it does for clauses in front (``fronts``). So it is tried: wherever a bare verb
+governs something and nothing joins it to what stands before, both parts are parsed.
 """
 
 from collections.abc import Iterator, Sequence
@@ -14,14 +13,13 @@ from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER, COMPLEMENTS, binds, is_bare, is_order
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.waiting import Waiting
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
+from fuzzytime.language.sentence.verbs.statements.beside_orders import subjects_before
 
 LEAST = 2
 """Words of an order that another may stand behind, at least."""
-
-APOSTROPHES = frozenset({"'", "’"})
 
 OBJECTS = ("dobj", "prt", "dative", "npadvmod", "prep", "advmod")
 """What an order governs that is whole."""
@@ -35,15 +33,14 @@ FINITE = frozenset({"VBZ", "VBD"})
 class _Try:
     """A place at which a further order may begin, with both parts.
 
-    ``timed`` where a time ends the first, ``tells`` where that may be no order, ``told`` where the
-    second may be none, ``sure`` where its words alone say that it is one.
+    ``timed`` where a time ends the first, ``tells`` where that may be no order, ``sure`` where the
+    words of the second alone say that it is one.
     """
 
     one: int
     start: int
     timed: bool
     tells: bool
-    told: bool
     sure: bool
     before: str
     behind: str
@@ -61,25 +58,17 @@ def run_on_orders(waiting: Sequence[Waiting], found: Sequence[Tree], trees: Tree
     ]
     carriers = ["" if attempt.tells else CARRIER for attempt in tries]
     before = trees([carrier + one.before for carrier, one in zip(carriers, tries, strict=True)])
-    led = ["" if attempt.told else CARRIER for attempt in tries]
-    behind = trees([carrier + attempt.behind for carrier, attempt in zip(led, tries, strict=True)])
+    behind = trees([CARRIER + attempt.behind for attempt in tries])
     # "Play some rain sounds" has its object in a tree of its own alone.
-    alone = trees(["" if attempt.told else attempt.behind for attempt in tries])
+    alone = trees([attempt.behind for attempt in tries])
     cut: dict[int, int] = {}
     for attempt, carrier, first, second, own in zip(tries, carriers, before, behind, alone, strict=True):
         one = first.without_carrier(carrier, attempt.before, 0)
-        other = second.without_carrier("" if attempt.told else CARRIER, attempt.behind, 0)
-        if attempt.told:
-            messages = one.lexicon.no_times.speaking | one.lexicon.no_times.sending
-            # "Wake me at six I'm flying at nine"; but "text Ann at six I'm late"
-            sure = attempt.sure and bool(one.nodes) and one.nodes[0].lemma not in messages
-            done = _has_object(one) or (sure and bool(one.children(one.root, "prt")))
-            whole = is_whole(one, timed=sure) and done and _tells(other)
-        else:
-            whole = _tells(one) if attempt.tells else is_whole(one, timed=attempt.timed)
-            surely = attempt.timed or not attempt.tells or _is_state(one)
-            whole = whole and (surely or _is_done_with_it(other, 0))
-            whole = whole and (attempt.sure or governs(other) or governs(own))
+        other = second.without_carrier(CARRIER, attempt.behind, 0)
+        whole = tells(one) if attempt.tells else is_whole(one, timed=attempt.timed)
+        surely = attempt.timed or not attempt.tells or _is_state(one)
+        whole = whole and (surely or _is_done_with_it(other, 0))
+        whole = whole and (attempt.sure or governs(other) or governs(own))
         if attempt.one not in cut and whole:
             cut[attempt.one] = attempt.start
     return cut
@@ -92,17 +81,14 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     source, end, timed = one.source, one.segment.span[1], one.timed(tree)
     tells = not tree.nodes[0].may_act
     for here in range(LEAST, len(tree.nodes) - 1):
-        behind_time = (here - 2 if tree.nodes[here - 1].text == "," else here - 1) in timed
-        apart = behind_time or _is_parted(tree, here)
-        told = not tells and apart and here not in timed and _may_tell(tree, here)
-        if here in timed or not (told or _may_begin(tree, here, timed)):
+        if here in timed or not _may_begin(tree, here, timed):
             continue
         if tells and here - 1 not in timed and not _may_be_state(tree, here):
             # "The kids have to make their beds"
             continue
         led = next((place for place in range(here - 1, -1, -1) if place not in timed), 0)
         joined = tree.nodes[led].lower in lexicon.closed.joints_of_orders
-        if joined and not told and not _is_listed(tree, here, timed):
+        if joined and not _is_listed(tree, here, timed):
             # "Set the table, and by seven have the soup ready"
             continue
         turned = lexicon.beside.turning | lexicon.beside.contrary
@@ -115,8 +101,7 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
         said = source.sound[one.main : start].strip()
         bare = is_bare_order(tree, here, timed)
         sure = here - 1 in timed and (bare or _is_carried(tree, here, timed))
-        sure = tree.nodes[here + 1].text[0] in APOSTROPHES if told else sure
-        yield _Try(place, start, here - 1 in timed, tells, told, sure, said, source.sound[verb:end])
+        yield _Try(place, start, here - 1 in timed, tells, sure, said, source.sound[verb:end])
 
 
 def _may_begin(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
@@ -194,26 +179,6 @@ def _is_done_with_it(tree: Tree, verb: int) -> bool:
     return any(tree.nodes[p].lower in tree.lexicon.closed.it_or_them for p in tree.children(verb, "dobj"))
 
 
-def _may_tell(tree: Tree, place: int) -> bool:
-    """Whether who or what something is told of stands there, with a verb: "… | the game is starting"."""
-    node = tree.nodes[place]
-    subject = node.lower in tree.lexicon.closed.subject_pronouns or node.tag in DETERMINERS
-    return subject and any(one.tag in FINITE | {"VBP", "MD"} for one in tree.nodes[place + 1 :])
-
-
-def _is_parted(tree: Tree, place: int) -> bool:
-    """Whether "it's" or "I'm" stands where an order is over: "bring the washing in | it's raining"."""
-    before, node, behind = tree.nodes[place - 1 : place + 2]
-    over = (before.lower,) in tree.lexicon.courtesies or before.lower in tree.lexicon.particles
-    over = over and all(below < place - 1 for below in tree.children(place - 1))
-    return over and node.lower in tree.lexicon.closed.subject_pronouns and behind.text[0] in APOSTROPHES
-
-
-def _has_object(tree: Tree) -> bool:
-    """Whether an order has its object, and is none that asks for what may be told: "check the oven"."""
-    return bool(tree.children(tree.root, "dobj", "dative"))
-
-
 def _is_listed(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether a word begins a stretch with its time behind another: "feed fish at 8, | walk dog at 9"."""
     if place < LEAST or tree.nodes[place - 1].text != "," or place - LEAST not in timed:
@@ -238,12 +203,12 @@ def is_whole(tree: Tree, *, timed: bool) -> bool:
     return (timed or not leads) and named
 
 
-def _tells(tree: Tree) -> bool:
+def tells(tree: Tree) -> bool:
     """Whether words tell what somebody does, or what is, from their first: "we're having guests at seven"."""
     root = tree.root
     if not tree.nodes or not tree.nodes[root].is_verb:
         return False
-    subjects = tree.children(root, *SUBJECTS, "expl")
+    subjects = subjects_before(tree, root)
     verbs = (root, *tree.children(root, "aux", "auxpass"))
     finite = any(tree.nodes[place].tag in FINITE | {"VBP", "MD"} for place in verbs)
     return finite and any(tree.reach(place)[0] == 0 for place in subjects)

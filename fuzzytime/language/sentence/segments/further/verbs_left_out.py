@@ -117,18 +117,22 @@ def _times_in_front(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int
     """Give where what happens at a time in front begins: "monday gym at six and tuesday choir at seven"."""
     words, lexicon = one.source.scanned.words, part.lexicon
     heads = own[:1] and own[0].span[0] == one.segment.span[0]
-    if not heads or part.tree.nodes[part.tree.root].tag not in NAMES:
+    if not heads:
         return []
     found, timed = [], places_in(own)
+    listed = part.tree.nodes[part.tree.root].tag in NAMES
     for new in own[1:]:
         end = new.end
-        for further in own:
-            end = further.end if further.first == end else end
-        behind = words[end].text if end < len(words) else ""
+        for beside in own:
+            end = beside.end if beside.first == end else end
+        behind, further = ([word.text for word in words[end : end + 2]] + ["", ""])[:2]
+        # "At six swim and at eight dinner"; but "at eight lunch boxes"
+        ends = not further.isalpha() or further in lexicon.function_words
+        happens = ends and behind in lexicon.happening | lexicon.taken
         # "Monday and tuesday gym" is the same on both.
         named = not timed.issuperset(range(own[0].end, new.first - 1))
         led = words[new.first - 1].text == "and" and named
-        if led and behind.isalpha() and behind not in lexicon.function_words:
+        if led and (happens or (listed and behind.isalpha() and behind not in lexicon.function_words)):
             found.append(new.span[0])
     return found
 

@@ -31,8 +31,8 @@ from fuzzytime.language.sentence.verbs.meant.actions import action_of, gone_to_d
 from fuzzytime.language.sentence.verbs.statements.called import (
     with_called,
     with_clause,
+    with_doer,
     with_event,
-    with_worker,
 )
 from fuzzytime.language.sentence.verbs.statements.statement_trees import as_statement, leaves
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import happens, may_be_ordered
@@ -89,7 +89,7 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
     tree = with_purpose(with_aim(tree, timed))
     tree = with_event_names(with_object_of_aim(tree, timed), timed)
     tree = with_event(with_clause(with_reminded(tree)))
-    tree = with_called(with_worker(with_needed_deed(tree, timed)), timed)
+    tree = with_called(with_doer(with_needed_deed(tree, timed)), timed)
     tree = with_named_deed(tree, timed) if timed or one.heard_from else tree
     return as_statement(tree, timed, one.lexicon.travelling)
 

@@ -59,20 +59,27 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     timed, root = one.timed(tree), tree.root
     for here in range(first + LEAST, len(nodes) - 1):
         node, before = nodes[here], nodes[here - 1]
-        if here in timed or not timed.isdisjoint(range(first, here)):
-            return
+        if here in timed:
+            continue
         if here == root and node.may_act and is_bare(node, tree.lexicon):
             return
-        led = before.text == "," or (before.tag.startswith("NN") and not is_participle(before.lower))
+        # "On your way home at five pick up milk"
+        led = (
+            before.text == ","
+            or here - 1 in timed
+            or (before.tag.startswith("NN") and not is_participle(before.lower))
+        )
         if led and may_be_done(tree, here) and nodes[here + 1].lower != "of":
             front, order = tree.text[nodes[first].start : before.end], tree.text[node.start :]
             yield _Try(place, front.rstrip(" ,"), order)
 
 
 def _says_where(tree: Tree) -> bool:
-    """Whether words are a preposition and its thing, to the last."""
+    """Whether words are a preposition and its thing, to the last: "on the way to work"."""
     things = tree.children(0, "pobj") if tree.root == 0 else ()
-    return bool(things) and things[-1] == len(tree.nodes) - 1
+    return (
+        bool(things) and max(tree.below(0)) == len(tree.nodes) - 1 and not any(n.is_verb for n in tree.nodes)
+    )
 
 
 def _governs(tree: Tree) -> bool:

@@ -51,7 +51,9 @@ def told_from(
         if clipped and _is_subject(words[behind].text, lexicon):
             # "Text mike at six i'm late"
             return behind
-        if end not in covered and _opens(words, end, covered, lexicon, sure=known):
+        # "Email raj today and they want it by two"
+        joined = "and" in {word.text for word in words[end - 1 : end + 1]}
+        if end not in covered and not joined and _opens(words, end, covered, lexicon, sure=known):
             return end
     return None
 

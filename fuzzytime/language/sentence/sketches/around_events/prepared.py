@@ -3,8 +3,10 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.instruction import Instruction
-from fuzzytime.language.meaning.expressions import HourMark
-from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
+from fuzzytime.language.meaning.expressions import HourMark, Phrase, Wall
+from fuzzytime.language.meaning.grounded.moment import Moment
+from fuzzytime.language.meaning.instants import midnight
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Part
 from fuzzytime.language.sentence.sketches.its_times.referred import is_there
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
@@ -18,19 +20,20 @@ def due_of(
     before: Sequence[Sketch],
     sketch: Sketch,
     instructions: Sequence[Instruction],
-    since: float | None,
+    moment: Moment,
 ) -> float | None:
-    """Give when in seconds that happens which an instruction prepares, by those before it; None for none.
-
-    ``since`` is the clock time that a line before it said last.
-    """
+    """Give when in seconds that happens which an instruction prepares, by those before it; None for none."""
     words = text[: sketch.part.segment.span[0]].lower().split()
     # "The train goes at five past nine, be on the platform by nine"
     bounded = any(phrase.said.constraint is Constraint.BEFORE for phrase in sketch.phrases)
     goes = _goes(sketch)
     if goes and _is_to_the_hour(sketch):
         # "Vet at ten", then "leave at twenty to"
-        return _begin_of(instructions[-1]) if before else since
+        return _begin_of(instructions[-1]) if before else moment.since
+    part = next((part for part in map(_part_due, sketch.phrases) if part is not None), None)
+    if part is not None and moment.now is not None:
+        here = moment.grounding().now
+        return (part.start - (here - midnight(here.date())).total_seconds()) % DAY_SECONDS
     so = words[-1:] == ["so"]
     if not before or not (so or bounded or goes) or before[-1].operation is None:
         return None
@@ -41,6 +44,14 @@ def due_of(
         # "Story at seven, lights out by half past" is one after the other.
         return None
     return _begin_of(instructions[-1])
+
+
+def _part_due(phrase: Phrase) -> Part | None:
+    """Give the part of a day before which something is to be done: "before bed, around ten"."""
+    wall = phrase.said.time
+    if not isinstance(wall, Wall) or wall.clock is not None or wall.days is not None:
+        return None
+    return wall.part if phrase.said.constraint is Constraint.BEFORE else None
 
 
 def _begin_of(instruction: Instruction) -> float | None:

@@ -89,11 +89,15 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
         # "Post it by noon so they get it tomorrow"
         ends_so = not lexicon.closed.it_or_them & part.tree.said(part.tree.children(verb, "dobj"))
         own_end = ends_so and nodes[subjects[0]].lower in lexicon.closed.anaphors
-        if nodes[so].lower != "so" or (own_end and nodes[verb].lemma not in lexicon.doing.arriving):
-            # "Soak it overnight so it's ready by six"; but "order it today so that it comes on friday"
+        # "Fix the fence so the sheep don't get out tonight"
+        denied = bool(part.tree.children(verb, "neg"))
+        there = lexicon.places.intersection(part.tree.said(part.tree.children(verb, "advmod", "prep")))
+        becomes = nodes[verb].lemma in lexicon.doing.being and not there
+        if nodes[so].lower != "so" or (own_end and becomes and not denied):
+            # "Soak it overnight so it's ready by six"; but "order it today so that it gets here on friday"
             continue
         start, end = part.span(nodes[so], nodes[-1])
-        own = not ends_so or any(phrase.span[1] <= start for phrase in phrases)
+        own = not ends_so or denied or any(phrase.span[1] <= start for phrase in phrases)
         behind = any(phrase.span[0] >= start for phrase in phrases)
         thing = {nodes[p].lower for p in part.tree.children(action.place, "dobj")}
         if own and behind and nodes[subjects[0]].lower not in thing:

@@ -207,16 +207,21 @@ class _Things:
     # -- what something is for ---------------------------------------------------------------------------
 
     def of_purpose(self, phrases: Sequence[Phrase]) -> Iterator[Phrase]:
-        """Give days of what an order with a day of its own is for: "pack tonight for the trip on friday"."""
-        own: Phrase | None = None
+        """Give times of what an order with its own is for: "pack tonight for the trip on friday".
+
+        Both are days, or both hours: "set the table at six for dinner at seven".
+        """
+        own: list[Phrase] = []
         for phrase in phrases:
-            place = self._behind(phrase)
-            if not _is_day(phrase):
-                continue
-            named = place is not None and self.nodes[place].tag.startswith("NN") and own is not None
-            if own is not None and named and place is not None and self._is_purpose(own, place):
+            place, said = self._behind(phrase), phrase.said
+            named = place is not None and self.nodes[place].tag.startswith("NN")
+            of_thing = said.constraint not in BOUNDS and said.preposition in OF_THINGS
+            alike = (one for one in own if _is_day(one, phrase) or _is_hour(one, phrase))
+            first = next(alike, None) if named and of_thing else None
+            if first is not None and place is not None and self._is_purpose(first, place):
                 yield phrase
-            own = phrase if own is None else own
+            else:
+                own.append(phrase)
 
     def _is_purpose(self, own: Phrase, place: int) -> bool:
         """Whether a name that ends at a place is of what "for" or "about" begins, behind an own time."""
@@ -225,7 +230,11 @@ class _Things:
         return inside and self.nodes[led].lower in {"for", "about", "to"}
 
 
-def _is_day(phrase: Phrase) -> bool:
-    """Whether it says on which day."""
-    said = phrase.said
-    return said.wall.days is not None and said.constraint not in BOUNDS and said.preposition in OF_THINGS
+def _is_day(*phrases: Phrase) -> bool:
+    """Whether all say on which day."""
+    return all(phrase.said.wall.days is not None for phrase in phrases)
+
+
+def _is_hour(*phrases: Phrase) -> bool:
+    """Whether all say at which hour."""
+    return all(phrase.said.wall.clock is not None for phrase in phrases)

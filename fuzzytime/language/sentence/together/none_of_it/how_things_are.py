@@ -44,7 +44,9 @@ def holds_true(tree: Tree) -> bool:
     finite = node.tag in tags.PRESENT or any(one.lemma == "do" for one in helping)
     # "I've got an interview"
     got = node.lower == GOT and any(one.lower in closed.have for one in helping)
-    if tree.children(root, "xcomp", "ccomp"):
+    asked = node.lemma in doing.needing or node.lower in closed.have | {GOT}
+    if tree.children(root, "ccomp") or (asked and tree.children(root, "xcomp")):
+        # "Bob needs to be called"; but "he likes to chat"
         return False
     described = node.lemma in doing.being and bool(tree.children(root, "acomp"))
     asks = node.lemma in doing.requiring and things.isdisjoint(closed.object_pronouns)

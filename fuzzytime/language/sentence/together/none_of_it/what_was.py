@@ -15,6 +15,8 @@ def tells_what_was(sketch: Sketch) -> bool:
     """Whether a sentence tells what was: "her last turn was at six", "I fed the cat at seven"."""
     tree, closed = sketch.part.tree, sketch.lexicon.closed
     root = tree.root
+    if tree.nodes and _has_been(tree, root):
+        return True
     due = sketch.operation is not None and sketch.operation.due is not None
     due = due and closed.past_be.isdisjoint(tree.nodes[p].lower for p in tree.children(root, "auxpass"))
     if due and not _names_past(sketch) and (sketch.phrases or sketch.clauses):
@@ -44,6 +46,14 @@ def tells_what_was(sketch: Sketch) -> bool:
     # "I fed the cat", with no time, is news of what was planned.
     did = did and bool(sketch.phrases)
     return (_is_past(tree, root) or moved or has or ended) and (named or did)
+
+
+def _has_been(tree: Tree, root: int) -> bool:
+    """Whether it tells what was until now: "rex has been in all morning", "she's been waiting since nine"."""
+    node, helping = tree.nodes[root], tree.said(tree.children(root, "aux", "auxpass"))
+    lasted = node.lower == "been" or ("been" in helping and node.tag == "VBG")
+    known = bool(helping) and helping - {"been"} <= tree.lexicon.closed.have
+    return lasted and known and any(p < root for p in tree.children(root, *SUBJECTS))
 
 
 def is_over(sketch: Sketch) -> bool:

@@ -178,16 +178,22 @@ def _governing(tree: Tree) -> int | None:
 
 
 def _keeps_on(tree: Tree, root: int) -> bool:
-    """Whether it tells what happens again and again: "I keep losing my keys"; but "I will keep it on"."""
-    closed = tree.lexicon.closed
-    told = any(tree.nodes[p].lower in closed.first_and_third_person for p in tree.children(root, *SUBJECTS))
-    again = any(tree.nodes[p].tag == "VBG" for p in tree.children(root, "xcomp"))
-    return (
-        told
-        and again
-        and tree.nodes[root].lemma in tree.lexicon.doing.keeping
-        and not tree.children(root, "aux")
-    )
+    """Whether it tells what happens again, or others like: "I keep losing it"; but "I will keep it on"."""
+    closed, node = tree.lexicon.closed, tree.nodes[root]
+    helping = tree.children(root, "aux")
+    # "She loves talking": a tree may have the first for one that helps
+    helped = node.tag == "VBG" and bool(helping)
+    likes, below = (tree.nodes[helping[0]], [root]) if helped else (node, [*tree.children(root, "xcomp")])
+    subjects = tree.said(p for verb in (root, *helping) for p in tree.children(verb, *SUBJECTS))
+    others = closed.third_person_singular | {"they"} | tree.lexicon.people
+    doing = tree.lexicon.doing
+    liking = (tree.lexicon.wanting & doing.holding_true) - doing.needing
+    liked = not liking.isdisjoint({likes.lemma, likes.lower.removesuffix("s")})
+    if below and liked and not others.isdisjoint(subjects):
+        return {tree.nodes[p].lemma for p in helping} <= {"do", likes.lemma}
+    again = any(tree.nodes[p].tag == "VBG" for p in below)
+    told = not closed.first_and_third_person.isdisjoint(subjects)
+    return told and again and node.lemma in doing.keeping and not helping
 
 
 def _only_is(tree: Tree, root: int) -> bool:

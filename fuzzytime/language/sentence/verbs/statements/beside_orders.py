@@ -1,6 +1,6 @@
 """What is told beside an order: why it is asked for, "…, it's hot", what another does, "… and Bob cooks"."""
 
-from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS, IMPERATIVE
+from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
 BEFORE_ORDER = ("ccomp", "advcl", "parataxis", "dep", "nsubj", "csubj")
@@ -10,14 +10,6 @@ BEFORE_ORDER = ("ccomp", "advcl", "parataxis", "dep", "nsubj", "csubj")
 def subjects_before(tree: Tree, verb: int) -> list[int]:
     """Give the subjects in front of a verb; "it" of "it's raining" may hang on "is" in a tree."""
     return [p for p in _below(tree, verb, *GRAMMATICAL_SUBJECTS) if p < verb]
-
-
-def is_why(tree: Tree, place: int) -> bool:
-    """Whether it says why there is an order in front of it: "don't touch the pan, it's hot"."""
-    before = (p for p in _below(tree, place, *BEFORE_ORDER) if p < place)
-    asked = (p for p in before if tree.nodes[p].tag in IMPERATIVE)
-    alone = any(not tree.children(p, *GRAMMATICAL_SUBJECTS, "mark") for p in asked)
-    return place == tree.root and alone and is_so_now(tree, place)
 
 
 def is_so_now(tree: Tree, place: int) -> bool:

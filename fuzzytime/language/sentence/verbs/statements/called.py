@@ -3,9 +3,12 @@
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, PRESENT
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, PRESENT, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.statements.statement_trees import singular_verb
+
+LEAST = 2
+"""Words of "mum cooks", at least."""
 
 ACTED = frozenset({"while", "when", "if"})
 """Kinds of clauses that name no event: somebody does something in them."""
@@ -87,13 +90,30 @@ def person_due(tree: Tree, verb: int) -> str | None:
     return tree.text[tree.nodes[tree.reach(subjects[0])[0]].start : name.end] if named and led else None
 
 
-def with_worker(tree: Tree) -> Tree:
-    """Give the tree of "robot 3 docks at noon" its verb, which was taken for a plural."""
+def with_doer(tree: Tree) -> Tree:
+    """Give "robot 3 docks at noon", "lena phones the bank" its verb, which was taken for a plural."""
     root = tree.root
     verb = next((p for p in (root, root + 2) if _is_numbered(tree, p)), None)
-    if verb is None:
-        return tree
-    return _acting(tree, verb, {root})
+    if verb is None and _names_doer(tree):
+        # "Tom | rings Bob": a tree may have two roots
+        return _acting(tree, 1, {p for p, node in enumerate(tree.nodes) if node.head == p})
+    return tree if verb is None else _acting(tree, verb, {root})
+
+
+def _names_doer(tree: Tree) -> bool:
+    """Whether words begin with who does something: "lena phones the bank", "tom rings bob", "mum cooks"."""
+    lexicon = tree.lexicon
+    if len(tree.nodes) < LEAST or tree.nodes[0].lower not in lexicon.people or tree.root not in {0, 1, 2}:
+        return False
+    does, behind = tree.nodes[1], tree.nodes[2:3]
+    bare = singular_verb(does.lower)
+    acts = does.lower.endswith("s") and (does.may_act or bare in lexicon.addressing)
+    led = any(node.tag in DETERMINERS or node.lower in lexicon.people for node in behind)
+    return (
+        acts
+        and tree.nodes[0].relation not in SUBJECTS
+        and (led or bare in lexicon.needing_nothing | lexicon.alone)
+    )
 
 
 def with_event(tree: Tree) -> Tree:
@@ -114,9 +134,12 @@ def _acting(tree: Tree, verb: int, heads: AbstractSet[int | None]) -> Tree:
     lemma = singular_verb(tree.nodes[verb].lower)
     tree = tree.hung([p for p, node in enumerate(tree.nodes) if node.head in heads], verb)
     tree = tree.changed(verb, tag="VBZ", lemma=lemma, head=verb, relation="ROOT")
-    # "Drone 4 films the dam"
-    taken = [p for p in tree.children(verb, "appos") if p > verb]
-    tree = tree.hung(taken[:1], verb, "dobj").changed(verb - 2, tag="NN", head=verb, relation="nsubj")
+    # "Drone 4 films the dam", "tom rings bob"
+    things = ("appos",) if verb > 1 else ("appos", "ROOT", *SUBJECTS)
+    tree = tree.hung([p for p in tree.children(verb, *things) if p > verb][:1], verb, "dobj")
+    if verb == 1:
+        return tree.changed(0, head=1, relation="nsubj")
+    tree = tree.changed(verb - 2, tag="NN", head=verb, relation="nsubj")
     return tree.changed(verb - 1, head=verb - 2, relation="nummod")
 
 

@@ -189,7 +189,9 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     doing = _with_one_doing(tree)
     if doing is not None:
         return doing
-    marks = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in timed)
+    # "The drill's at nine", "the dog's at the vet"
+    there = {p for p, node in enumerate(tree.nodes) if node.tag == "IN" or p in timed}
+    marks = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in there)
     verb = next(marks, None)
     if verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):
         return tree

@@ -8,7 +8,6 @@ from fuzzytime.language.sentence.verbs.statements.beside_orders import (
     BEFORE_ORDER,
     does_beside,
     is_so_now,
-    is_why,
     subjects_before,
 )
 
@@ -92,17 +91,7 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     )
     apart = tree.nodes[joint].text == "," and joint < start - 1 and _is_apart(tree, place)
     told = joint - 1 in timed or speaks or apart or does or _is_told_so(tree, joint)
-    # "Pick up the mulch, garden centre shuts at four"
-    sure = _is_sure(tree, place, timed) or is_why(tree, place)
-    told = told or (tree.nodes[joint].text == "," and sure)
     return start if joined and told else None
-
-
-def _is_sure(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
-    """Whether a word behind an order is hardly anything but what something with a time does."""
-    root = tree.root
-    ordered = root < place and tree.nodes[root].tag in {"VB", "VBP"}
-    return ordered and place + 1 in timed and tree.nodes[place].lower in tree.lexicon.doing.surely_timed
 
 
 def _is_apart(tree: Tree, place: int) -> bool:
