@@ -114,12 +114,13 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         counts = _is_amount(behind, lexicon)
         # "Beef in 10.45 - 20 min"
         lasts = counts and found["dash"] is not None and (found["minutes"] or found["digits"]) is not None
-        if not before or (counts and not lasts) or _is_other(found, before, lexicon):
+        if not before or (counts and not lasts) or _is_other(found, before, lexicon) or _numbers(found):
             continue
         if ":" in text[found.start("mark") : found.end()] and not lexicon.means(before[-1].text, "hedge"):
             # "Panel 9:15" needs no mark.
             continue
-        if found["last"] and found["dash"] and not found["minutes"] and _is_called(before[-1], lexicon):
+        apart = found["last"] and found["dash"] and not found["minutes"] and not _is_within_hour(found)
+        if apart and _is_called(before[-1], lexicon):
             # "Dive 1 - 9.30"
             yield found.end("dash") - 1
             continue
@@ -210,8 +211,26 @@ def _is_other(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon) ->
     """Whether a number is a price, a version, a year or shared: "milk 2.50", "9pm Alien 1979", "half 2"."""
     kinds = lexicon.no_times
     costs = not (kinds.costing | kinds.versioning).isdisjoint(word.text for word in before)
+    # "Get mince 500g, onions 3, 2 tins of toms"
+    got = before[0].text in lexicon.doing.getting and "," in {word.text for word in before}
+    costs = costs or (got and found["minutes"] is None and _is_counted(before[-1], lexicon))
     year = found["digits"] in YEARS and any(word.is_digits for word in before)
     return costs or year or before[-1].text in lexicon.beside.parts_of_hours
+
+
+def _is_within_hour(found: re.Match[str]) -> bool:
+    """Whether two numbers are from when to when within an hour: "4 - 4.30"."""
+    first, last = re.findall(r"\d+", found[0])[:2]
+    return bool(first == last)
+
+
+def _numbers(found: re.Match[str]) -> bool:
+    """Whether numbers alone say which, behind an hour in front: "9.30 ovens (deck 1)", "8.15 rows 2 & 3"."""
+    before = found.string[: found.start()]
+    led = before[before.rfind("\n") + 1 :].lstrip()[:1].isdigit()
+    alone = not (found["minutes"] or found["digits"] or found["until"])
+    several = found["more"] is not None and not any(mark in found["more"] for mark in ".:")
+    return led and alone and (several or before.count("(") > before.count(")"))
 
 
 def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:
