@@ -115,3 +115,11 @@ def test_a_list_pasted_into_a_conversation_loses_its_marks_too() -> None:
     talk = Talk()
     talk.paste("# today", "- [x] feed the cat", "- [ ] call mum at noon")
     assert talk.entries == ["call mum at noon"]
+
+
+@pytest.mark.model
+def test_a_heading_pasted_into_a_conversation_holds_for_the_lines_below() -> None:
+    talk = Talk()
+    (answer,) = talk.paste("## Saturday", "- [ ] call mum at noon", "- [ ] iron the shirts at two")
+    assert "Sat 12:00" in answer
+    assert "Sat 14:00" in answer
