@@ -23,8 +23,10 @@ DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 POINT = re.compile(r"(?<=\d)\.(?=[0-5]\d)")
 """What stands for a colon in an hour."""
 
-ALONE = re.compile(r"\s*(?P<hour>1[0-2]|[1-9])\s+(?P<dash>[-–—]\s+)?(?=[^\W\d])")
-"""A number alone in front of a line."""
+ALONE = re.compile(
+    r"\s*(?P<hour>1[0-2]|[1-9])(?P<until>\s?[-–—]\s?(?:1[0-2]|[1-9]))?\s+(?P<dash>[-–—]\s+)?(?=[^\W\d])"
+)
+"""A number alone in front of a line, or two from when to when."""
 
 PLACED = 3
 """Words of a thing that is in some place at least: "joint in the oven"."""
@@ -116,13 +118,13 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         lasts = counts and found["dash"] is not None and (found["minutes"] or found["digits"]) is not None
         if not before or (counts and not lasts) or _is_other(found, before, lexicon) or _numbers(found):
             continue
-        if ":" in text[found.start("mark") : found.end()] and not lexicon.means(before[-1].text, "hedge"):
-            # "Panel 9:15" needs no mark.
-            continue
         apart = found["last"] and found["dash"] and not found["minutes"] and not _is_within_hour(found)
         if apart and _is_called(before[-1], lexicon):
             # "Dive 1 - 9.30"
             yield found.end("dash") - 1
+            continue
+        if ":" in text[found.start("mark") : found.end()] and not lexicon.means(before[-1].text, "hedge"):
+            # "Panel 9:15" needs no mark.
             continue
         if not (lasts or _may_end(found, before, behind, lexicon, timed)) or not _names(
             found, before, lexicon, timed
@@ -166,7 +168,8 @@ def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         if alone is None or not counts_nothing(behind, 0, lexicon):
             continue
         # "11 - coffee", "12 lunch", "7 up"
-        sure = alone["dash"] or has_time(behind[0].text, lexicon) or behind[0].text in lexicon.beside.states
+        sure = alone["dash"] or alone["until"] or has_time(behind[0].text, lexicon)
+        sure = sure or behind[0].text in lexicon.beside.states
         if timed is Timed.LEAD or sure:
             yield line.start() + alone.start("hour") - 1
 

@@ -113,10 +113,13 @@ def put_there(tree: Tree, timed: Sequence[int], *, lasts: bool) -> Operation | N
     nodes = tree.nodes
     first = 1 if nodes and nodes[0].tag in DETERMINERS else 0
     place = next((p for p in range(first + 1, len(nodes)) if nodes[p].lower in PLACES), 0)
-    if not place or place + 1 not in timed or place in timed:
+    behind = "".join(node.lower for node in nodes[place + 1 : place + 2])
+    # "5.30 chicken in, 1 hr 20"
+    ends = place + 1 in timed or (lasts and behind in {"", ","})
+    if not place or not ends or place in timed:
         return None
     # "Spuds in 12.20 for an hour"; but "withdrawals in by six", "lights on at six"
-    goes_in = lasts and nodes[place].lower == "in" and nodes[place + 1].lower != "by"
+    goes_in = lasts and nodes[place].lower == "in" and behind != "by"
     if nodes[place].tag == "IN" and not goes_in:
         return None
     things = nodes[first:place]
