@@ -56,6 +56,7 @@ def test_bullets_and_dashes_beside_hours_are_no_words() -> None:
         ("van in 8, two men", ("van in", "08:00")),
         ("10 - 12 Margaret on stall", ("Margaret on stall", "10:00")),
         ("12 - 1 lunch", ("lunch", "12:00")),
+        ("boil 12 - 1", ("boil", "12:00")),
         ("1-2 stock take", ("stock take", "13:00")),
         ("room 2 - 14:30", ("room 2", "14:30")),
         ("5.30 chicken in, 1 hr 20", ("put in chicken", "17:30")),

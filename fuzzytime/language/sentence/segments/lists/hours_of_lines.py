@@ -144,8 +144,9 @@ def _names(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon, timed
         return False
     if found["digits"] and timed < Timed.MOST and not found["digits"].startswith("0"):
         return False
-    if not typed and _takes(before, lexicon):
-        # "Simmer 10"
+    numbers = [int(number) for number in re.findall(r"\d+", found[0])]
+    if not typed and _takes(before, lexicon) and not (found["until"] and numbers[0] > numbers[1]):
+        # "Simmer 10", "simmer 10 - 12"; but "boil 12 - 1"
         return False
     sure = timed >= Timed.MOST and found["minutes"] is not None
     named = _is_thing(before[-1], lexicon, sure=sure) if typed else _is_timed(before, lexicon, timed)
