@@ -127,7 +127,8 @@ class Language:
     ) -> tuple[list[Reading], list[LastSaid], Mentions]:
         """Compose drafts so that their lines go through a day, if they may, and not through the night.
 
-        The first of them may be earlier in the day; in the evening, all may be of tomorrow.
+        The first of them may be earlier in the day; in the evening, all may be of tomorrow. What is between
+        others may be at other hours than usual: "gym 9.45", "party 10.30", "lunch 12.30".
         """
         found = self._in_turn(drafts, given)
         if not found[1][-1].astray:
@@ -137,17 +138,23 @@ class Language:
             if days and found[1][-1].astray:
                 other = self._in_turn(days, given, early=early)
                 found = min(found, other, key=lambda one: one[1][-1].astray)
-        return found
+        other = self._in_turn(drafts, given, usual=False) if found[1][-1].astray else found
+        return found if other[1][-1].astray else other
 
     def _in_turn(
-        self, drafts: Sequence[Draft], given: Sequence[Operation | None], *, early: bool = False
+        self,
+        drafts: Sequence[Draft],
+        given: Sequence[Operation | None],
+        *,
+        early: bool = False,
+        usual: bool = True,
     ) -> tuple[list[Reading], list[LastSaid], Mentions]:
         """Compose drafts, each with what those before it said last; the last of all stands behind those."""
         mentions = Mentions(self.lexicon)
         for operation in given:
             mentions.add(operation)
         readings: list[Reading] = []
-        nothing = LastSaid(early=early)
+        nothing = LastSaid(early=early, usual=usual)
         said_before = [nothing]
         for draft in drafts:
             if readings and readings[-1].now != draft.now:

@@ -54,13 +54,27 @@ def test_bullets_and_dashes_beside_hours_are_no_words() -> None:
         ("oven on 10.15", ("oven on", "10:15")),
         ("heating on 7.30", ("heating on", "07:30")),
         ("van in 8, two men", ("van in", "08:00")),
-        ("bread in 8, 35 min", ("bread in", "08:00")),
+        ("10 - 12 Margaret on stall", ("Margaret on stall", "10:00")),
+        ("12 - 1 lunch", ("lunch", "12:00")),
+        ("boil 12 - 1", ("boil", "12:00")),
+        ("1-2 stock take", ("stock take", "13:00")),
+        ("room 2 - 14:30", ("room 2", "14:30")),
+        ("5.30 chicken in, 1 hr 20", ("put in chicken", "17:30")),
+        ("cake 8.15 (lights off!)", ("cake", "08:15")),
+        ("8.10 Choir: mvts 1, 4 & 9", ("choir mvts 1, 4 & 9", "08:10")),
+        ("8.10 ovens on (deck 1 + 2)", ("ovens on (deck 1 + 2)", "08:10")),
+        ("8:10 second half", ("second half", "08:10")),
+        ("cello lesson 4 - 4.30", ("cello lesson", "16:00")),
+        ("rinse starter 8.15", ("rinse starter", "08:15")),
+        ("lunch w/ Mo 12.45", ("lunch w/ Mo", "12:45")),
+        ("tea about 4.15 w/ cake", ("tea w/ cake", "16:15")),
+        ("bread in 8, 35 min", ("put in bread", "08:00")),
         ("washing in 4.30", ("washing", "16:30")),
         ("Mrs B 7", ("Mrs B", "07:00")),
         ("call with Oslo 3.30 online", ("call with Oslo", "15:30")),
         ("Mr Singh again 2.15 shopping", ("Mr Singh again shopping", "14:15")),
         ("Mr Singh 8.00 - 30 mins", ("Mr Singh", "08:00")),
-        ("beef in 10.45 - 20 min", ("beef in", "10:45")),
+        ("beef in 10.45 - 20 min", ("put in beef", "10:45")),
         ("bread, 2.15", ("bread", "14:15")),
         ("heating 2.15", ("heating", "14:15")),
         ("bread - 2.15", ("bread", "14:15")),
@@ -106,6 +120,44 @@ def test_what_happens_at_any_minute_makes_a_list_of_times() -> None:
 def test_a_number_of_minutes_from_now_is_no_hour_of_a_line() -> None:
     lines = ("van 9.15", "flip the bacon in 8", "call Ann at 2", "tea 3.10")
     assert ("flip the bacon", "07:08") in _told(*lines)
+
+
+def test_below_a_title_where_no_line_says_when_a_number_counts() -> None:
+    lines = (
+        "Gym 9.45",
+        "Lunch 12.30",
+        "Tea 4",
+        "Shopping:",
+        "onions 3",
+        "milk 2",
+        "Calls:",
+        "Jo 5.15",
+        "Ann 6",
+    )
+    assert [name for name, _ in _told(*lines)] == ["Gym", "Lunch", "Tea", "Jo", "Ann"]
+
+
+def test_what_somebody_gets_is_counted_by_a_number_alone() -> None:
+    (shopping,) = Language.shipped().read_all([("get mince 500g, onions 3, 2 tins of toms", NOW)])
+    lines = ("van 9.15", "get mince 500g, onions 3, 2 tins of toms", "bath 4.30", "tea 6", "film 8.15")
+    assert not any(part.earliest for one in shopping.instructions for part in one.requirements)
+    assert [when for _, when in _told(*lines)] == ["09:15", "16:30", "18:00", "20:15"]
+
+
+def test_what_is_between_others_may_be_at_another_hour_than_usual() -> None:
+    lines = ("emails 9.15", "gym 9.45", "party 10.30", "lunch 12.30")
+    assert [when for _, when in _told(*lines)] == ["09:15", "09:45", "10:30", "12:30"]
+    assert [when for _, when in _told(*lines[:-1])] == ["09:15", "09:45", "22:30"]
+
+
+@pytest.mark.parametrize("title", ["Bakery", "Bakery Wed", "Wednesday:"])
+def test_who_writes_a_list_at_night_begins_with_that_night(title: str) -> None:
+    now = NOW.replace(hour=2, minute=30)
+    lines = (title, "3.00 ovens on", "3.10 mix white tin", "egg wash 5.40", "open 7.15", "home 2")
+    readings = Language.shipped().read_all([(line, now) for line in lines])
+    parts = [part for reading in readings for one in reading.instructions for part in one.requirements]
+    whens = [f"{instant_after(now, part.earliest):%d %H:%M}" for part in parts if part.earliest is not None]
+    assert whens == ["04 03:00", "04 03:10", "04 05:40", "04 07:15", "04 14:00"]
 
 
 def test_most_lines_of_a_list_may_end_in_a_number_alone() -> None:

@@ -393,3 +393,16 @@ def test_days_left_out_that_are_not_known_are_pointed_at(text: str, said: str) -
 )
 def test_what_is_left_out_else_is_not_pointed_at(text: str) -> None:
     assert not [r for r in language().read(text, now=NOW).remarks if r.message.endswith("was not understood")]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("swimming at 8pm (bring towels)", "'(bring towels)' is taken as a note, and not planned"),
+        ("Sam, dinner at 7pm", "'Sam' is not used"),
+        ("choir at 7pm, Jo, Sam", "'Jo, Sam' names nothing to do that is understood"),
+        ("call me in minutes", "'minutes' looks like a time and was not understood"),
+    ],
+)
+def test_what_stands_beside_and_is_not_planned_is_pointed_at(text: str, message: str) -> None:
+    assert [remark.message for remark in language().read(text, now=NOW).remarks] == [message]

@@ -35,6 +35,45 @@ def test_other_marks_are_words(line: str) -> None:
     assert said_in(line) == line
 
 
+@pytest.mark.parametrize(
+    ("line", "heading"),
+    [
+        ("## Saturday", "Saturday:"),
+        ("### **To buy** ###", "To buy:"),
+        ("## Call list:", "Call list:"),
+        ("# Saturday", "Saturday:"),
+        ("# Sat, 7th March", "Sat, 7th March:"),
+    ],
+)
+def test_a_heading_is_one_for_the_lines_below(line: str, heading: str) -> None:
+    assert said_in(line) == heading
+
+
+@pytest.mark.parametrize(
+    "line", ["# sat gym at 9", "#saturday", "# Saturday is Ann's", "##", "# friday 9.30"]
+)
+def test_what_says_more_than_a_day_behind_one_mark_is_a_comment(line: str) -> None:
+    assert said_in(line) == ""
+
+
+def test_all_marks_are_those_of_headings_in_markdown() -> None:
+    lines = "# Weekend\n## Saturday\nvet 9.15\n"
+    assert [words for _, words in said(lines)] == ["Weekend:", "Saturday:", "vet 9.15"]
+    assert [wish.text for wish in wishes_of(Source("todo.md", "# Jobs\nring Jo\n"), NOW)] == [
+        "Jobs:",
+        "ring Jo",
+    ]
+    assert said("# Jobs\nring Jo\n") == [(2, "ring Jo")]
+
+
+@pytest.mark.parametrize(
+    "stamp", ["[07/03/2026, 08:41] ", "[3/7/26, 8:41:07 AM] ", "07/03/2026, 08:41 - ", "[2026-03-07 08:41] "]
+)
+def test_when_a_message_was_sent_is_no_time_of_what_it_says(stamp: str) -> None:
+    assert said_in(f"{stamp}Ann Lee: vet at 3.40") == "Ann Lee: vet at 3.40"
+    assert said_in("[9:30] Van: load chairs") == "[9:30] Van: load chairs"
+
+
 def test_a_comment_may_stand_behind_an_instruction() -> None:
     assert said("stir the soup soon  # the red pot\ncall room #12\n") == [
         (1, "stir the soup soon"),
@@ -76,3 +115,11 @@ def test_a_list_pasted_into_a_conversation_loses_its_marks_too() -> None:
     talk = Talk()
     talk.paste("# today", "- [x] feed the cat", "- [ ] call mum at noon")
     assert talk.entries == ["call mum at noon"]
+
+
+@pytest.mark.model
+def test_a_heading_pasted_into_a_conversation_holds_for_the_lines_below() -> None:
+    talk = Talk()
+    (answer,) = talk.paste("## Saturday", "- [ ] call mum at noon", "- [ ] iron the shirts at two")
+    assert "Sat 12:00" in answer
+    assert "Sat 14:00" in answer

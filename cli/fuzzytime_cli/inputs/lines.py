@@ -1,10 +1,11 @@
-"""Instructions a line, with ``#`` comments and the boxes of lists of things to do."""
+"""Instructions a line, with headings, ``#`` comments and the boxes of lists of things to do."""
 
 import re
 from datetime import datetime
 
 from fuzzytime.errors import DocumentError, Mistake
 from fuzzytime.interpreter import SpokenWish
+from fuzzytime.language import shipped_lexicon
 from fuzzytime_cli.bounds import MAX_INSTRUCTIONS
 from fuzzytime_cli.faults import NoInputError
 from fuzzytime_cli.inputs.source import Source
@@ -15,6 +16,20 @@ COMMAND = re.compile(r":[a-z][a-z-]*(?=\s|$)")
 
 REMARK = re.compile(r"\s#\s.*")
 """A comment behind an instruction; "#12" is no comment."""
+
+STAMP = re.compile(
+    r"^(?:\[[\d/.-]{6,10},?\s+\d{1,2}[:.]\d\d(?:[:.]\d\d)?(?:\s?[AaPp][Mm])?\]"
+    r"|[\d/.]{6,10},?\s+\d{1,2}[:.]\d\d(?:\s?[AaPp][Mm])?\s+-)\s+(?=[^\W\d][^:]{,30}:\s)"
+)
+"""When a message was sent, in front of who wrote it: "[07/03/2026, 08:41] Kate: keys at 10"."""
+
+HEADING = re.compile(r"(?P<marks>#{1,6})\s+[*_]*(?P<named>[^\W_].*?)[\s:#*_]*")
+"""A heading of Markdown; with one mark it may be a comment."""
+
+DATE = re.compile(r"\d{1,2}(?:st|nd|rd|th)?|the|of")
+"""What stands beside a month in a date."""
+
+MARKDOWN = (".md", ".markdown")
 
 BOX = re.compile(r"(?:[-*+•]\s+)?(?:\[(?P<tick>[ xX]?)\]|(?P<sign>[☐☑☒✓✔✗✘]))\s+|[•‣◦▪]\s*")
 """What an item of a list of things to do begins with; it is done, or dropped, unless the box is empty."""
@@ -31,17 +46,32 @@ NUMBER = re.compile(r"\d[\d.:\s–-]*[^\W\d]{,2}")
 """A cell that is an hour: "9.15 - 10", "8pm"."""
 
 
-def said_in(line: str) -> str:
+def said_in(line: str, *, marked: bool = False) -> str:
     """Give what a line asks for, without its box: nothing where it is a comment, or ticked off.
 
     >>> said_in("# for tonight"), said_in("- [x] feed the cat"), said_in("- [ ] water the plants")
     ('', '', 'water the plants')
+    >>> said_in("## Saturday"), said_in("# Sat 7 March")
+    ('Saturday:', 'Sat 7 March:')
+    >>> said_in("[07/03/2026, 08:41] Kate: keys at 10")
+    'Kate: keys at 10'
     """
-    words = line.strip()
+    words = STAMP.sub("", line.strip())
+    heading = HEADING.fullmatch(words)
+    if heading is not None and (marked or len(heading["marks"]) > 1 or _is_date(heading["named"])):
+        return f"{heading['named']}:"
     box = BOX.match(words)
     if words.startswith("#") or (box is not None and not {box["tick"], box["sign"]} <= OPEN):
         return ""
     return words if box is None else words[box.end() :]
+
+
+def _is_date(words: str) -> bool:
+    """Whether words name a weekday, its date perhaps, and nothing else."""
+    lexicon = shipped_lexicon()
+    first, *others = words.lower().replace(",", " ").split()
+    dated = all(lexicon.means(word, "month") or DATE.fullmatch(word) for word in others)
+    return lexicon.means(first, "weekday") and dated
 
 
 def without_cells(line: str) -> str:
@@ -84,8 +114,9 @@ def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
     wishes: list[SpokenWish] = []
     mistakes: list[Mistake] = []
     lines = source.text.split("\n")
+    marked = source.name.endswith(MARKDOWN) or any(line.startswith("## ") for line in lines)
     for number, (line, below) in enumerate(zip(lines, [*lines[1:], ""], strict=True), 1):
-        words = said_in(without_cells(REMARK.sub("", line)))
+        words = said_in(without_cells(REMARK.sub("", line)), marked=marked)
         if not words or RULE.fullmatch(line) or ("|" in line and RULE.fullmatch(below)):
             continue
         if len(wishes) == MAX_INSTRUCTIONS:

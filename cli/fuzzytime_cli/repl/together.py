@@ -20,7 +20,8 @@ def parted(lines: Sequence[str], language: Language, now: datetime) -> list[list
     told = [line for line in lines if words_of(line, language) or is_ticked_off(line)]
     parts: list[list[str]] = []
     went_on = False
-    for line, wish in zip(told, _are_wishes([line.strip() for line in told], language, now), strict=True):
+    words = [said_in(line) or line.strip() for line in told]
+    for line, wish in zip(told, _are_wishes(words, language, now), strict=True):
         if wish and went_on:
             parts[-1].append(line)
         else:

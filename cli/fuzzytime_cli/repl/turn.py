@@ -19,7 +19,7 @@ from fuzzytime.language import (
 )
 from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
-from fuzzytime_cli.inputs.lines import is_ticked_off
+from fuzzytime_cli.inputs.lines import is_ticked_off, said_in
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.commands.by_name import command_of
 from fuzzytime_cli.repl.commands.looking import move_lines, start_line
@@ -98,7 +98,9 @@ class Turns:
     def take_together(self, lines: Sequence[str], now: datetime) -> Reply:
         """Keep lines that were said at once, each an instruction, and draw the schedule once."""
         self._question_put()
-        return self._turn(lambda: self._instructions([line.strip() for line in lines], now), now)
+        return self._turn(
+            lambda: self._instructions([said_in(line) or line.strip() for line in lines], now), now
+        )
 
     def together(self, lines: Sequence[str], now: datetime) -> list[list[str]]:
         """Part lines said at once: instructions in a row stand together, all else alone."""

@@ -1,7 +1,7 @@
 """A text cut into words that remember their place, in a form that word tables can be asked about.
 
-Case, full-width digits, typographic apostrophes, dashes and "&" are levelled; the text is never changed, so
-that spans point into what was typed.
+Case, full-width digits, typographic apostrophes, dashes, "&" and "w/" are levelled; the text is never
+changed, so that spans point into what was typed.
 """
 
 import re
@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 from fuzzytime.language.instruction import Span
 
-_WORD = re.compile(r"\d+|[^\W\d_]+(?:['’ʼ][^\W\d_]+)?|\S")
+_WORD = re.compile(r"\b[wW]/(?!\S)|\d+|[^\W\d_]+(?:['’ʼ][^\W\d_]+)?|\S")
 _LEVELLED = str.maketrans(
     {"’": "'", "ʼ": "'", "′": "'", "‘": "'", "“": '"', "”": '"', "″": '"', "×": "x", "∼": "~"}
 )
-AMPERSAND = "&"
+_SHORT = {"&": "and", "w/": "with"}
 _DASHES = frozenset("-–—−‐‑‒")
 _FRACTIONS = frozenset("¼½¾⅓⅔")
 
@@ -75,10 +75,8 @@ def joins(words: Sequence[Word], place: int) -> bool:
 
 
 def _levelled(raw: str) -> str:
-    if raw == AMPERSAND:
-        return "and"
     if raw.isascii():
-        return raw.lower()
+        return _SHORT.get(raw.lower(), raw.lower())
     if raw in _DASHES:
         return "-"
     if raw in _FRACTIONS:

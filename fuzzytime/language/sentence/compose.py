@@ -83,6 +83,7 @@ class _Composer:
             night=since.night,
             window=_window_of(draft),
         )
+        self.usual = since.usual or since.clock is None
         self.mentions = mentions
         self.first = first
         self.awaits = awaits
@@ -242,7 +243,7 @@ class _Composer:
 
     def _times_of(self, sketch: Sketch) -> Times:
         """Ground the times of a sketch, with what is to be said and asked of them."""
-        moment = at_usual_hours(self.moment, sketch, self.draft.text)
+        moment = at_usual_hours(self.moment, sketch, self.draft.text) if self.usual else self.moment
         times = ground_all(sketch.phrases, self.draft.text, moment)
         if not sketch.doubted:
             # What is not planned is no clue to what else is meant.

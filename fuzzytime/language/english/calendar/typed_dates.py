@@ -55,9 +55,15 @@ def typed_without_year(first: Typed | Integer, second: Integer | None = None) ->
     return _either(first.value, second.value, None)
 
 
+TWO_DIGITS, MONTHS, FIVES = 2, 12, 5
+"""Digits of the minutes of an hour, more than which no month has, or in whose steps people plan."""
+
+
 @grammar.rule("dotted date", "<n.n>")
 def dotted(numbers: Typed) -> Fields | None:
-    """7.6, beside a weekday."""
+    """7.6, beside a weekday; but 8.30 is an hour."""
+    if len(numbers.parts[1]) == TWO_DIGITS and (numbers[1] > MONTHS or numbers[1] % FIVES == 0):
+        return None
     return _either(numbers[0], numbers[1], None)
 
 

@@ -64,7 +64,9 @@ class Ranges(Standing):
         bound = said.denied or self._binds(piece) or (dated and self._has_dash(piece))
         # "Book a room from lunch to dinner"
         sure = not any(end.bare for end in ends) or not self.measures.measured(piece)
-        return said.preposition == "between" and bound and sure and self.around.may_end(piece)
+        # "@12 - 1 Ann": so are hours of a list marked.
+        sure = self.texts[piece.start] == "@" or (sure and self.around.may_end(piece))
+        return said.preposition == "between" and bound and sure
 
     def are_amounts(self, piece: Piece) -> bool:
         """Whether two numbers before a repetition are none of its hours: "take 1 to 2 every day".
@@ -103,9 +105,13 @@ class Ranges(Standing):
         return numbers and self.around.follower(piece) == "at" and hour
 
     def heads_meal(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
-        """Whether a dash stands in front, between a clock time and the meal then: "12:00 - lunch"."""
+        """Whether a dash stands in front, between a clock time and the meal then: "12:00 - lunch".
+
+        So do two hours from when to when, which are no date: "@12-1 lunch".
+        """
         if not isinstance(time, Range):
-            return False
+            dated = isinstance(time, Wall) and time.days is not None and time.part is not None
+            return dated and self.texts[piece.start] == "@" and "-" in self.texts[piece.start : piece.end]
         dash = next((p for p in range(piece.start, piece.end) if self.texts[p] == "-"), None)
         if dash is None or self.words[dash].glued or not self.around.opens(piece.start):
             return False

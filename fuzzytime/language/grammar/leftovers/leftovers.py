@@ -90,8 +90,11 @@ def _looking(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
                 words = scanned.words[piece.start : piece.end]
                 if not known.isdisjoint(range(piece.start, piece.end)):
                     continue
-                counted = start > 0 and "integer" in scanned.cells[start - 1]
-                doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
+                counted = start > 0 and start - 1 not in known and "integer" in scanned.cells[start - 1]
+                # "Call me in minutes", but "write up minutes"
+                led = start > 0 and scanned.words[start - 1].text in lexicon.closed.prepositions_of_nouns
+                doubtful = words[0].text in lexicon.ambiguous and not (led and words[0].text.endswith("s"))
+                doubtful = doubtful or len(words[0].text) < SHORTEST
                 if len(words) == 1 and words[0].is_letters and doubtful and not counted:
                     continue
                 if not around.known_names.isdisjoint(range(piece.start, piece.end)) or figures.has(piece):

@@ -20,9 +20,6 @@ LENT = frozenset({Constraint.AFTER, Constraint.FOR})
 STOPS = frozenset({".", ";", "!", "?"})
 """Marks behind which a number counts minutes again."""
 
-FEW_HOURS = 8
-"""Hours below which "1h30" is how long one bakes or drives; others are of a clock."""
-
 FROM_NOW = frozenset({"in", "after"})
 """The prepositions of a length that begins now."""
 
@@ -95,9 +92,6 @@ def _ends_between(before: Phrase, phrase: Phrase, words: Sequence[Word]) -> bool
 def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     """Read a number alone as minutes where only a length of time can be meant: "simmer for ten"."""
     said = phrase.said
-    taken = _as_taken(phrase, words, lexicon)
-    if taken is not None:
-        return replace(phrase, said=taken)
     clock = said.wall.clock
     hour = clock is not None and clock.grain is Unit.HOUR and clock.half is None
     inside = words[phrase.first : phrase.end]
@@ -120,22 +114,6 @@ def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phras
 def _in_minutes(number: Clock) -> Duration:
     """Give so many minutes as a number alone seems an hour."""
     return Duration(((number.hour, Unit.MINUTE),), unsaid=True)
-
-
-def _as_taken(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Said | None:
-    """Read "7h30" as how long something takes, behind a verb for that: "it takes about 7h30", "bake 1h30"."""
-    said = phrase.said
-    clock = said.time.clock if isinstance(said.time, Wall) and said.preposition is None else None
-    if not phrase.first or clock is None or clock.half is not None:
-        return None
-    before = words[phrase.first - 1].text
-    goes_on = lexicon.timing | lexicon.timing_alone | (lexicon.lasting - lexicon.taken - lexicon.events)
-    few = before in goes_on and clock.hour < FEW_HOURS
-    typed = [word.text for word in words[phrase.first : phrase.end]][-2:-1] == ["h"]
-    if not typed or not (few or (before in lexicon.told["taking"] and words[phrase.end - 1].glued)):
-        return None
-    length = Duration(((clock.hour, Unit.HOUR), (clock.minute, Unit.MINUTE)))
-    return Said(length, Constraint.FOR, None, said.hedges)
 
 
 ARROWS = frozenset({">", "→", "⇒"})

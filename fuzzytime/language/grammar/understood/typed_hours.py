@@ -17,7 +17,7 @@ HALF_DAY = 12
 """Hours that something goes on for at most, where they may be of a clock: "8h"."""
 
 FEW_HOURS = 8
-"""Hours below which they are how long, where a day stands beside; others are of a clock."""
+"""Hours below which they are how long, where a day or what goes on stands beside; others are of a clock."""
 
 
 def lasting_on_day(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
@@ -39,18 +39,26 @@ def lasting_on_day(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> P
 
 
 def going_on(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
-    """Read hours with an h as how long something goes on: "soak the beans 12h"; but "dentist 9h"."""
+    """Read hours with an h as how long something goes on: "soak the beans 12h"; but "dentist 9h".
+
+    With minutes they are so beside a thing at an hour at which nobody is up, as in "bread 2h15".
+    """
     said, wall = phrase.said, phrase.said.time
     clock = wall.clock if isinstance(wall, Wall) and said.preposition is None else None
-    typed = [word.text for word in words[phrase.first + 1 : phrase.first + 2]] == ["h"]
-    if not isinstance(wall, Wall) or clock is None or not typed or clock.minute or clock.hour > HALF_DAY:
+    typed = "h" in {word.text for word in words[phrase.first : phrase.end]}
+    if not isinstance(wall, Wall) or clock is None or not typed or clock.hour > HALF_DAY:
         return phrase
     goes_on = lexicon.lasting - lexicon.doing.errands
     goes_on |= lexicon.timing | lexicon.timing_alone | lexicon.doing.resting
     happens = lexicon.happening | lexicon.taken | lexicon.addressing
-    if (goes_on - happens).isdisjoint(word.text for word in words[: phrase.first]):
+    lasts = not (goes_on - happens).isdisjoint(word.text for word in words[: phrase.first])
+    beside = phrase.end - phrase.first < len(words) and not _is_appointed(phrase, words, lexicon)
+    asleep = beside and clock.hour < lexicon.policy.ahead_from.hour
+    # "It takes about 7h30"
+    takes = phrase.first > 0 and words[phrase.first - 1].text in lexicon.told["taking"]
+    if not (asleep or takes or (lasts and clock.hour < FEW_HOURS) if clock.minute else lasts):
         return phrase
-    length = Duration(((clock.hour, Unit.HOUR),))
+    length = Duration(((clock.hour, Unit.HOUR), (clock.minute, Unit.MINUTE)))
     if wall.days is None and wall.part is None:
         return replace(phrase, said=replace(said, time=length, constraint=Constraint.FOR))
     return replace(phrase, said=replace(said, time=replace(wall, clock=None), lasting=length))

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from datetime import datetime, time, timedelta
 
+from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.grounded.standpoint import Standpoint
 from fuzzytime.language.meaning.instants import Instants, midnight
@@ -32,7 +33,10 @@ EARLY = time(4)
 def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
     """Choose among the moments that a clock time may mean, in ascending order."""
     named = wall.days is not None
-    plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=named or here.early)]
+    # "Thursday", said on one at half past two at night, is no day to come.
+    today = isinstance(wall.days, Fields) and moments[0].date() == here.now.date()
+    ahead = (named and not today) or here.early
+    plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=ahead)]
     chosen = (plausible or moments)[0]
     goes_on = here.since is not None and here.since.date() > here.now.date()
     if here.ends and not named and not here.usual and here.now.time() >= EARLY and not goes_on:

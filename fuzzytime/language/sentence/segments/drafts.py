@@ -27,7 +27,7 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.lists.runs import run_apart, switched_apart
-from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed
+from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed, timed_lines
 from fuzzytime.language.sentence.segments.openings import openings_inside
 from fuzzytime.language.sentence.segments.rounds import parted
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
@@ -35,6 +35,7 @@ from fuzzytime.language.sentence.segments.told.asides import Aside, asides_of, b
 from fuzzytime.language.sentence.segments.told.asides_of_hours import asides_of_hours
 from fuzzytime.language.sentence.segments.told.gaps import with_gaps
 from fuzzytime.language.sentence.segments.told.messages import Message, messages_of, orders_beside, remarks_of
+from fuzzytime.language.sentence.segments.told.notes import notes_of
 from fuzzytime.language.sentence.segments.told.reasons import without_threats
 from fuzzytime.language.sentence.segments.told.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source
@@ -42,6 +43,8 @@ from fuzzytime.language.sentence.trees.tree import Trees
 
 NAMING = "name"
 """The rule of a clock time that names an event."""
+
+NOTED = "is taken as a note, and not planned"
 
 HEADED = "heading"
 """The rule of a time that a line above says."""
@@ -141,8 +144,11 @@ def drafted(
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
     entries = [(text, without_bullets(text), now) for text, now in texts]
     listed = [without_marks(entry, list_marks(entry, lexicon)) for _, entry, _ in entries]
-    timed = how_timed(listed, lexicon) if together else Timed.NO
-    drafts = [_without_parts(text, entry, now, timed, grammar, lexicon) for text, entry, now in entries]
+    timed = timed_lines(listed, lexicon) if together else [Timed.NO] * len(listed)
+    drafts = [
+        _without_parts(text, entry, now, how, grammar, lexicon)
+        for (text, entry, now), how in zip(entries, timed, strict=True)
+    ]
     sources = [_source_of(draft) for draft in drafts]
     return [
         replace(
@@ -181,8 +187,8 @@ def _without_parts(
     plain = without_joints(plain, hours, lexicon, listed=listed)
     plain = blanked(plain, leading_labels(plain, lexicon))
     scanned = _in_entries(plain, hours, grammar, lexicon, listed=listed)
-    messages = messages_of(scanned)
-    scanned = _again(scanned, blanked(scanned.text, (message.span for message in messages)), grammar)
+    messages, notes = messages_of(scanned), [*notes_of(scanned)]
+    scanned = _again(scanned, blanked(scanned.text, (*notes, *(one.span for one in messages))), grammar)
     lengths = beside_each_other(asides_of(scanned), told_lengths(scanned))
     asides = beside_each_other(lengths, asides_of_hours(scanned))
     scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides)), grammar)
@@ -196,7 +202,7 @@ def _without_parts(
         scanned,
         tuple(denied(scanned.words, phrases, lexicon)),
         (),
-        tuple(remarks),
+        (*remarks, *(Remark.noted(text, span, NOTED) for span in notes)),
         step=marks[0].number if marks else None,
         asides=asides,
         messages=messages,

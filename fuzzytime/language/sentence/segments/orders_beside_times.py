@@ -1,11 +1,15 @@
 """Orders that trees overlook because a time stands beside them: "fry it for a minute, flip, fry it again"."""
 
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
 LEAST_ORDER = 2
-"""Words of an order with an object, at least."""
+"""Words of an order with an object, at least: "(ring)" may be a thing."""
 
 
 def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
@@ -132,3 +136,10 @@ def is_numbered(tree: Tree) -> bool:
     root = tree.root
     named = root > 0 and tree.nodes[root].lower in tree.lexicon.machines
     return named and root + 1 < len(tree.nodes) and tree.nodes[root + 1].tag == "CD"
+
+
+def asks_for_deed(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words begin with a verb that asks for something done, or say what is to be: "lights off"."""
+    asked = lexicon.orders | lexicon.dosing | lexicon.doing.errands | lexicon.doing.finding
+    states = [word.text for word in words if word.is_letters][1:] == ["off"]
+    return len(words) >= LEAST_ORDER and (states or (words[0].text in asked and not words[1].is_digits))

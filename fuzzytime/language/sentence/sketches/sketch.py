@@ -214,7 +214,8 @@ def _happening(
         return None
     timed = phrases or clauses
     places = [place for phrase in phrases for place in part.at(phrase.span)]
-    put = put_there(part.tree, places)
+    lasts = any(isinstance(phrase.said.time, Duration) for phrase in phrases)
+    put = put_there(part.tree, places, lasts=lasts)
     if put is not None and not part.segment.verbless:
         return put.moved(part.offset)
     due = {place for p in phrases for place in part.at(p.span) if p.said.constraint is Constraint.BEFORE}

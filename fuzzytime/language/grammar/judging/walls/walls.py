@@ -157,9 +157,12 @@ class Walls(Standing):
             # "The 18th century table"
             return True
         counts = wall.clock is not None and self.measures.is_number(piece.end - 1)
-        unit = self.around.is_unit(piece.end) and not self.measures.is_number(piece.end + 1)
-        if unit and (counts or wall.days in PRESENT):
-            # "On the quarter hour", "tonight, | 20 min"; but "at 3:30 Year 9 assembly"
+        named = "".join(self.texts[piece.end + 1 : piece.end + 2])
+        typed = self.texts[piece.end - 2] in {":", "."}
+        ordinal = typed and self.texts[piece.end : piece.end + 1] == ["second"] and named.isalpha()
+        other = ordinal or self.measures.is_number(piece.end + 1)
+        if self.around.is_unit(piece.end) and not other and (counts or wall.days in PRESENT):
+            # "On the quarter hour", "tonight, | 20 min"; but "at 3:30 Year 9 assembly", "8:10 second half"
             return True
         counted = self.counts.is_ordinal(piece.end - 1) or isinstance(wall.days, Season)
         if said.preposition == "of" and counted:

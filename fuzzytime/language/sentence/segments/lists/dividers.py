@@ -15,6 +15,7 @@ from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.segments.lists.entries import Entry, is_when, names_day
 from fuzzytime.language.sentence.segments.lists.heads import headed
+from fuzzytime.language.sentence.segments.orders_beside_times import asks_for_deed
 
 BULLET = re.compile(r"(?:(?<=\s)|^)[•●▪‣◦·]\s*(?=\w)")
 """A mark that stands in front of an entry, and nowhere else."""
@@ -37,8 +38,8 @@ COMMA = re.compile(r",(?=\s)")
 COLON = re.compile(r"(?:(?<!\d)(?<!\d\s):(?=\s+\d)|:(?=\s+[^\W\d]))")
 """A mark between a time in front of an entry and what is then: "mon: gym"."""
 
-LIST = 3
-"""Entries of a list at least in which a number alone may be when."""
+PAIR, LIST = 2, 3
+"""Two entries, and those of a list at least in which a number alone may be when."""
 
 DAY_AND_THING = 2
 """Words of an entry that says no more than what is when."""
@@ -77,7 +78,8 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon, *, listed: bool = Fal
             text = _with_stops(text, [comma for place, comma in enumerate(commas, 1) if place in starts])
         for kind in MARKS:
             marks = _found(kind, text, line)
-            if marks and _divide(_between(text, line, marks), grammar, lexicon):
+            items = _between(text, line, marks)
+            if marks and (_divide(items, grammar, lexicon) or _adds_order(items, grammar, lexicon)):
                 text = _with_stops(text, marks)
     for line in LINE.finditer(text):
         colon = COLON.search(text, *line.span())
@@ -129,6 +131,14 @@ def _divide(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
         return False
     alike = all(entry.begins for entry in entries) or all(entry.ends for entry in entries)
     return alike or len(entries) >= LIST
+
+
+def _adds_order(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether one mark stands between what is at a time, and an order without: "9.30 tea - bring mugs"."""
+    if len(items) != PAIR or not asks_for_deed(words_of(items[1]), lexicon):
+        return False
+    first, second = (Entry.of(item, grammar, lexicon) for item in items)
+    return bool(first.times and first.begins and first.named) and not second.times
 
 
 def _head_entries(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:

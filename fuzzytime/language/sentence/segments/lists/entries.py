@@ -106,8 +106,9 @@ class Entry:
 
     @property
     def ends(self) -> bool:
-        """Whether its time stands at the end."""
-        last = len(self.words)
+        """Whether its time stands at the end, or before a bracket there: "guitar 6 (Leo)"."""
+        texts = [word.text for word in self.words]
+        last = texts.index("(") if "(" in texts[1:] and texts[-1] == ")" else len(self.words)
         while last and not self.words[last - 1].text.isalnum():
             last -= 1
         return bool(self._number_at_end) or any(phrase.end >= last for phrase in self.times)

@@ -23,8 +23,10 @@ DECIMAL = re.compile(r"(?<![\d.])\d+\.(\d\d)(?![\d.])")
 POINT = re.compile(r"(?<=\d)\.(?=[0-5]\d)")
 """What stands for a colon in an hour."""
 
-ALONE = re.compile(r"\s*(?P<hour>1[0-2]|[1-9])\s+(?P<dash>[-–—]\s+)?(?=[^\W\d])")
-"""A number alone in front of a line."""
+ALONE = re.compile(
+    r"\s*(?P<hour>1[0-2]|[1-9])(?P<until>\s?[-–—]\s?(?:1[0-2]|[1-9]))?\s+(?P<dash>[-–—]\s+)?(?=[^\W\d])"
+)
+"""A number alone in front of a line, or two from when to when."""
 
 PLACED = 3
 """Words of a thing that is in some place at least: "joint in the oven"."""
@@ -114,14 +116,15 @@ def _behind_things(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         counts = _is_amount(behind, lexicon)
         # "Beef in 10.45 - 20 min"
         lasts = counts and found["dash"] is not None and (found["minutes"] or found["digits"]) is not None
-        if not before or (counts and not lasts) or _is_other(found, before, lexicon):
+        if not before or (counts and not lasts) or _is_other(found, before, lexicon) or _numbers(found):
+            continue
+        apart = found["last"] and found["dash"] and not found["minutes"] and not _is_within_hour(found)
+        if apart and _is_called(before[-1], lexicon):
+            # "Dive 1 - 9.30"
+            yield found.end("dash") - 1
             continue
         if ":" in text[found.start("mark") : found.end()] and not lexicon.means(before[-1].text, "hedge"):
             # "Panel 9:15" needs no mark.
-            continue
-        if found["last"] and found["dash"] and not found["minutes"] and _is_called(before[-1], lexicon):
-            # "Dive 1 - 9.30"
-            yield found.end("dash") - 1
             continue
         if not (lasts or _may_end(found, before, behind, lexicon, timed)) or not _names(
             found, before, lexicon, timed
@@ -141,8 +144,9 @@ def _names(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon, timed
         return False
     if found["digits"] and timed < Timed.MOST and not found["digits"].startswith("0"):
         return False
-    if not typed and _takes(before, lexicon):
-        # "Simmer 10"
+    numbers = [int(number) for number in re.findall(r"\d+", found[0])]
+    if not typed and _takes(before, lexicon) and not (found["until"] and numbers[0] > numbers[1]):
+        # "Simmer 10", "simmer 10 - 12"; but "boil 12 - 1"
         return False
     sure = timed >= Timed.MOST and found["minutes"] is not None
     named = _is_thing(before[-1], lexicon, sure=sure) if typed else _is_timed(before, lexicon, timed)
@@ -165,7 +169,8 @@ def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
         if alone is None or not counts_nothing(behind, 0, lexicon):
             continue
         # "11 - coffee", "12 lunch", "7 up"
-        sure = alone["dash"] or has_time(behind[0].text, lexicon) or behind[0].text in lexicon.beside.states
+        sure = alone["dash"] or alone["until"] or has_time(behind[0].text, lexicon)
+        sure = sure or behind[0].text in lexicon.beside.states
         if timed is Timed.LEAD or sure:
             yield line.start() + alone.start("hour") - 1
 
@@ -210,8 +215,26 @@ def _is_other(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon) ->
     """Whether a number is a price, a version, a year or shared: "milk 2.50", "9pm Alien 1979", "half 2"."""
     kinds = lexicon.no_times
     costs = not (kinds.costing | kinds.versioning).isdisjoint(word.text for word in before)
+    # "Get mince 500g, onions 3, 2 tins of toms"
+    got = before[0].text in lexicon.doing.getting and "," in {word.text for word in before}
+    costs = costs or (got and found["minutes"] is None and _is_counted(before[-1], lexicon))
     year = found["digits"] in YEARS and any(word.is_digits for word in before)
     return costs or year or before[-1].text in lexicon.beside.parts_of_hours
+
+
+def _is_within_hour(found: re.Match[str]) -> bool:
+    """Whether two numbers are from when to when within an hour: "4 - 4.30"."""
+    first, last = re.findall(r"\d+", found[0])[:2]
+    return bool(first == last)
+
+
+def _numbers(found: re.Match[str]) -> bool:
+    """Whether numbers alone say which, behind an hour in front: "9.30 ovens (deck 1)", "8.15 rows 2 & 3"."""
+    before = found.string[: found.start()]
+    led = before[before.rfind("\n") + 1 :].lstrip()[:1].isdigit()
+    alone = not (found["minutes"] or found["digits"] or found["until"])
+    several = found["more"] is not None and not any(mark in found["more"] for mark in ".:")
+    return led and alone and (several or before.count("(") > before.count(")"))
 
 
 def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:

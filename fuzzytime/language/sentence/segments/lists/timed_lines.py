@@ -3,6 +3,7 @@
 import re
 from collections.abc import Sequence
 from functools import cache
+from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.timetables import MINUTES, has_time
@@ -30,6 +31,9 @@ FEWEST = 5
 
 FIVES = 5
 """Minutes by which people plan; prices have others, but so have trains and sunsets, one of four at most."""
+
+CALENDAR = ("weekday", "day", "part", "meal", "month")
+"""What a word means in a title that says when: "Monday morning:"."""
 
 FEW_ODD = 4
 """Of so many numbers with two digits behind their points, one may have others."""
@@ -66,25 +70,57 @@ def _with_digits(
     return [timed and bool(numbers) for numbers in digits]
 
 
+def timed_lines(texts: Sequence[str], lexicon: Lexicon) -> list[Timed]:
+    """Give how far each text is one of a list of times; nothing below a title is where no line says when.
+
+    "Saturday:", "swim 9.30", "lunch 1", then "Shopping:", "onions 3", "milk".
+    """
+    whole = how_timed(texts, lexicon)
+    titles = [place for place, text in enumerate(texts) if _is_title(text, lexicon)]
+    found = [whole] * len(texts)
+    for first, end in pairwise((*titles, len(texts))):
+        below = [line[0] for text in texts[first + 1 : end] for line in LINE.finditer(text)]
+        if not any(_surely(line, lexicon) or _is_typed(line, lexicon) for line in below):
+            found[first:end] = [Timed.NO] * (end - first)
+    return found
+
+
+def _is_title(text: str, lexicon: Lexicon) -> bool:
+    """Whether a line with a colon names what is below it, and no day or part of one: "Shopping:"."""
+    words = words_of(text.strip(" *_-"))
+    timed = any(word.is_digits or lexicon.means(word.text, *CALENDAR) for word in words)
+    return bool(words) and words[-1].text == ":" and not timed
+
+
+def _surely(line: str, lexicon: Lexicon) -> re.Match[str] | None:
+    """Give the first time of a line that is surely one."""
+    prepositions = lexicon.closed.prepositions_of_points | lexicon.closed.prepositions_of_time
+    return _sure(prepositions, lexicon.beside.of_hours).search(line)
+
+
+def _is_typed(line: str, lexicon: Lexicon) -> bool:
+    """Whether a number in a line is typed like an hour and its minutes, or two from when to when."""
+    behind = hours_behind(lexicon.beside.of_hours).finditer(line)
+    return LEADING.match(line) is not None or any(
+        found["minutes"] or found["digits"] or found["last"] for found in behind
+    )
+
+
 def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     """Give whether lines are a list of times, as two are surely timed, or three have numbers like hours."""
     lines = [line[0] for text in texts for line in LINE.finditer(text)]
     halves = hours_behind(lexicon.beside.of_hours)
     behind, fronts = [[*halves.finditer(line)] for line in lines], [LEADING.match(line) for line in lines]
-    prepositions = lexicon.closed.prepositions_of_points | lexicon.closed.prepositions_of_time
-    surely = _sure(prepositions, lexicon.beside.of_hours)
+    firsts = [_surely(line.strip(), lexicon) for line in lines]
     decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
-    typed = [
-        front is not None or any(found["minutes"] or found["digits"] or found["last"] for found in hours)
-        for front, hours in zip(fronts, behind, strict=True)
-    ]
+    typed = [_is_typed(line, lexicon) for line in lines]
     happens = sum(
         found["minutes"] is not None and has_time(words_of(line[: found.start()])[-1].text, lexicon)
         for line, hours in zip(lines, behind, strict=True)
         for found in hours
     )
     digits = _with_digits(fronts, behind)
-    sure = [surely.search(line) is not None or one for line, one in zip(lines, digits, strict=True)]
+    sure = [one is not None or counted for one, counted in zip(firsts, digits, strict=True)]
     odd = sum(digits >= MINUTES or digits % FIVES != 0 for digits in decimals)
     # "Bus 8.02": what happens has any minutes, but no price.
     happen = happens >= TYPED and max(decimals, default=0) < MINUTES
@@ -101,7 +137,7 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     if timed < MOST or FEWEST * timed < len(lines) or MOST * most < len(lines):
         return Timed.SOME
     leading = sum(
-        front is not None or surely.match(line.strip()) is not None
-        for line, front in zip(lines, fronts, strict=True)
+        (one is not None and not one.start()) or front is not None
+        for one, front in zip(firsts, fronts, strict=True)
     )
     return Timed.LEAD if leading >= MOST and MOST * leading >= timed else Timed.MOST

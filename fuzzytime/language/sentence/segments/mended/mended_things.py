@@ -224,8 +224,9 @@ def with_bare_thing(tree: Tree, timed: AbstractSet[int]) -> Tree:
     where = lexicon.places | lexicon.particles.keys() | lexicon.function_words
     for thing in tree.children(root, *BESIDE, "advmod"):
         node = tree.nodes[thing]
-        # "Text jo this evening"
-        named = node.tag.startswith("NN") or tree.nodes[root].lemma in lexicon.addressing
+        # "Text jo this evening", "preheat oven at six"
+        named = node.tag.startswith("NN") or node.lower in lexicon.measure_nouns
+        named = named or tree.nodes[root].lemma in lexicon.addressing
         if thing == place and named and node.lower not in where:
             return tree.changed(thing, relation="dobj", tag=node.tag if node.tag in NAMES else "NN")
     return tree
@@ -245,12 +246,15 @@ def with_thing_before_time(tree: Tree, timed: AbstractSet[int]) -> Tree:
     for place in sorted(timed):
         thing, node = place - 1, tree.nodes[place]
         parts = [p for p in tree.children(place, *PARTS) if p < place and p not in timed]
-        if thing not in parts or not tree.nodes[thing].tag.startswith("NN") or parts[0] == 0:
+        # "Feed starter 11.45"
+        named = thing in parts and tree.nodes[thing].tag.startswith(("NN", "JJ"))
+        if not named or parts[0] == 0:
             continue
         verb = parts[0] - 1 if tree.nodes[parts[0] - 1].is_verb else node.head
         if not tree.nodes[verb].is_verb or verb in timed or node.head == place:
             continue
-        given = tree.hung(parts, thing).changed(thing, relation="dobj", head=verb)
+        tag = "NN" if tree.nodes[thing].tag == "JJ" else tree.nodes[thing].tag
+        given = tree.hung(parts, thing).changed(thing, relation="dobj", head=verb, tag=tag)
         given = given.changed(place, relation="npadvmod", head=verb)
         if given.nodes[verb].head == place:
             given = given.changed(verb, relation=node.relation, head=node.head)

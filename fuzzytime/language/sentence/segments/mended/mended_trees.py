@@ -16,6 +16,9 @@ NTH = 3
 BESIDE_DONE = frozenset({"prep", "agent", "npadvmod", "advmod", "punct", "cc", "conj", "prt"})
 """How what hangs on a participle that names nothing."""
 
+OF_TIMES = frozenset({"prep", "pobj", "punct", "nummod"})
+"""How what hangs on a word that stands beside when."""
+
 LET = 2
 """Words before what is done in "let's film"."""
 
@@ -35,6 +38,13 @@ def as_done(tree: Tree) -> Tree:
     mended = _does_named(tree) or _lets(tree) or _does_nth(tree)
     mended = mended or _lets_know(tree) or with_verb(tree)
     return _with_list(_wants_done(mended or tree))
+
+
+def as_somewhere(tree: Tree) -> Tree:
+    """Give "home by five" a place in front, which a tree takes for what is done: nothing is homed."""
+    first, somewhere = tree.nodes[0], tree.lexicon.closed.adverbs_of_arrival & tree.lexicon.beside.states
+    alone = {node.relation for node in tree.nodes[1:]} <= OF_TIMES
+    return tree.changed(0, tag="RB") if alone and first.is_verb and first.lower in somewhere else tree
 
 
 def _with_manner(tree: Tree) -> Tree:

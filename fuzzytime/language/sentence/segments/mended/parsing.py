@@ -19,6 +19,7 @@ from fuzzytime.language.sentence.segments.mended.mended_trees import (
     as_acting,
     as_done,
     as_order,
+    as_somewhere,
     with_reminded,
 )
 from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed
@@ -84,7 +85,7 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
     """Give a tree with what its model overlooks; where all words are of its time, it is empty."""
     if not tree.nodes:
         return tree
-    timed = one.timed(tree)
+    tree, timed = as_somewhere(tree), one.timed(tree)
     tree = with_thing_before_time(with_her(with_bare_thing(with_whole_things(tree), timed), timed), timed)
     tree = with_purpose(with_aim(tree, timed))
     tree = with_event_names(with_object_of_aim(tree, timed), timed)

@@ -27,7 +27,7 @@ class LastSaid:
     ``night`` is from when to when something goes on over midnight, as was told; ``begun`` is the first clock
     time of a line, ``forward`` how many of them came later than the one before, on ``lines`` before this, and
     ``earliest`` and ``latest`` the ends of all, ``nightly`` how many are at night. ``early`` says that the
-    first may be as early as people are up.
+    first may be as early as people are up, ``usual`` that things are done at their usual hours.
     """
 
     clock: float | None = None
@@ -40,6 +40,7 @@ class LastSaid:
     latest: float | None = None
     nightly: int = 0
     early: bool = False
+    usual: bool = True
 
     @property
     def in_order(self) -> bool:
@@ -145,6 +146,8 @@ def said_in(reading: Reading, before: LastSaid) -> LastSaid:
     begun = next((clock for clock in clocks if clock is not None), None)
     now = reading.now
     at_night = now is not None and begun is not None and (now + timedelta(seconds=begun)).time() < UP
+    # Who writes a list at half past two is up.
+    at_night = at_night and now is not None and now.time() >= UP
     said = last_said(_times_in(reading), before)
     said = replace(
         said, clock=last_said(firsts, before).clock, begun=begun, nightly=before.nightly + at_night

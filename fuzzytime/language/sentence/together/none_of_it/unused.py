@@ -78,6 +78,12 @@ def unused_words(text: str, part: Part, operation: Operation, heard: Sequence[Sp
         last = next(place for place in left if place >= first and place + 1 not in left)
         span = part.span(part.tree.nodes[first], part.tree.nodes[last])
         yield Remark.noted(text, span, "is not used")
+    called = part.segment.addressee
+    place = -1 if called is None or operation.addressee else text.find(called)
+    span = (place, place + len(called or ""))
+    if place >= 0 and not any(character.isdigit() for character in text[slice(*span)]):
+        # "Sam, choir at seven": nobody is asked to do what happens.
+        yield Remark.noted(text, span, "is not used")
 
 
 def _reasons(tree: Tree) -> frozenset[int]:
@@ -103,8 +109,11 @@ def _says_how(node: Node, lexicon: Lexicon) -> bool:
 def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[Span]) -> Iterator[Remark]:
     """Point at words without a verb that is understood; at none where all that is said is a time."""
     first, end = part.segment.span
+    # "Choir at seven, Jo, Sam": the one is called by the other.
+    called = text.rfind(part.segment.addressee, 0, first) if part.segment.addressee else -1
+    first = first if called < 0 else called
     inside = (word for word in words if first <= word.start < end)
     said = [word for word in inside if word.is_letters or is_quoted(word.text)]
     if not all(any(a <= word.start < b for a, b in heard) for word in said):
         message = f"{text[first:end]!r} names nothing to do that is understood"
-        yield Remark(RemarkKind.NOT_UNDERSTOOD, part.segment.span, message)
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, (first, end), message)

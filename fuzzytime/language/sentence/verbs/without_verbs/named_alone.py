@@ -104,7 +104,7 @@ def _lowered(said: str) -> str:
     return said[:1].lower() + said[1:] if said[1:2].islower() else said
 
 
-def put_there(tree: Tree, timed: Sequence[int]) -> Operation | None:
+def put_there(tree: Tree, timed: Sequence[int], *, lasts: bool) -> Operation | None:
     """Give what is named with "in" or "on" and a time behind it as to be put there; None for all else.
 
     Who comes in does so alone ("mum in at six"), and what happens is on ("dinner on at six").
@@ -113,14 +113,26 @@ def put_there(tree: Tree, timed: Sequence[int]) -> Operation | None:
     nodes = tree.nodes
     first = 1 if nodes and nodes[0].tag in DETERMINERS else 0
     place = next((p for p in range(first + 1, len(nodes)) if nodes[p].lower in PLACES), 0)
-    if not place or place + 1 not in timed or place in timed or nodes[place].tag == "IN":
+    behind = "".join(node.lower for node in nodes[place + 1 : place + 2])
+    # "5.30 chicken in, 1 hr 20"
+    ends = place + 1 in timed or (lasts and behind in {"", ","})
+    if not place or not ends or place in timed:
+        return None
+    # "Spuds in 12.20 for an hour"; but "withdrawals in by six", "lights on at six"
+    goes_in = lasts and nodes[place].lower == "in" and behind != "by"
+    if nodes[place].tag == "IN" and not goes_in:
         return None
     things = nodes[first:place]
     thing = things[-1]
     named = {node.lower for node in things}
     known = named & (lexicon.happening | lexicon.taken | lexicon.persons | lexicon.travelling)
     acts = thing.lower == thing.lemma and thing.may_act
-    if known or acts or thing.tag not in THINGS or any(n.tag not in THINGS | {"JJ"} for n in things[:-1]):
+    # "Lamb in at eleven for two hours", which a tree takes for a verb
+    verbs = lexicon.orders.union(lexicon.intransitive, lexicon.needing_nothing, lexicon.particles["in"])
+    verbs = verbs.union(lexicon.addressing, lexicon.lasting, lexicon.circling, lexicon.doing.errands)
+    mistaken = thing.is_verb and goes_in and thing.lower not in verbs
+    others = any(node.tag not in THINGS | {"JJ"} for node in things[:-1])
+    if known or others or not (mistaken or (thing.tag in THINGS and not acts)):
         return None
     if thing.tag == "VBZ" and len(things) > 1:
         # "The bus comes in at nine"

@@ -76,7 +76,7 @@ def chores_at(
         return None
     root = tree.nodes[tree.root]
     several = root.tag == "NNS" and tree.lexicon.persons.isdisjoint((root.lower, root.lemma))
-    done = several or (root.lower,) in tree.lexicon.conversation["by itself"]
+    done = several or (root.tag != "RB" and (root.lower,) in tree.lexicon.conversation["by itself"])
     if named[-1] != tree.root or not done:
         return None
     if any(not _describes(tree.nodes[place], first=place == named[0]) for place in named[:-1]):
