@@ -43,12 +43,12 @@ class Taken:
 def free(scene: Scene, about: About) -> Reply:
     """Say whether one is free at a time, for as long as something takes; or when one is."""
     if not about.time:
-        return _gaps_told(scene)
+        return _gaps_told(scene, scene.now)
     time = time_of(scene, about.time)
     first, end = bounds_of(scene, time)
     if first is None:
         # "Can I fit in a run before lunch?"
-        return room(scene, about) if about.thing else _gaps_told(scene)
+        return room(scene, about) if about.thing else _gaps_told(scene, scene.now)
     scene = _as_far_as(scene, end or first)
     length = _length_of(scene, about.thing)[0] if about.thing else timedelta(0)
     window = end if end is not None and end > first else first + max(length, SHORTEST)
@@ -74,7 +74,7 @@ def free(scene: Scene, about: About) -> Reply:
 
 def room(scene: Scene, about: About) -> Reply:
     """Say whether something fits in before a time, or before something else."""
-    length, assumed = _length_of(scene, about.thing)
+    length, assumed = _length_of(scene, about.thing) if about.thing else (SHORTEST, False)
     since, until = scene.now, None
     if about.names:
         entry = entry_of(scene, about.names) or unknown(about.names)
@@ -92,6 +92,8 @@ def room(scene: Scene, about: About) -> Reply:
             until = end or first
         elif first is not None:
             since, until = max(since, first), end if end is not None and end > first else first + length
+    if not about.thing:
+        return _gaps_told(scene, since, until)
     what = f"{about.thing} ({_long(length)}{', assumed' if assumed else ''})"
     for begin, over in _gaps(scene, since, until):
         if over is None or over - begin >= length:
@@ -137,12 +139,13 @@ def _as_far_as(scene: Scene, end: datetime) -> Scene:
     return replace(scene, plan=further.plan(scene.now, further.state, previous=scene.plan))
 
 
-def _gaps_told(scene: Scene) -> Reply:
-    """Say when one is free, until the day's last thing is over."""
-    taken = list(_taken(scene))
-    if not taken:
+def _gaps_told(scene: Scene, since: datetime, until: datetime | None = None) -> Reply:
+    """Say when one is free from some time on, until another or until the day's last thing is over."""
+    if not _taken(scene):
         return said("free all the time: nothing is planned")
-    gaps = list(_gaps(scene, scene.now, None))
+    gaps = list(_gaps(scene, since, until))
+    if not gaps:
+        return said("not free then")
     told = [
         f"from {_at(scene, begin)} on" if over is None else f"from {_at(scene, begin)} to {_at(scene, over)}"
         for begin, over in gaps
