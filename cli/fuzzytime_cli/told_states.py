@@ -56,9 +56,9 @@ def told_of(lexicon: Lexicon) -> frozenset[str]:
 
 def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     """Whether what looks like a wish tells what is, or was: "dinner's burnt", "you forgot the windows"."""
-    if len(reading.instructions) != 1:
+    if len(reading.instructions) > 1 or reading.text.rstrip().endswith("?"):
         return False
-    operation = reading.instructions[0].operation
+    operation = reading.instructions[0].operation if reading.instructions else None
     if operation is None:
         return _is_somehow(reading, lexicon)
     if _is_short_for_is(reading) or _goes_on(reading, lexicon) or _is_somehow(reading, lexicon):

@@ -165,6 +165,8 @@ def test_a_thing_with_a_direction_in_its_name_goes_where_it_is_said_to(line: str
         ("have I got judo today?", "s1 judo: at 10:00"),
         ("what time's my judo class?", "s1 judo: at 10:00"),
         ("when does judo finish?", "done at 11:00"),
+        ("what was at two?", "s2 call Bob: 14:00"),
+        ("why do I call Bob at two?", "s2 call Bob"),
         ("have I got time before judo?", "free from 09:00 to 10:00"),
         ("don't forget Bob", "s2 call Bob: at 14:00"),
         ("how long am I in the library?", "s3 library: 2 h"),
@@ -184,6 +186,12 @@ def test_what_comes_after_a_label_or_what_was_spoken_of_comes_after_that() -> No
     )
     assert talk.start("s3").hour == 11
     assert "after call mum" in talk.say("do the lawn after that")
+
+
+def test_what_is_left_out_in_front_leaves_its_verb_to_the_others() -> None:
+    talk = talk_of("water the roses at ten, the lawn at eleven and the beds at noon")
+    talk.say("cancel the roses")
+    assert talk.entries == ["water the lawn at eleven and the beds at noon"]
 
 
 def test_what_is_left_as_it_was_is_so_again() -> None:

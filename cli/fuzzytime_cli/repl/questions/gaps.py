@@ -13,7 +13,7 @@ from fuzzytime.requirement import Constraint
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.naming import entry_of, unknown
+from fuzzytime_cli.repl.naming import entry_of, part_meant, unknown
 from fuzzytime_cli.repl.questions.stretches import bounds_of, on_its_day, time_of
 from fuzzytime_cli.repl.scene import Reply, Scene, said, waiting
 from fuzzytime_cli.repl.typed import number_of
@@ -79,7 +79,12 @@ def room(scene: Scene, about: About) -> Reply:
     if about.names:
         entry = entry_of(scene, about.names) or unknown(about.names)
         schedule = scene.plan.schedule
-        mine = [place for place, _ in waiting(scene, entry.number) if scene.plan.has_time(place)]
+        part = part_meant(scene, entry.number, about.names)
+        mine = [
+            place
+            for place, one in waiting(scene, entry.number)
+            if scene.plan.has_time(place) and part in {None, one.identifier}
+        ]
         if not mine:
             raise FuzzytimeError("when that is, is not planned")
         instants = [scene.plan.instant(schedule.start_times[place]) for place in mine]
@@ -141,7 +146,7 @@ def _as_far_as(scene: Scene, end: datetime) -> Scene:
 
 def _gaps_told(scene: Scene, since: datetime, until: datetime | None = None) -> Reply:
     """Say when one is free from some time on, until another or until the day's last thing is over."""
-    if not _taken(scene):
+    if not _taken(scene) and until is None and since <= scene.now:
         return said("free all the time: nothing is planned")
     gaps = list(_gaps(scene, since, until))
     if not gaps:

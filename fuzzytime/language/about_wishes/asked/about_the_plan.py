@@ -30,6 +30,9 @@ def _supposed(said: Said) -> About | None:
 def _why(said: Said) -> About | None:
     rest = said.after("why")
     named = None if rest is None or rest.as_time() else _in_front(rest.without("last")[0])
+    if named is not None and named.has_time:
+        # "Why do I varnish at half ten?"
+        named = Said(named.parted()[0] or named.text, said.now, said.lexicon)
     # "Why friday?"
     names = frozenset() if named is None else _names(named)
     if rest is None or (names and _asks_for_something(said)):
