@@ -7,11 +7,17 @@ from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import Lexicon, Operation, Reading, content_words, reported
 from fuzzytime.language.instruction import overlap
 
-NAMING = ("N", "D", "PRP", "J", "CD", "R")
+NAMING = ("N", "D", "PRP", "J", "CD", "R", "IN")
 """How the tags of words begin that name what something is told of."""
 
 STATES = frozenset({"JJ", "RB"})
 """Tags of how something is."""
+
+NO = "no"
+"""What stands before a thing that is not there."""
+
+PLACES = frozenset({"IN", "RP"})
+"""Tags of where somebody is, where nothing but a time stands behind: "mum isn't in until six"."""
 
 HAPPENING = ("present", "finished", "later", "being", "anew", "absent")
 """Tables of words behind "is" with which something happens, or is news."""
@@ -50,14 +56,18 @@ def told_of(lexicon: Lexicon) -> frozenset[str]:
 
 def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     """Whether what looks like a wish tells what is, or was: "dinner's burnt", "you forgot the windows"."""
-    if len(reading.instructions) != 1:
+    if len(reading.instructions) > 1 or reading.text.rstrip().endswith("?"):
         return False
-    operation = reading.instructions[0].operation
+    operation = reading.instructions[0].operation if reading.instructions else None
     if operation is None:
         return _is_somehow(reading, lexicon)
     if _is_short_for_is(reading) or _goes_on(reading, lexicon) or _is_somehow(reading, lexicon):
         return True
     if not reading.instructions[0].requirements and _is_remark(reading, operation, lexicon):
+        return True
+    passed = any(one.relation == "aux:pass" and one.tag == "VBD" for one in reading.tokens)
+    if passed or (operation.lemma == "have" and any(one.text.lower() == NO for one in reading.tokens)):
+        # "The film got cancelled", "Theo has no homework today"
         return True
     if operation.due is not None:
         # "Mum called"
@@ -117,7 +127,10 @@ def _is_somehow(reading: Reading, lexicon: Lexicon) -> bool:
     """
     tokens, conversation = reading.tokens, lexicon.conversation
     being = lexicon.closed.present_be | SHORT_FOR_IS
-    place = next((n for n, token in enumerate(tokens) if token.text.lower() in being), 0)
+    timed = [part.span for one in reading.instructions for part in one.requirements]
+    # "At ten am" tells of nobody.
+    outside = [not any(overlap(one.span, span) for span in timed) for one in tokens]
+    place = next((n for n, token in enumerate(tokens) if token.text.lower() in being and outside[n]), 0)
     if not 0 < place < len(tokens) - 1:
         # "Looks like rain at four"
         seems = tokens[:1] != () and tokens[0].tag == "VBZ" and tokens[0].lemma != "be"
@@ -127,14 +140,12 @@ def _is_somehow(reading: Reading, lexicon: Lexicon) -> bool:
     state = tokens[min(place + 1, len(tokens) - 1)]
     happens = {form[0] for name in HAPPENING for form in conversation[name]} | lexicon.doing.foretold
     things = all(token.tag.startswith(NAMING) for token in tokens[: place - denied])
-    timed = [part.span for one in reading.instructions for part in one.requirements]
-    behind = tokens[place + 2 : place + 3]
     # "Mum's old car" is hers.
-    owned = any(
-        one.tag.startswith("N") and not any(overlap(one.span, span) for span in timed) for one in behind
-    )
+    owned = any(one.tag.startswith("N") for one in tokens[place + 2 : place + 3] if outside[place + 2])
     known = state.text.lower() in happens and not denied
-    return things and state.tag in STATES and not owned and not known
+    alone = not any(outside[place + 2 :])
+    how = state.tag in STATES or state.lemma in lexicon.doing.closing_up or (state.tag in PLACES and alone)
+    return things and how and not owned and not known
 
 
 def _is_short_for_is(reading: Reading) -> bool:

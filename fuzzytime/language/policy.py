@@ -93,9 +93,13 @@ class Policy:
     ask: bool = True
 
     def far_from(self, hour: float, old: float) -> tuple[bool, float]:
-        """Give how unlikely an hour is as the new one of what was at another: at night, and how far away."""
+        """Give how unlikely an hour is as the new one of what was at another: at night, and how far away.
+
+        What was late itself may be at any hour of the night.
+        """
         asleep = not self.plausible_from.hour <= hour <= self.plausible_to.hour
-        return abs(hour - old) > self.soon_hours and asleep, abs(hour - old)
+        late = not self.night_to.hour <= old % 24 < self.plausible_to.hour
+        return abs(hour - old) > self.soon_hours and asleep and not late, abs(hour - old)
 
     def begin_before(self, deadline: float) -> int:
         """Give from when on, in seconds of its day, what is due at a time of that day may begin."""

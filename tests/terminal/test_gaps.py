@@ -80,3 +80,8 @@ def test_nothing_planned_is_free() -> None:
 def test_what_is_asked_of_another_is_no_question_about_the_plan(line: str) -> None:
     talk = talk_of(line)
     assert talk.entries == [line]
+
+
+def test_room_before_one_of_several_things_of_a_line_is_up_to_that() -> None:
+    talk = talk_of("Mr Lee at half past nine, Sam at half past ten, Jo at noon")
+    assert "to 10:30" in talk.say("have I got time before Sam?")

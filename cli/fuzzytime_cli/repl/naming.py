@@ -5,6 +5,7 @@ from datetime import datetime
 from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import content_words, nouns_of, verb_forms
 from fuzzytime_cli.repl.scene import Scene, asked_by, begun_parts, identifier_of, own_words, waiting
 from fuzzytime_cli.repl.typed import number_of, whole_number
@@ -100,6 +101,9 @@ def entries_named(scene: Scene, names: frozenset[str]) -> list[Entry]:
     own = [entry for entry in entries if names <= own_words(scene, entry)]
     # "It" in its words is what it is called by, and "the inspection" what is inspected.
     by_name = [e for e in entries if names <= words_of_entry(scene, e) | own_words(scene, e)]
+    if names <= {form[0] for form in scene.lexicon.conversation["occasion"]}:
+        # Which "appointment" is not said.
+        by_name = []
     return comes or things or own or by_name
 
 
@@ -159,7 +163,13 @@ def words_of_entry(scene: Scene, entry: Entry) -> frozenset[str]:
     verbs = (one.operation.lemma for one in skills if one.operation is not None)
     nouns = frozenset(noun for verb in verbs for noun in _words_of_verb(scene, verb))
     begun = (content_words(one.name) for one in begun_parts(scene, entry.number))
-    return nouns.union(*(content_words(one.skill.name) for one in skills), *begun, {entry.identifier})
+    names = (content_words(one.skill.name) | occasion_words(scene, one) for one in skills)
+    return nouns.union(*names, *begun, {entry.identifier})
+
+
+def occasion_words(scene: Scene, one: Interpreted) -> frozenset[str]:
+    """Give the words for any occasion, where it is one: the dentist is the "dentist appointment", too."""
+    return frozenset(form[0] for form in scene.lexicon.conversation["occasion"] if one.stated)
 
 
 def _words_of_verb(scene: Scene, verb: str) -> frozenset[str]:
@@ -234,7 +244,12 @@ def part_meant(scene: Scene, number: int, names: frozenset[str]) -> str | None:
     mine = {key: name for key, name in parts.items() if number_of(key) == number}
     # "He rang", of "ring the supplier"
     verbs = {name: verb_forms(name.partition(" ")[0].lower(), scene.lexicon) for name in mine.values()}
-    named = [key for key, name in mine.items() if names <= content_words(name) | verbs[name]]
+    occasions = {one.skill.name: occasion_words(scene, one) for _, one in waiting(scene, number)}
+    named = [
+        key
+        for key, name in mine.items()
+        if names <= content_words(name) | verbs[name] | occasions.get(name, frozenset())
+    ]
     return named[0] if names and len(named) == 1 and len(set(mine.values())) > 1 else None
 
 

@@ -131,9 +131,15 @@ def without_part(scene: Scene, entry: Entry, name: str) -> str:
     behind = [one.span[0] for one in left if one.span[0] >= end]
     before = entry.text[:first]
     text = before + entry.text[min(behind) :] if behind else _without_joints(scene, before)
-    anew = _asked_in(scene, text, entry.given)
+    verbs = dict.fromkeys(one.operation.verb for one in left if one.operation is not None)
+    # "Make the soup at six and the salad at seven", of which the soup is not to be
+    texts = (text, *(f"{before}{verb} {entry.text[min(behind) :]}" for verb in verbs if behind))
     same = [(_name(one), _times(one, entry.given)) for one in left]
-    return text if same == [(_name(one), _times(one, entry.given)) for one in anew] else ""
+    for said in texts:
+        anew = [(_name(one), _times(one, entry.given)) for one in _asked_in(scene, said, entry.given)]
+        if anew == same:
+            return said
+    return ""
 
 
 def only_left_out(scene: Scene, entry: Entry, text: str) -> bool:

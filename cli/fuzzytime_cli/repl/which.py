@@ -189,21 +189,19 @@ def with_label(scene: Scene, words: str, span: tuple[int, int], times: frozenset
     first, end = span
     schedule, day = scene.plan.schedule, timedelta(days=1)
     starts = {
-        one.identifier: (one.skill.name, scene.plan.instant(schedule.start_times[place]))
+        one.identifier: scene.plan.instant(schedule.start_times[place])
         for place, one in waiting(scene)
         if scene.plan.has_time(place)
     }
-    starts |= {one.identifier: (one.name, one.start) for one in scene.conversation.running(scene.now)}
+    starts |= {one.identifier: one.start for one in scene.conversation.running(scene.now)}
     apart = {
         label: min(abs(start - datetime.combine(start, time, start.tzinfo)) % day for time in times)
-        for label, (_, start) in starts.items()
+        for label, start in starts.items()
     }
     # What others want as well may be planned beside its time.
     then = [label for label, by in apart.items() if by == min(apart.values()) and by <= BESIDE]
     if len(then) == 1:
-        label, name = then[0], starts[then[0]][0]
-        several = sum(number_of(other) == number_of(label) for other in starts) > 1
-        return f"{words[:first]}{name if several else label}{words[end:]}"
+        return f"{words[:first]}{then[0]}{words[end:]}"
     if about_wishes(f"{words[:first]}s1{words[end:]}", scene.now, scene.lexicon) is None:
         return None
     if then:

@@ -1,4 +1,4 @@
-"""What a line calls by its time: "the nine o'clock is cancelled", "move my 10.30 to noon"."""
+"""What a line calls by its time: "the nine o'clock is cancelled", "move the one at 10.30 to noon"."""
 
 from datetime import datetime, time
 
@@ -13,7 +13,18 @@ from fuzzytime.times import instant_after
 LONGEST_CLOCK = 4
 """Words of a clock time at most."""
 
-BEHIND = ("cancelled", "later", "earlier", "late", "early", "finished", "towards", "more", "preferring")
+BEHIND = (
+    "cancelled",
+    "later",
+    "earlier",
+    "late",
+    "early",
+    "finished",
+    "towards",
+    "more",
+    "preferring",
+    "absent",
+)
 """Tables of what may be said right behind what is called by its time."""
 
 
@@ -29,8 +40,12 @@ def called_by_time(text: str, now: datetime, lexicon: Lexicon) -> tuple[Span, fr
     for place, word in enumerate(said.forms):
         if word not in lexicon.closed.noun_openers or word in lexicon.closed.indefinite_determiners:
             continue
-        for end in range(min(place + 1 + LONGEST_CLOCK, len(said.words)), place + 1, -1):
-            times = _clock_times(said.until(end).behind(place + 1))
+        one = said.behind(place + 1).opens_with("listed")
+        begin = (
+            place + 1 + (one + 1 if one and said.forms[place + 1 + one : place + 2 + one] == ("at",) else 0)
+        )
+        for end in range(min(begin + LONGEST_CLOCK, len(said.words)), begin, -1):
+            times = _clock_times(said.until(end).behind(begin), counted=begin == place + 1)
             behind = said.behind(end)
             one = behind.opens_with("several") or behind.opens_with("listed")
             if times and _ends(behind.behind(one)):
@@ -38,10 +53,10 @@ def called_by_time(text: str, now: datetime, lexicon: Lexicon) -> tuple[Span, fr
     return None
 
 
-def _clock_times(said: Said) -> frozenset[time]:
-    """Give which times of a day a text may mean that is one, and nothing more."""
+def _clock_times(said: Said, *, counted: bool) -> frozenset[time]:
+    """Give which times of a day a text may mean that is one, and no more; a number may be ``counted``."""
     found = find_times(f"{AT}{said.text}", said.now, said.lexicon).found
-    if len(found) != 1 or found[0].requirement.text != f"{AT}{said.text}" or said.as_number():
+    if len(found) != 1 or found[0].requirement.text != f"{AT}{said.text}" or (counted and said.as_number()):
         return frozenset()
     part, questions = found[0].requirement, found[0].questions
     if part.constraint is not Constraint.AT or part.grain not in CLOCKED or part.t_spec is None:
@@ -57,7 +72,7 @@ def _ends(behind: Said) -> bool:
     lexicon, first = behind.lexicon, behind.forms[0]
     small = (
         not content_words(first)
-        or first in lexicon.function_words
+        or first in lexicon.function_words | lexicon.doing.happening
         or (first,) in lexicon.questions["helping"]
     )
     return small or any(behind.opens_with(name) for name in BEHIND)

@@ -24,7 +24,8 @@ def by_length(said: Said) -> tuple[float, Said] | None:
     found = rest.length() if directions else None
     if found is None:
         return None
-    return -found.seconds if "earlier" in directions else found.seconds, found.rest
+    # "The wake up call an hour later"
+    return found.seconds if "later" in directions else -found.seconds, found.rest
 
 
 def later_by(said: Said) -> tuple[About, Said] | None:

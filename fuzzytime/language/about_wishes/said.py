@@ -142,7 +142,8 @@ class Said:
             matched = {name: longest_match(self.words, place, self.table(name)) for name in names}
             longest = max(matched, key=lambda name: len(matched[name] or ()))
             form = matched[longest]
-            if form:
+            # "The pick-up" goes nowhere.
+            if form and not (place and self.words[place].glued):
                 found.add(longest)
                 place += len(form)
             else:

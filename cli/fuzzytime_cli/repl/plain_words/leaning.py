@@ -26,6 +26,7 @@ from fuzzytime_cli.repl.commands import anew as said_anew
 from fuzzytime_cli.repl.commands import changing
 from fuzzytime_cli.repl.naming import entry_of, is_named_itself, is_of_one_task, unknown
 from fuzzytime_cli.repl.plain_words.leaving_out import Taken
+from fuzzytime_cli.repl.plain_words.telling import is_news
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.repl.which import entries_meant
 from fuzzytime_cli.session import Entry
@@ -35,6 +36,10 @@ NAME = 2
 
 REDIRECTED = frozenset({AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.DONE, AboutKind.EXCEPT})
 """What may have been meant of another: "not the soup, the rice"."""
+
+
+CHANGED = frozenset({AboutKind.MOVE, AboutKind.DELAY, AboutKind.MORE})
+"""What is taken back of what is to stay as it was."""
 
 
 def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply | None:
@@ -72,8 +77,11 @@ def leaning(scene: Scene, words: str, reading: Reading, taken: Taken) -> Reply |
     if last is None or (told and not about.corrects):
         return None
     if about.corrects:
-        return _instead(scene, about, taken)
-    return None if words.endswith("?") else _continued(f"and {words}", last, scene)
+        # "The plumber comes at eleven instead"
+        return None if is_news(scene, words) else _instead(scene, about, taken)
+    # "The room's only free till four" is no further thing.
+    thing = may_be_thing(scene.language.read(about.thing, now=scene.now), scene.lexicon)
+    return None if words.endswith("?") or not thing else _continued(f"and {words}", last, scene)
 
 
 def _of_things(scene: Scene, words: str) -> About | None:
@@ -175,6 +183,9 @@ def _kept_after_all(scene: Scene, about: About, taken: Taken) -> Reply | None:
     """Leave out one of several that were dropped just before: "clear my afternoon", "wait, not the kids"."""
     planned, last = entry_of(scene, about.names), scene.taken
     if about.kind is AboutKind.UNDO and planned is not None:
+        if last is not None and last.kind in CHANGED and planned.number == scene.told_last:
+            # "Leave the gravy as it was", which was put off just before
+            return replace(changing.undo(scene, ""), focus=planned.number)
         raise FuzzytimeError(f"{planned.text!r} is planned, and stays")
     if last is None or last.kind is not AboutKind.DROP or scene.tried is not None:
         return None

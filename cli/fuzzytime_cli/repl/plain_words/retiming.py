@@ -11,6 +11,7 @@ from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import (
     About,
     AboutKind,
+    Said,
     find_times,
     in_its_place,
     merged_time,
@@ -19,7 +20,7 @@ from fuzzytime.language import (
 )
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration
-from fuzzytime_cli.repl.naming import starts_of_entry
+from fuzzytime_cli.repl.naming import called, starts_of_entry
 from fuzzytime_cli.repl.parts import placed_at, untied, with_time_of_part
 from fuzzytime_cli.repl.scene import Scene, check_sole
 from fuzzytime_cli.repl.which import entries_meant
@@ -36,6 +37,9 @@ DAY_SECONDS = 86400.0
 
 FOR = "for "
 """What stands before a length of time."""
+
+BE = "be"
+"""The verb of what has only a name: "lunch at one"."""
 
 BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 """What is asked for until, or from, a time."""
@@ -92,6 +96,7 @@ def with_time(
     FuzzytimeError
         If it has several.
     """
+    about = replace(about, time=_by_name(scene, entry, about.time))
     said = find_times(about.time, scene.now, scene.lexicon).requirements
     if [one.constraint for one in said] == [Constraint.FOR] and said[0].span == (0, len(about.time)):
         # "Half an hour for the call"
@@ -131,6 +136,21 @@ def with_time(
         raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
     text = untied(scene, "".join(placed_at(scene, entry.text, (first, end), time)))
     return text if length else f"{text}{_length_lost(scene, entry, mine, text)}"
+
+
+def _by_name(scene: Scene, entry: Entry, time: str) -> str:
+    """Give a time with the name of what has only its label in it, or "that": "after s1", "before that"."""
+    beside = Said(time, scene.now, scene.lexicon).beside()
+    if beside is None or not (beside[1].label or beside[1].is_in("last")):
+        return time
+    last = scene.focus if scene.focus != entry.number else None
+    label = beside[1].label or (called(scene, last) if last is not None else None)
+    other = next((one for one in scene.plan.everything if one.identifier == label), None)
+    if other is None or other.operation is None:
+        return time
+    operation = other.operation
+    names = operation.object if other.stated and operation.lemma != BE else other.skill.name
+    return f"{time.removesuffix(beside[1].text)}{names or other.skill.name}"
 
 
 def _length_lost(scene: Scene, entry: Entry, mine: Sequence[Interpreted], text: str) -> str:

@@ -166,8 +166,9 @@ def _told(scene: Scene, words: str) -> Reply | None:
 
 def _asks_how_it_is(scene: Scene, words: str) -> bool:
     """Whether a line asks how something is, and for nothing to be done: "is gym before lunch?"."""
-    first = tuple(words.lower().split(maxsplit=1)[:1])
-    return words.rstrip().endswith("?") and first in scene.lexicon.questions["stating"]
+    said = tuple(words.lower().split())
+    stating = any(said[: len(form)] == form for form in scene.lexicon.questions["stating"])
+    return words.rstrip().endswith("?") and stating
 
 
 def _check_labels(scene: Scene, reading: Reading) -> None:

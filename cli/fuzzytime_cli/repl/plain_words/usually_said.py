@@ -20,6 +20,9 @@ from fuzzytime_cli.repl.which import with_label, with_labels_of_places
 JOINTS = re.compile(r"(,\s+|;\s+|\s+[-\u2013\u2014]+\s+|\s+(?:because|since)\s+)", re.IGNORECASE)
 """What stands between what is asked for and what is told beside it."""
 
+PRONOUN = re.compile(r"\w+")
+"""Who a clause is of, without what is short for "is", or "will"."""
+
 COMMA = ", "
 
 LONGEST = 40
@@ -38,6 +41,8 @@ def as_usually_said(scene: Scene, words: str) -> str:
         return whole
     parts = JOINTS.split(words)
     clauses, joints = parts[::2], parts[1::2]
+    for place, told in enumerate(clauses[:-1]):
+        clauses[place + 1] = _of_who_rang(scene, told, clauses[place + 1])
     usual = [_usual(scene, clause) for clause in clauses]
     for place, joint in enumerate(joints):
         said = usual[place] or clauses[place]
@@ -45,6 +50,21 @@ def as_usually_said(scene: Scene, words: str) -> str:
         joints[place] = COMMA if known else joint
     said = [one or clause for one, clause in zip(usual, clauses, strict=True)]
     return "".join(part for pair in zip(said, [*joints, ""], strict=True) for part in pair)
+
+
+def _of_who_rang(scene: Scene, told: str, clause: str) -> str:
+    """Give a clause with whom it is of, behind who rang: "Tom rang, he can't come before two"."""
+    said, behind = (Said.of(text, scene.now, scene.lexicon) for text in (told, clause))
+    rang = next((n for n in range(1, len(said.words)) if said.behind(n).is_in("getting in touch")), 0)
+    who = said.until(rang)
+    if not rang or not behind.words or not _is_known(scene, who, told=True):
+        return clause
+    if behind.opens_with("absent"):
+        return f"{who.text} {behind.text}"
+    pronoun = PRONOUN.match(behind.text) if behind.opens_with("they") else None
+    return (
+        clause if pronoun is None else f"{who.text}{behind.text[pronoun.end() :]}".replace("'ll ", " will ")
+    )
 
 
 def _with_labels(scene: Scene, words: str) -> str:
@@ -88,7 +108,9 @@ def _is_known(scene: Scene, thing: Said, told: bool) -> bool:  # noqa: FBT001 - 
     if thing.is_in("last"):
         return bool(scene.conversation.state.entries) and not told
     names, openers = thing.names, scene.lexicon.closed.noun_openers
-    if not content_words(thing.forms[-1]) or not (content_words(thing.forms[0]) or thing.forms[0] in openers):
+    # "The call", "Ann's call", "that call"
+    opened = thing.forms[0] in openers or thing.forms[:1] in thing.table("last")
+    if not content_words(thing.forms[-1]) or not (content_words(thing.forms[0]) or opened):
         return False
     entry = entry_of(scene, names) if names and thing.is_one and not thing.has_time else None
     if entry is None or not names <= words_of_entry(scene, entry):

@@ -5,6 +5,7 @@ from datetime import datetime
 
 from fuzzytime.english import is_participle
 from fuzzytime.language import Lexicon, Said, bare, later_by, without_request, written_out
+from fuzzytime.requirement import Unit
 
 SLOT = "<"
 """How what is left open in a way to say something begins: "<thing>"."""
@@ -18,6 +19,9 @@ OPEN = frozenset({ANY, "<somebody>"})
 
 OF_ITSELF = ("cancel", "move")
 """How what is told of a thing itself is said, and of nothing that only has to do with it."""
+
+SHIFTING = ("push", "bring")
+"""How what is only later or earlier is said."""
 
 LONGEST = 24
 """Words of a line that is read so."""
@@ -46,8 +50,11 @@ def in_usual_words(
     whole = Said.of(text, now, lexicon)
     plain = bare(whole).without_end(whole.table("instead"))
     asked = bare(without_request(plain)) if plain.words else plain
-    for line in dict.fromkeys((whole.text, plain.text, asked.text)):
-        for usual, way, slots in _fitting(Said(written_out(line), now, lexicon)):
+    texts = (whole.text, plain.text, asked.text)
+    # "Sarah's late", but "Sarah's meeting"
+    for line in dict.fromkeys(one for text in texts for one in (text, written_out(text))):
+        for usual, way, found in _fitting(Said(line, now, lexicon)):
+            slots = {**found, LENGTH: _counted(found[LENGTH])} if usual.startswith(SHIFTING) else found
             of_itself = usual.startswith(OF_ITSELF) and (_slot(way[0]) or THE in way[0])
             if not _is_meant(slots, is_known, told=bool(of_itself)):
                 continue
@@ -121,9 +128,17 @@ def _is_length(said: Said) -> bool:
     return found is not None and not found.rest.words and not found.joint
 
 
+def _counted(said: Said) -> Said:
+    """Give a number alone as so many minutes: "Tom is running fifteen late"."""
+    return Said(f"{said.text} {Unit.MINUTE}s", said.now, said.lexicon) if said.as_number() else said
+
+
 def _with_slots(usual: str, slots: Slots) -> str:
     for name, said in slots.items():
         text = _time(said).removeprefix(AT) if name in TIMES else said.text
         text = said.label if name == THING and said.label else text
+        if name == THING and len(said.words) > 1 and said.forms[:1] in said.table("last"):
+            # "That call"
+            text = f"{THE} {said.behind(1).text}"
         usual = usual.replace({DOING: THING, MORE: LENGTH}.get(name, name), text)
     return usual

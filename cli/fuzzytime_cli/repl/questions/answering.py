@@ -10,7 +10,7 @@ from fuzzytime.language import About, AboutKind, content_words, verb_forms
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
-from fuzzytime_cli.repl.naming import FEW, all_called, entry_of, running_one
+from fuzzytime_cli.repl.naming import FEW, LABEL, all_called, entry_of, occasion_words, running_one
 from fuzzytime_cli.repl.scene import Reply, Scene, position_of, running_lines, said, waiting
 from fuzzytime_cli.repl.typed import number_of
 
@@ -79,17 +79,17 @@ def asked_of(scene: Scene, words: str) -> Reply | None:
     tables = ("asking", "placing", "stating", "helping")
     asking = {word for table in tables for form in scene.lexicon.questions[table] for word in form}
     filling = {word for form in scene.lexicon.conversation["filling"] for word in form}
-    names = content_words(words) - asking - filling
+    labels = frozenset(filter(LABEL.fullmatch, words.lower().rstrip("?").split()))
+    names = labels or content_words(words) - asking - filling
     asks = words.rstrip().endswith("?") or not asking.isdisjoint(words.lower().split()[:1])
     # "Is gym before lunch?" is of the gym.
     named = (content_words(word) & names for word in words.split())
     first = next((one for one in named if one), frozenset[str]())
     entry = (entry_of(scene, names) or entry_of(scene, first)) if asks and names else None
-    return (
-        None
-        if entry is None
-        else when(scene, About(kind=AboutKind.WHEN, names=frozenset({entry.identifier})))
-    )
+    if entry is None:
+        return None
+    meant = next((said for said in (names, first) if _positions(scene, said)), frozenset({entry.identifier}))
+    return when(scene, About(kind=AboutKind.WHEN, names=meant))
 
 
 def lasting(scene: Scene, about: About) -> Reply:
@@ -99,12 +99,17 @@ def lasting(scene: Scene, about: About) -> Reply:
     for position in positions[:MOST]:
         interpreted = scene.plan.everything[position]
         skill = interpreted.skill
-        whole = format_duration(skill.time_until_done)
-        by_itself = 0.0 < skill.duration < skill.time_until_done
+        lasts, assumed = skill.time_until_done, interpreted.duration.assumed
+        by_itself = 0.0 < skill.duration < lasts
         hands = f", hands for {format_duration(skill.duration)}" if by_itself else ""
-        assumed = " (assumed)" if interpreted.duration.assumed else ""
+        if scene.plan.has_time(position):
+            # "Library till six" goes on for as long as it is planned.
+            planned = scene.plan.schedule.skills[position]
+            assumed = assumed and planned.done - planned.start <= lasts
+            lasts = planned.done - planned.start
+        whole = f"{format_duration(lasts)}{hands}{' (assumed)' if assumed else ''}"
         name = f"{plain(interpreted.identifier)} {plain(skill.name)}"
-        lines.append(Text(f"{name}: {whole}{hands}{assumed}"))
+        lines.append(Text(f"{name}: {whole}"))
     return _reply(scene, about, lines, positions)
 
 
@@ -206,7 +211,8 @@ def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
         going = ((place, one.operation) for place, one in waiting(scene))
         return [place for place, operation in going if operation is not None and operation.lemma in leaving]
     if names:
-        return [
+        labelled = [position for position, one in waiting(scene) if names == {one.identifier}]
+        return labelled or [
             position
             for position, one in waiting(scene)
             if names <= _words_of(scene, one) | {one.wish.identifier}
@@ -218,7 +224,7 @@ def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
 def _words_of(scene: Scene, one: Interpreted) -> frozenset[str]:
     """Give the words that name a skill: those of its name, and its verb in all its forms."""
     verb = frozenset() if one.operation is None else verb_forms(one.operation.lemma, scene.lexicon)
-    return content_words(one.skill.name) | verb
+    return content_words(one.skill.name) | verb | occasion_words(scene, one)
 
 
 def _over(scene: Scene) -> Reply:

@@ -13,7 +13,7 @@ from fuzzytime.requirement import Constraint
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.naming import entry_of, unknown
+from fuzzytime_cli.repl.naming import entry_of, part_meant, unknown
 from fuzzytime_cli.repl.questions.stretches import bounds_of, on_its_day, time_of
 from fuzzytime_cli.repl.scene import Reply, Scene, said, waiting
 from fuzzytime_cli.repl.typed import number_of
@@ -43,12 +43,12 @@ class Taken:
 def free(scene: Scene, about: About) -> Reply:
     """Say whether one is free at a time, for as long as something takes; or when one is."""
     if not about.time:
-        return _gaps_told(scene)
+        return _gaps_told(scene, scene.now)
     time = time_of(scene, about.time)
     first, end = bounds_of(scene, time)
     if first is None:
         # "Can I fit in a run before lunch?"
-        return room(scene, about) if about.thing else _gaps_told(scene)
+        return room(scene, about) if about.thing else _gaps_told(scene, scene.now)
     scene = _as_far_as(scene, end or first)
     length = _length_of(scene, about.thing)[0] if about.thing else timedelta(0)
     window = end if end is not None and end > first else first + max(length, SHORTEST)
@@ -74,12 +74,17 @@ def free(scene: Scene, about: About) -> Reply:
 
 def room(scene: Scene, about: About) -> Reply:
     """Say whether something fits in before a time, or before something else."""
-    length, assumed = _length_of(scene, about.thing)
+    length, assumed = _length_of(scene, about.thing) if about.thing else (SHORTEST, False)
     since, until = scene.now, None
     if about.names:
         entry = entry_of(scene, about.names) or unknown(about.names)
         schedule = scene.plan.schedule
-        mine = [place for place, _ in waiting(scene, entry.number) if scene.plan.has_time(place)]
+        part = part_meant(scene, entry.number, about.names)
+        mine = [
+            place
+            for place, one in waiting(scene, entry.number)
+            if scene.plan.has_time(place) and part in {None, one.identifier}
+        ]
         if not mine:
             raise FuzzytimeError("when that is, is not planned")
         instants = [scene.plan.instant(schedule.start_times[place]) for place in mine]
@@ -92,6 +97,8 @@ def room(scene: Scene, about: About) -> Reply:
             until = end or first
         elif first is not None:
             since, until = max(since, first), end if end is not None and end > first else first + length
+    if not about.thing:
+        return _gaps_told(scene, since, until)
     what = f"{about.thing} ({_long(length)}{', assumed' if assumed else ''})"
     for begin, over in _gaps(scene, since, until):
         if over is None or over - begin >= length:
@@ -137,12 +144,13 @@ def _as_far_as(scene: Scene, end: datetime) -> Scene:
     return replace(scene, plan=further.plan(scene.now, further.state, previous=scene.plan))
 
 
-def _gaps_told(scene: Scene) -> Reply:
-    """Say when one is free, until the day's last thing is over."""
-    taken = list(_taken(scene))
-    if not taken:
+def _gaps_told(scene: Scene, since: datetime, until: datetime | None = None) -> Reply:
+    """Say when one is free from some time on, until another or until the day's last thing is over."""
+    if not _taken(scene) and until is None and since <= scene.now:
         return said("free all the time: nothing is planned")
-    gaps = list(_gaps(scene, scene.now, None))
+    gaps = list(_gaps(scene, since, until))
+    if not gaps:
+        return said("not free then")
     told = [
         f"from {_at(scene, begin)} on" if over is None else f"from {_at(scene, begin)} to {_at(scene, over)}"
         for begin, over in gaps

@@ -54,6 +54,10 @@ def _free(said: Said) -> About | None:
     if rest is not None:
         time = rest.as_time() if rest.words else ""
         known = not rest.words or bool(time)
+        if not known and (beside := rest.beside()) is not None and (names := beside[1].names):
+            # "Have I got time before the call?"
+            way = BESIDE.get(rest.forms[0], "after")
+            return About(kind=AboutKind.ROOM, names=names, joint=way, certain=True)
         busy = "busy" if (when or said).opens_with("busy") else ""
         return About(kind=AboutKind.FREE, time=time, text=busy, certain=True) if known else None
     rest = said.after("may do")
@@ -88,7 +92,8 @@ def _room(said: Said) -> About | None:
 def _done(said: Said) -> About | None:
     """Read whether something was done: "did I feed the cat?", "is the soup done?", "done yet?"."""
     bare = said.without("yet")[0]
-    rest = bare.after("done already")
+    holds = bare.opens_with("having left") > bare.opens_with("done already")
+    rest = None if holds else bare.after("done already")
     if rest is not None and rest.names:
         return About(kind=AboutKind.DID, names=rest.names, thing=rest.text, certain=True)
     helping = bare.forms[:1] and bare.forms[0] in {"is", "are"}

@@ -1,7 +1,7 @@
 """Questions about the plan: "what's next?", "how long until dinner?", "why so late?"."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import LABEL, Said
 from fuzzytime.language.sentence.trees.content_words import content_words
 
 
@@ -11,7 +11,9 @@ def question(said: Said) -> About | None:
 
 
 def _names(said: Said) -> frozenset[str]:
-    """Give what a question is about: its words but for those that name nothing."""
+    """Give what a question is about: its labels, or its words but for those that name nothing."""
+    if labels := frozenset(filter(LABEL.fullmatch, said.text.lower().split())):
+        return labels
     times = {*said.lexicon.numbers, "at", "am", "pm"}
     return frozenset(name for name in said.names - _words(said, "filling") - times if not name.isdigit())
 
@@ -28,6 +30,9 @@ def _supposed(said: Said) -> About | None:
 def _why(said: Said) -> About | None:
     rest = said.after("why")
     named = None if rest is None or rest.as_time() else _in_front(rest.without("last")[0])
+    if named is not None and named.has_time:
+        # "Why do I varnish at half ten?"
+        named = Said(named.parted()[0] or named.text, said.now, said.lexicon)
     # "Why friday?"
     names = frozenset() if named is None else _names(named)
     if rest is None or (names and _asks_for_something(said)):

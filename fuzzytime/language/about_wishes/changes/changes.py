@@ -90,7 +90,9 @@ def _dropped(said: Said) -> About | None:
         # "S1 and s2", "the second one", "both calls"
         return about
     if rest.has_time:
-        return None
+        # "Skip the gym at six", but "skip rope"
+        let = Said(rest.parted()[0], said.now, said.lexicon) if said.opens_with("letting go") else None
+        return about_thing(AboutKind.DROP, let) if let is not None and let.names else None
     if rest.is_in("everything"):
         return About(kind=AboutKind.DROP, everything=True, certain=True)
     if is_last(rest):
@@ -110,7 +112,10 @@ def _ordered(said: Said) -> About | None:
     """Read what is wished to come first, or beside another: "do the soup first", "do it after the call"."""
     if said.forms[:1] not in {("do",), ("make",)} or len(said.words) < 3:
         return None
-    verb = said.forms[0]
+    verb, who = said.forms[0], said.forms[1:2]
+    if who in said.lexicon.questions["asked"] and who not in said.table("last"):
+        # "Do I have the call today?"
+        return None
     if verb == "make" and said.without("more")[1]:
         # "Make the lesson an hour longer"
         return None

@@ -37,7 +37,7 @@ def delayed(said: Said) -> About | None:
     ):
         # "Put the meat back for ten minutes"
         return None
-    earlier = "earlier" in directions
+    earlier = "earlier" in directions and "later" not in directions
     by = None if found is None else -found.seconds if earlier else found.seconds
     moved = thing if found is None else found.rest
     named, referred = moved.without(*REFERRED)

@@ -8,7 +8,7 @@ from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
 from fuzzytime.requirement import Constraint, TimeRequirement
-from fuzzytime.times import instant_after
+from fuzzytime.times import instant_after, seconds_between
 
 DAY_OR_LONGER = DAY_SECONDS - 3600 - 1
 """Seconds that a day has at least, where clocks change."""
@@ -47,7 +47,7 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
     dated = not is_of_days(other) and (
         # "Tonight", "this evening"
         lexicon.means(new.split()[0].lower(), "day_part", "deictic")
-        or any(is_of_days(time) for piece in _pieces(new) if (time := one_time(piece, now, lexicon)))
+        or any(is_of_days(part) for part in _times_in(new, now, lexicon))
     )
     for piece, told in times.items():
         if dated and is_of_days(told):
@@ -78,15 +78,21 @@ def _at_that_hour(text: str, clock: str, old: str, said: datetime, now: datetime
     if anew.recurrence is None and not find_times(text, now, lexicon).questions:
         # "06:00" is in the morning.
         return text
-    hour = _hour_of(before, said)
     halves = [text.replace(clock, f"{clock} {half}", 1) for half in HALVES]
     read = [(words, time) for words in halves if (time := one_time(words, now, lexicon)) is not None]
     if len({_hour_of(time, now) for _, time in read if _begin_of(time) is not None}) < len(HALVES):
         return text
-    words, time = min(read, key=lambda pair: lexicon.policy.far_from(_hour_of(pair[1], now), hour))
-    # "At ten", and then "no, at seven", is this evening rather than tomorrow morning.
-    days = {instant_after(now, one.t_spec or 0.0).date() for one in (time, anew)}
-    return words if len(days) == 1 and _hour_of(time, now) != _hour_of(anew, now) else text
+    hour, then = _hour_of(before, said), instant_after(said, _begin_of(before) or 0.0)
+    of_day = before.recurrence is not None or anew.recurrence is not None
+    of_day = of_day or any(is_of_days(part) for part in _times_in(text, now, lexicon))
+
+    def unlikely(time: TimeRequirement) -> tuple[bool, float]:
+        anew, at = _hour_of(time, now), instant_after(now, _begin_of(time) or 0.0)
+        # "At ten" tonight, and then "at five", is seven hours later, and "on friday at five" another day.
+        return lexicon.policy.far_from(anew, hour if of_day else anew - seconds_between(then, at) / 3600.0)
+
+    words, time = min(read, key=lambda pair: unlikely(pair[1]))
+    return words if _hour_of(time, now) != _hour_of(anew, now) else text
 
 
 def _past_hour_said(new: str, old: str, said: datetime, now: datetime, lexicon: Lexicon) -> str:
@@ -169,6 +175,11 @@ def _pieces(text: str) -> list[str]:
     cuts = range(1, len(words))
     parts = [part for cut in cuts for part in (words[cut:], words[:cut])]
     return sorted((" ".join(part).rstrip(",") for part in (words, *parts)), key=len, reverse=True)
+
+
+def _times_in(text: str, now: datetime, lexicon: Lexicon) -> list[TimeRequirement]:
+    """Give the times that a text is, begins with, or ends with."""
+    return [time for piece in _pieces(text) if (time := one_time(piece, now, lexicon)) is not None]
 
 
 def _as_said_now(piece: str, kept: TimeRequirement, said: datetime, now: datetime, lexicon: Lexicon) -> str:

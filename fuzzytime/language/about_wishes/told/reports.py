@@ -138,7 +138,8 @@ def _protest(said: Said) -> About | None:
         if rest is not None and not rest.without("yet", "first", "last")[0].words:
             return About(kind=kind, certain=True)
     unable = said.after("unable of") if said.is_one else None
-    thing = None if unable is None else Said(unable.parted()[0], said.now, said.lexicon)
+    timed = unable is not None and unable.has_time
+    thing = Said(unable.parted()[0], said.now, said.lexicon) if unable is not None and timed else unable
     if thing is not None and thing.names:
         # "I can't make the gym today"
         return About(kind=AboutKind.UNABLE, names=thing.names, told=True)

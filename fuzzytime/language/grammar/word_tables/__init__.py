@@ -191,7 +191,7 @@ _ROWS = {
         "on time", "having left", "greeting",
         "again", "like", "continuing", "following", "closing", "naming anew", "meaning", "other",
         "reversing", "stopping", "no longer", "restoring", "staying", "unable at", "unable of", "asking to",
-        "saying", "slightly", "several", "skipping", "no more",
+        "saying", "slightly", "several", "occasion", "getting in touch", "skipping", "no more",
         "letting go", "denying",
         "proposing", "exclaiming", "free", "may do", "having time", "done already",
         "said of me", "not done", "asking about", "holding", "besides", "asking next", "asking when",
