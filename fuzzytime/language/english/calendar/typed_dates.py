@@ -57,8 +57,8 @@ def typed_without_year(first: Typed | Integer, second: Integer | None = None) ->
 
 @grammar.rule("dotted date", "<n.n>")
 def dotted(numbers: Typed) -> Fields | None:
-    """7.6, beside a weekday."""
-    return _either(numbers[0], numbers[1], None)
+    """7.6, beside a weekday; "friday 8.30" is a clock time."""
+    return _either(numbers[0], numbers[1], None) if numbers[1] <= MONTHS else None
 
 
 @grammar.rule("date", "<d.m.>", weight=0.3)

@@ -236,7 +236,7 @@ def hours_of_date(wall: Wall, first: Integer, last: Integer) -> Said | None:
     return hours_of_day(replace(wall, weak=False), first, last) if wall.days is not None else None
 
 
-@grammar.rule("said", "the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
+@grammar.rule("said", "on? the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def then_until(first: Goal, last: Goal) -> Said | None:
     """9:30 until 11, over lunch until two; but who is "at work until five" is somewhere."""
     wall, part = first.wall, first.wall.part
