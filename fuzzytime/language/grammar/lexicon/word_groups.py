@@ -252,6 +252,7 @@ class BesideTimes:
     each_time: Words
     as_long_as_it_is: Words
     at_the_same_time: Words
+    at_any_time: Words
     turns: Words
     same_time: Words
     behind_same_time: Words

@@ -47,7 +47,7 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
     end = clock.instants(last)
     if isinstance(last, TimeWord) and isinstance(first, Wall) and start.start > end.start:
         return _begun_before(clock, first, start)
-    clock_end = last.clock if isinstance(last, Wall) and last.days is last.part is None else None
+    clock_end = last.clock if isinstance(last, Wall) and last.days is None and last.part is None else None
     if clock_end is not None and clock_end.is_open and clock_end.half is None:
         # "From sunset until eleven": the next one, however late; "monday until ten at night" says which.
         return Instants(start.start, first_after(start.start, clock_end), start.grain)

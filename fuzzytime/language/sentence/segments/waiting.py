@@ -73,7 +73,21 @@ class Source:
         """The text with spaces for words taken back ("at five, I mean six"), words of order and openings."""
         taken_back = (remark.span for remark in self.remarks)
         words = [(self._behind_preposition(start, end), end) for start, end in taken_back]
-        return blanked(self.scanned.text, [*(span for span, _ in self.orders), *self.openings, *words])
+        text = blanked(self.scanned.text, [*(span for span, _ in self.orders), *self.openings, *words])
+        for start, end in self._conditions():
+            text = text[:start] + "if".ljust(end - start) + text[end:]
+        return text
+
+    def _conditions(self) -> Iterator[Span]:
+        """Give each "should" that begins a condition behind an order: "call me should it rain"."""
+        words, lexicon = self.scanned.words, self.scanned.lexicon
+        for before, word, behind in zip(words, words[1:], words[2:], strict=False):
+            if word.text != "should" or behind.text not in lexicon.closed.condition_openers:
+                continue
+            asking = lexicon.questions["asking"], lexicon.questions["placing"]
+            asks = any((one.text,) in kind for one in (words[0], before) for kind in asking)
+            if not asks and before.text not in lexicon.closed.relatives | lexicon.closed.personal_pronouns:
+                yield word.start, word.end
 
     def _behind_preposition(self, start: int, end: int) -> int:
         """Give where words begin that are taken back: the "at" in front of them stays."""
