@@ -114,9 +114,12 @@ def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
     called = [
         piece
         for piece in scanned.pieces("called at")
-        if judge.walls.is_called(piece.start)
-        or holds_stretch(scanned.words, piece.start, piece.end, lexicon)
-        or is_moved(scanned.words, piece.start, piece.end, lexicon)
+        if (
+            judge.walls.is_called(piece.start)
+            or holds_stretch(scanned.words, piece.start, piece.end, lexicon)
+            or is_moved(scanned.words, piece.start, piece.end, lexicon)
+        )
+        and not judge.borders.no_times.figures.hold(piece)
     ]
     called += [piece for piece in scanned.pieces("hours open") if judge.walls.is_open(piece.start)]
     called += [piece for piece in scanned.pieces("so many each") if judge.lengths.counts_each(piece)]
