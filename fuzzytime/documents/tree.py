@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 import yaml
 
 MAX_DEPTH = 32
-MAX_NODES = 12_000
+MAX_NODES = 16_000
 MAX_LINES = 20_000
 
 _LOADER: type[yaml.SafeLoader] = getattr(yaml, "CSafeLoader", yaml.SafeLoader)

@@ -91,6 +91,7 @@ class ClosedClasses:
     behind_clipped_be: Words
     first_person_future: Words
     negators: Words
+    denials: Words
     negators_as_typed: Words
     coordinators: Words
     coordinators_of_days: Words

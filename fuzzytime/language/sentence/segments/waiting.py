@@ -18,6 +18,9 @@ from fuzzytime.language.sentence.trees.tree import Node, Tree
 JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but|or|nor)\b)?[\s,;&]*(\bplease\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
 
+DENIAL = 3
+"""Words that forbid an order: "on no account"."""
+
 STATED = frozenset({"when", "if", "while"})
 """Kinds of clauses that say what must be so."""
 
@@ -74,9 +77,24 @@ class Source:
         taken_back = (remark.span for remark in self.remarks)
         words = [(self._behind_preposition(start, end), end) for start, end in taken_back]
         text = blanked(self.scanned.text, [*(span for span, _ in self.orders), *self.openings, *words])
-        for start, end in self._conditions():
-            text = text[:start] + "if".ljust(end - start) + text[end:]
+        for heard, spans in (("if", self._conditions()), ("don't", self._denials())):
+            for start, end in spans:
+                text = text[:start] + heard.ljust(end - start) + text[end:]
         return text
+
+    def _denials(self) -> Iterator[Span]:
+        """Give what forbids an order in words of its own: "under no circumstances call her"."""
+        words, lexicon = self.scanned.words, self.scanned.lexicon
+        for place in range(len(words) - DENIAL):
+            end = place + DENIAL
+            if " ".join(word.text for word in words[place:end]) not in lexicon.closed.denials:
+                continue
+            if (words[end].text,) in lexicon.questions["helping"]:
+                # "On no account should you call her"
+                end += 2
+                if lexicon.closed.personal_pronouns.isdisjoint(word.text for word in words[end - 1 : end]):
+                    continue
+            yield words[place].start, words[end - 1].end
 
     def _conditions(self) -> Iterator[Span]:
         """Give each "should" that begins a condition behind an order: "call me should it rain"."""
