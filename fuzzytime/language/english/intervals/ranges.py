@@ -158,10 +158,14 @@ def _is_day(wall: Wall) -> bool:
 
 
 def _is_minutes(first: Time, last: Time) -> bool:
-    """Whether a number in words is no hour before the one behind it: "about ten to six pm"."""
+    """Whether a number in words is no hour before the one behind it: "about ten to six pm".
+
+    "Ten in the morning to two" is from ten.
+    """
     start, end = (wall_of(time).clock for time in (first, last))
     return (
-        start is not None
+        wall_of(first).part is None
+        and start is not None
         and end is not None
         and start.hours
         and start.half is None
