@@ -158,10 +158,7 @@ def _is_day(wall: Wall) -> bool:
 
 
 def _is_minutes(first: Time, last: Time) -> bool:
-    """Whether a number in words is no hour before the one behind it: "about ten to six pm".
-
-    "Ten in the morning to two" is from ten.
-    """
+    """Whether a number in words is minutes: "about ten to six pm", but not "ten in the morning to two"."""
     start, end = (wall_of(time).clock for time in (first, last))
     return (
         wall_of(first).part is None
