@@ -11,7 +11,7 @@ import yaml
 
 from fuzzytime.documents.tree import MAX_DEPTH, Mapping, Node, Place, Scalar, Sequence, TreeError
 
-MAX_NODES = 12_000
+MAX_NODES = 16_000
 MAX_LINES = 20_000
 
 _LOADER: type[yaml.SafeLoader] = getattr(yaml, "CSafeLoader", yaml.SafeLoader)

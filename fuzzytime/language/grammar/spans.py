@@ -114,9 +114,12 @@ def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
     called = [
         piece
         for piece in scanned.pieces("called at")
-        if judge.walls.is_called(piece.start)
-        or holds_stretch(scanned.words, piece.start, piece.end, lexicon)
-        or is_moved(scanned.words, piece.start, piece.end, lexicon)
+        if (
+            judge.walls.is_called(piece.start)
+            or holds_stretch(scanned.words, piece.start, piece.end, lexicon)
+            or is_moved(scanned.words, piece.start, piece.end, lexicon)
+        )
+        and not judge.borders.no_times.figures.hold(piece)
     ]
     # "She works three to five shifts"
     open_hours = (piece for piece in scanned.pieces("hours open") if judge.around.may_end(piece))

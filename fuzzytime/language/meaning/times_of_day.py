@@ -82,10 +82,11 @@ class Clock:
             return ((self.hour * 3600 + base) % DAY_SECONDS,)
         before_noon = (self.hour % 12) * 3600 + base
         after_noon = before_noon + 12 * 3600
-        if self.half is Half.AM:
-            return (before_noon % DAY_SECONDS,)
-        if self.half is Half.PM:
-            return (after_noon % DAY_SECONDS,)
+        if self.half in {Half.AM, Half.PM}:
+            # "Quarter to twelve in the morning" is before noon.
+            crossed = self.hour == 12 and self.shift < 0
+            morning = (self.half is Half.AM) is not crossed
+            return ((before_noon if morning else after_noon) % DAY_SECONDS,)
         if self.half is Half.EVENING:
             # "Half past four in the evening" is in the afternoon, as many people say it.
             return ((before_noon if self.hour in {12, 1} else after_noon) % DAY_SECONDS,)

@@ -20,8 +20,8 @@ ROUND = 5
 @grammar.rule(
     "wall",
     "<wall> <wall>",
-    "<wall> at|on|in|of|for|@|,|- <wall>",
-    "<wall> , at|on|in <wall>",
+    "<wall> at|on|of|for|@|,|- <wall>",
+    "<wall> , at|on|@ <wall>",
     "<wall> - - <wall>",
     weight=0.1,
 )
@@ -30,7 +30,14 @@ def stacked(first: Wall, second: Wall) -> Wall | None:
     return joined(first, second)
 
 
-@grammar.rule("wall", "<wall> at|@ <wall>", "<wall> , at <wall>", weight=0.15)
+@grammar.rule("wall", "<wall> ,? in <wall>", weight=0.1)
+def stacked_in(first: Wall, second: Wall) -> Wall | None:
+    """Friday in three weeks; but "the last sunday in march six pm" is no sixth."""
+    dated = isinstance(second.days, Fields) and second.days.day is not None
+    return None if dated else joined(first, second)
+
+
+@grammar.rule("wall", "<wall> at|@ <wall>", "<wall> , at|@ <wall>", weight=0.15)
 def stacked_clock(first: Wall, second: Wall) -> Wall | None:
     """The 20th at 10: a number behind "at" is a clock time."""
     if second.clock is None:
@@ -45,7 +52,7 @@ def _behind_at(clock: Clock) -> Clock:
     return replace(clock, bare=False, minutes=clock.bare and clock.hour % ROUND == 0, hours=False)
 
 
-@grammar.rule("wall", "<wall> at|@ <clock>", "<wall> , at <clock>", weight=0.3)
+@grammar.rule("wall", "<wall> at|@ <clock>", "<wall> , at|@ <clock>", weight=0.3)
 def stacked_digits(first: Wall, clock: Clock) -> Wall | None:
     """Friday at 2030: no year."""
     if first.clock is not None or not clock.bare or clock.grain is not Unit.MINUTE:

@@ -77,6 +77,12 @@ def due_behind_thing(goal: Goal) -> Said | None:
     return due(goal)
 
 
+@grammar.rule("said", "due in|within <duration>", weight=0.6)
+def due_in(duration: Duration) -> Said:
+    """(The report is) due in two hours."""
+    return said_length(duration, Constraint.BEFORE, "within")
+
+
 def _is_prepared_for(goal: Goal) -> bool:
     """Whether it is a weekend, or a feast, by whose first day something is done: "by passover"."""
     days = goal.time.days if isinstance(goal.time, Wall) and goal.time.part is None else None

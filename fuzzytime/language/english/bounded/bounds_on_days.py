@@ -35,6 +35,9 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
     if not isinstance(wall, Wall) or not isinstance(said, Said):
         return None
     dated = said.wall.days is not None
+    if isinstance(first, Preposition) and first.name == "in" and wall.part is None:
+        # "In december before the 10th"
+        wall = replace(wall, weak=False)
     if isinstance(first, Preposition) and first.name == "for" and dated:
         # "The rota for next week by thursday": what it is for, and a deadline.
         return None
@@ -73,9 +76,11 @@ def beside_day_away(*both: Wall | Said) -> Said | None:
 
 @grammar.rule("said", "<wall> ,? but|and <preposition_after> <goal>", weight=0.6)
 def day_from(wall: Wall, after: Preposition, goal: Goal) -> Said | None:
-    """Tomorrow, but not before ten: from then to the end of that day."""
+    """Tomorrow, but not before ten; next week, but not before friday: from then to the end of that."""
     said, day = refined(Said(goal.time, Constraint.AFTER, after.name, goal.hedges), wall), wall.days
-    if said is None or day is None or day.grain is not Unit.DAY or not isinstance(said.time, Wall):
+    if said is None or day is None or not isinstance(said.time, Wall):
+        return None
+    if day.grain is not Unit.DAY and said.time.clock is not None:
         return None
     over: Wall | Ending = Ending(Edge.END, day)
     if wall.part is not None:
@@ -106,8 +111,11 @@ def _on_day(bound: Said, wall: Wall) -> Said:
     if bound.within is not None and isinstance(time, Wall) and time.days is not None:
         # "Next week | tuesday before ten"
         return replace(bound, within=replace(bound.within, days=time.days))
-    if wall.days is None or wall.days.grain is not Unit.DAY or not isinstance(time, Wall):
+    if wall.days is None or not isinstance(time, Wall):
         return bound
+    if wall.days.grain is not Unit.DAY:
+        # "Next week before friday"
+        return bound if time.days == wall.days else replace(bound, within=wall)
     # "Tomorrow morning before nine"; but "tomorrow before breakfast"
     part = wall.part if wall.part is not None or time.clock is None else time.part
     # "Wednesday | next week before ten": the day of both

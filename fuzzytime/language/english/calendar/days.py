@@ -37,7 +37,13 @@ def named(found: Calendar) -> Calendar:
     return found
 
 
-@grammar.rule("days", "the? <weekday>", "this? <weekday> coming", "<weekday> next")
+@grammar.rule("days", "<weekday> next")
+def weekday_next(number: int) -> Calendar:
+    """Tuesday next: the one that comes, and not today."""
+    return Deictic(Which.COMING, Fields(weekday=number))
+
+
+@grammar.rule("days", "the? <weekday>", "this? <weekday> coming")
 @grammar.rule("days", "a|any|some <weekday>", weight=0.5)
 @grammar.rule("series", "<weekday>")
 @grammar.rule("weekday series", "<weekday>")

@@ -31,9 +31,14 @@ def present_whole(series: Calendar) -> Calendar | None:
 @grammar.rule("date", "the? <ordinal> <series> of|in <whole>", "the? <ordinal> <series> <days>", weight=0.4)
 def nth(number: int, series: Calendar, outer: Calendar) -> Calendar | None:
     """First monday of march, third day of october."""
-    return (
-        None if series.grain is outer.grain and series.grain is not Unit.DAY else Nth(number, series, outer)
-    )
+    if series.grain is outer.grain and (series.grain is not Unit.DAY or _is_date(outer)):
+        return None
+    return Nth(number, series, outer)
+
+
+def _is_date(days: Calendar) -> bool:
+    """Whether it is one day, in which no other is: "the last sunday in march six pm"."""
+    return isinstance(days, Fields) and days.day is not None
 
 
 @grammar.rule("weak date", "the? <ordinal> <weekday>", weight=0.1)
@@ -59,9 +64,9 @@ def two_of_month(first: int, second: int, weekday: int) -> Said | None:
 
 
 @grammar.rule("date", "the? last <series> of|in <whole>", "the? last <series> <weak date>", weight=0.45)
-def last(series: Calendar, outer: Calendar) -> Calendar:
-    """Last monday of march, last day of october 2015."""
-    return Nth(-1, series, outer)
+def last(series: Calendar, outer: Calendar) -> Calendar | None:
+    """Last monday of march, last day of october 2015; "last friday the 8th" is one day."""
+    return None if _is_date(outer) else Nth(-1, series, outer)
 
 
 @grammar.rule("date", "the? <ordinal> to last <series> of|in <whole>", weight=2.0)
@@ -123,7 +128,7 @@ def day_of_month(day: int, month: Calendar) -> Calendar | None:
     return Nth(day, Cycle(Unit.DAY), month) if month.grain is Unit.MONTH else None
 
 
-@grammar.rule("date", "calendar? week|wk <integer> of? <whole>?", weight=0.1)
+@grammar.rule("date", "calendar? week|wk <integer> of? <whole>?", weight=-0.3)
 def numbered_week(number: Integer, outer: Calendar | None) -> Calendar | None:
     """Week 27 of last year."""
     if not 1 <= number.value <= 53:

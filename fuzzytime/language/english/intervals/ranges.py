@@ -158,10 +158,11 @@ def _is_day(wall: Wall) -> bool:
 
 
 def _is_minutes(first: Time, last: Time) -> bool:
-    """Whether a number in words is no hour before the one behind it: "about ten to six pm"."""
+    """Whether a number in words is minutes: "about ten to six pm", but not "ten in the morning to two"."""
     start, end = (wall_of(time).clock for time in (first, last))
     return (
-        start is not None
+        wall_of(first).part is None
+        and start is not None
         and end is not None
         and start.hours
         and start.half is None
@@ -236,7 +237,7 @@ def hours_of_date(wall: Wall, first: Integer, last: Integer) -> Said | None:
     return hours_of_day(replace(wall, weak=False), first, last) if wall.days is not None else None
 
 
-@grammar.rule("said", "the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
+@grammar.rule("said", "on? the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def then_until(first: Goal, last: Goal) -> Said | None:
     """9:30 until 11, over lunch until two; but who is "at work until five" is somewhere."""
     wall, part = first.wall, first.wall.part

@@ -216,6 +216,9 @@ class Judge(Around):
         marker = longest_match(self.words, piece.start, self.lexicon.clauses)
         if marker is None or len(marker) < piece.end - piece.start:
             return False
+        if " ".join(marker) in self.beside.at_any_time:
+            # "Any time the phone rings"; but "any time call mum"
+            return self.around.follower(piece) in self.closed.condition_openers
         return len(marker) > piece.end - piece.start or self.around.follower(piece)[:1].isalnum()
 
     def _is_distance(self, piece: Piece) -> bool:

@@ -87,7 +87,10 @@ class NoTime(Standing):
 
     def _shines(self, place: int) -> bool:
         """Whether a weekday's short form has an article, and so is a thing; but "meet on the sat"."""
-        if not (self.is_ambiguous(place) and self.around.is_weekday(place)):
+        if not (self.is_ambiguous(place) and self.around.is_weekday(place)) or self.measures.is_number(
+            place + 1
+        ):
+            # "In the evening sat 10 oct"
             return False
         led = place - 1
         if led and self.around.is_part(led):

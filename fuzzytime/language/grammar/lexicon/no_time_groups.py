@@ -48,6 +48,8 @@ class NoTimes:
     file_endings: Words
     shapes: Words
     betting: Words
+    having_room: Words
+    extents: Words
     sizing: Words
     measured_in: Words
     around_ages: Words

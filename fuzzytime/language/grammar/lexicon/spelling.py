@@ -1,8 +1,25 @@
-"""Words about time as they are often mistyped: letters swapped, left out, doubled, or another vowel."""
+"""Words about time as they are often mistyped: letters swapped, left out, doubled, or others beside them."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 
 VOWELS = "aeiou"
+
+KEYS = ("qwertyuiop", "asdfghjkl", "zxcvbnm")
+"""Letters as they stand on a keyboard, each row half a key further right than the one above."""
+
+LEAST = 5
+"""Letters of a word, at least, in which a key beside the right one is known: shorter ones become others."""
+
+
+def _beside(letter: str) -> str:
+    """Give the letters whose keys touch that of one: those beside it, and two above and below."""
+    row = next((row for row, keys in enumerate(KEYS) if letter in keys), None)
+    if row is None:
+        return ""
+    column = KEYS[row].index(letter)
+    near = {-1: (0, 1), 0: (-1, 1), 1: (-1, 0)}
+    places = [(row + up, column + side) for up, sides in near.items() for side in sides]
+    return "".join(KEYS[r][c] for r, c in places if 0 <= r < len(KEYS) and 0 <= c < len(KEYS[r]))
 
 
 def misspellings(words: Iterable[str], known: Collection[str]) -> Mapping[str, str]:
@@ -36,5 +53,6 @@ def _mistyped(word: str) -> Iterator[str]:
         yield word[:place] + word[place + 1] + word[place] + word[place + 2 :]
         yield word[:place] + word[place + 1 :]
         yield word[:place] + word[place] + word[place:]
-        if word[place] in VOWELS:
-            yield from (word[:place] + vowel + word[place + 1 :] for vowel in VOWELS if vowel != word[place])
+        others = VOWELS.replace(word[place], "") if word[place] in VOWELS else ""
+        others += _beside(word[place]) if len(word) >= LEAST else ""
+        yield from (word[:place] + letter + word[place + 1 :] for letter in others)

@@ -92,6 +92,7 @@ class ClosedClasses:
     behind_clipped_be: Words
     first_person_future: Words
     negators: Words
+    denials: Words
     negators_as_typed: Words
     coordinators: Words
     coordinators_of_days: Words
@@ -253,6 +254,7 @@ class BesideTimes:
     each_time: Words
     as_long_as_it_is: Words
     at_the_same_time: Words
+    at_any_time: Words
     turns: Words
     same_time: Words
     behind_same_time: Words

@@ -15,6 +15,11 @@ OF_TIME = frozenset({"by", "between"})
 CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
+OR_MORE = (["or", "more"], ["or", "less"], ["or", "fewer"])
+"""What stands behind a number that may be larger, or smaller."""
+
+SUM_DIGITS = 3
+"""Digits of what is paid, at least, that is no hour."""
 
 LARGEST_SHARE = 8
 """The largest number that things are parted by, as a rule: "5/8 cup"."""
@@ -48,6 +53,8 @@ class Measures(Compared):
     def says_amount(self, piece: Piece) -> bool:
         """Whether words make a number how much: "kids under 12", "fares start at 4", "levels off at 5"."""
         said = piece.value
+        if self._is_sum(piece) or self._is_open_number(piece):
+            return True
         clock = said.time.clock if isinstance(said.time, Wall) else None
         if clock is None or not (said.time.bare or clock.pair) or not self.is_number(piece.end - 1):
             return False
@@ -63,8 +70,28 @@ class Measures(Compared):
             return True
         stands = verb in self.beside.standing and subject in self.beside.amounting
         levels = verb in self.lexicon.particles and subject in self.beside.levelling
-        costs = verb in self.lexicon.no_times.costing and first == "up"
-        return costs or ((stands or levels) and first in {"at", "from", *NEARLY})
+        return (stands or levels) and first in {"at", "from", *NEARLY}
+
+    def _is_sum(self, piece: Piece) -> bool:
+        """Whether it is what is paid, or what there is room for: "owe about 1500", "it seats up to 8"."""
+        kinds, said, number = self.lexicon.no_times, piece.value, self.words[piece.end - 1]
+        up = "up" in self.texts[piece.start : piece.start + 2]
+        *_, before, verb = ("", "", *self.texts[: piece.start])
+        near = up or said.preposition in {"around", "between"} or (said.preposition is None and said.hedges)
+        large = number.is_digits and len(number.text) >= SUM_DIGITS
+        if not near or not self.is_number(piece.end - 1):
+            return False
+        if large and not kinds.costing.isdisjoint((before, verb)):
+            return True
+        room = verb in kinds.costing | kinds.having_room and bool(up or large)
+        # "Dinner for up to 8"
+        return room or (up and "for" in {self.texts[piece.start], verb})
+
+    def _is_open_number(self, piece: Piece) -> bool:
+        """Whether it is so many or more: "bring ten or more", "groups of six or less"."""
+        first = piece.start + (piece.value.preposition == "of")
+        more = self.texts[max(first, piece.end - 2) : piece.end]
+        return more in OR_MORE and all(map(self.is_number, range(first, piece.end - 2)))
 
     def _switches(self, piece: Piece) -> bool:
         """Whether something is turned on or off, which is no amount: "turn off the lights around six"."""

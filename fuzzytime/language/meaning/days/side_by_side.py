@@ -2,11 +2,8 @@
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, is_weekday
 from fuzzytime.language.meaning.days.nested import Within
-from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative, Which
+from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative
 from fuzzytime.requirement import Unit
-
-AHEAD = frozenset({Which.NEXT, Which.THIS, Which.COMING})
-"""Which of some weekdays is still to come."""
 
 
 def narrowed(first: Calendar, second: Calendar) -> Calendar | None:
@@ -35,7 +32,5 @@ def same_day(first: Calendar, second: Calendar) -> bool:
     """Whether one may say again which day another means: "tomorrow, the 13th", "in three days on friday"."""
     if isinstance(first, Deictic):
         # "Next friday, 5/12", "next friday the 16th": the date is believed.
-        dated = isinstance(second, Fields) and second.day is not None
-        whole = isinstance(second, Fields) and second.month is not None
-        return is_weekday(first.of) and dated and (whole or first.which in AHEAD)
+        return is_weekday(first.of) and isinstance(second, Fields) and second.day is not None
     return isinstance(first, (Relative, Away)) and isinstance(second, Fields) and second.grain is Unit.DAY

@@ -20,6 +20,8 @@ LONGEST_MONTH = 31
 
 MIDDLE = 0.5
 
+NOON = 12
+
 
 def range_instants(clock: Standpoint, said: Range) -> Instants:
     """Ground a range.
@@ -47,9 +49,9 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
     end = clock.instants(last)
     if isinstance(last, TimeWord) and isinstance(first, Wall) and start.start > end.start:
         return _begun_before(clock, first, start)
-    clock_end = last.clock if isinstance(last, Wall) and last.days is None else None
+    clock_end = last.clock if isinstance(last, Wall) and last.days is None and last.part is None else None
     if clock_end is not None and clock_end.is_open and clock_end.half is None:
-        # "From sunset until eleven": the next one, however late.
+        # "From sunset until eleven": the next one, however late; "monday until ten at night" says which.
         return Instants(start.start, first_after(start.start, clock_end), start.grain)
     if end.start < start.start and isinstance(last, (Wall, HourMark)):
         end = _after(clock, start.start).instants(last)
@@ -187,9 +189,10 @@ def _clock_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
         start_clock = halved(start_clock, first.part.half)
     # "Overnight from ten until six": what begins at night may end in the morning.
     late = last.part is not None and last.part == first.part and last.part.half.is_late
-    # "Tomorrow morning 9-12": at noon.
-    noon = last.part is not None and last.part.half is Half.AM and end_clock.hour == 12 != start_clock.hour
-    if last.part is not None and not (late or noon):
+    # "Tomorrow morning 9-12", "from ten in the morning until two": at noon, or after it.
+    smaller = end_clock.hour % NOON < start_clock.hour % NOON
+    past = last.part is not None and last.part == first.part and last.part.half is Half.AM and smaller
+    if last.part is not None and not (late or past):
         end_clock = halved(end_clock, last.part.half)
     if start_clock.midnight and last.days is None:
         # "Sunday from midnight to four": where that day begins.

@@ -52,7 +52,9 @@ def _told_by(date: Calendar, again: Calendar) -> Calendar:
     if not isinstance(date, Fields):
         return date
     if isinstance(again, Deictic):
-        return (date.joined(again.of) if isinstance(again.of, Fields) else None) or date
+        both = (date.joined(again.of) if isinstance(again.of, Fields) else None) or date
+        # "Last friday the 8th"
+        return replace(again, of=both) if again.which.offset < 0 else both
     # "Early in the day wednesday" does not say that it is today.
     return date if date.weekly and again == Relative(0) else replace(date, told=again)
 
@@ -135,7 +137,7 @@ def refined(said: Said, wall: Wall) -> Said | None:
         )
         whole = wall.days is not None and wall.days.grain is Unit.DAY and near
         return replace(said, time=replace(time, days=wall.days, weak=False)) if whole else None
-    if isinstance(time, Wall) and time.clock is not None:
+    if isinstance(time, Wall) and (time.clock is not None or _is_day_of(wall, time)):
         both = joined(time, wall)
         return None if both is None else replace(said, time=both)
     if isinstance(time, Range) and isinstance(time.first, Wall) and isinstance(time.last, Wall):
@@ -153,6 +155,15 @@ def refined(said: Said, wall: Wall) -> Said | None:
             first = replace(first, part=None) if begins_before_part(first, last) else first
         return replace(said, time=Range(first, last))
     return None
+
+
+def _is_day_of(period: Wall, day: Wall) -> bool:
+    """Whether it is a day that each such period has: "next week before friday", "next month by the 10th"."""
+    if period.weak or period.days is None or day.part is not None:
+        return False
+    return (period.days.grain is Unit.WEEK and is_weekday(day.days)) or (
+        period.days.grain is Unit.MONTH and is_day_of_month(day.days)
+    )
 
 
 def _as_clock(wall: Wall) -> Wall:

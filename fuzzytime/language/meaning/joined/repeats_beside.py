@@ -69,11 +69,13 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
         late = old.part is not None and old.part.half.is_late and wall.clock is not None
         if old.part and wall.part and not late and not _is_inside(wall.part, old.part):
             return None
+        # "Daily from six to nine | in the evening"
+        hours = old.part if wall.part and old.part and not old.part.name else None
         clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
         # "On weekends at nine" is on either day; every other weekend is taken as a whole.
         each = old.days == Weekend() and repeat.skip == 1
         days_of = EachDay(Weekend()) if each else old.days
-        walls.append(replace(old, days=days_of, clock=clock, part=wall.part or old.part))
+        walls.append(replace(old, days=days_of, clock=clock, part=hours or wall.part or old.part))
     return replace(repeat, walls=tuple(walls))
 
 
@@ -92,6 +94,9 @@ def _is_within_turn(repeat: Repeat, days: Calendar) -> bool:
 
 def _is_inside(inner: Part, outer: Part) -> bool:
     """Whether hours, or a part of the day, are in a part: "every morning between seven and eight" too."""
+    if not outer.name:
+        # "Every day from nine | in the morning until two" has no hours of its hours.
+        return bool(inner.name) and inner.is_near(outer.start)
     if not inner.name:
         return outer.is_near(inner.start)
     return outer.start <= inner.start < outer.end

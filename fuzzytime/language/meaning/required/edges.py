@@ -7,7 +7,7 @@ from fuzzytime.language.meaning.expressions import Edge, Ending, Range, Rest, Sa
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.instants import Instants
 from fuzzytime.language.meaning.joined.distances import is_farther
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 LAST = frozenset({Edge.LAST, Edge.DUE})
 """Edges that are the last moment of what is named."""
@@ -44,13 +44,14 @@ class Edges:
     def begin_of(self, within: Wall, end: float) -> float:
         """Give the seconds to when that begins in which a deadline lies.
 
-        It is the part of the day; of a day, or where that part is later, the hours at which people do things,
-        or some before the deadline.
+        It is the part of the day, or the week; of a day, or where that part is later, the hours at which
+        people do things, or some before the deadline.
         """
         grounding = self.moment.grounding(self.zone)
         day = grounding.instants(replace(within, part=None)).start
         part = self.moment.seconds(grounding.instants(within).start, self.zone)
-        if within.part is not None and part < end:
+        period = within.days is not None and within.days.grain is not Unit.DAY
+        if (period or within.part is not None) and part < end:
             return part
         opens = self.moment.policy.begin_before(end - self.moment.seconds(day, self.zone))
         return min(end, self.moment.seconds(day + timedelta(seconds=opens), self.zone))

@@ -18,6 +18,9 @@ from fuzzytime.language.sentence.trees.tree import Node, Tree
 JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but|or|nor)\b)?[\s,;&]*(\bplease\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
 
+DENIAL = 3
+"""Words that forbid an order: "on no account"."""
+
 STATED = frozenset({"when", "if", "while"})
 """Kinds of clauses that say what must be so."""
 
@@ -73,7 +76,36 @@ class Source:
         """The text with spaces for words taken back ("at five, I mean six"), words of order and openings."""
         taken_back = (remark.span for remark in self.remarks)
         words = [(self._behind_preposition(start, end), end) for start, end in taken_back]
-        return blanked(self.scanned.text, [*(span for span, _ in self.orders), *self.openings, *words])
+        text = blanked(self.scanned.text, [*(span for span, _ in self.orders), *self.openings, *words])
+        for heard, spans in (("if", self._conditions()), ("don't", self._denials())):
+            for start, end in spans:
+                text = text[:start] + heard.ljust(end - start) + text[end:]
+        return text
+
+    def _denials(self) -> Iterator[Span]:
+        """Give what forbids an order in words of its own: "under no circumstances call her"."""
+        words, lexicon = self.scanned.words, self.scanned.lexicon
+        for place in range(len(words) - DENIAL):
+            end = place + DENIAL
+            if " ".join(word.text for word in words[place:end]) not in lexicon.closed.denials:
+                continue
+            if (words[end].text,) in lexicon.questions["helping"]:
+                # "On no account should you call her"
+                end += 2
+                if lexicon.closed.personal_pronouns.isdisjoint(word.text for word in words[end - 1 : end]):
+                    continue
+            yield words[place].start, words[end - 1].end
+
+    def _conditions(self) -> Iterator[Span]:
+        """Give each "should" that begins a condition behind an order: "call me should it rain"."""
+        words, lexicon = self.scanned.words, self.scanned.lexicon
+        for before, word, behind in zip(words, words[1:], words[2:], strict=False):
+            if word.text != "should" or behind.text not in lexicon.closed.condition_openers:
+                continue
+            asking = lexicon.questions["asking"], lexicon.questions["placing"]
+            asks = any((one.text,) in kind for one in (words[0], before) for kind in asking)
+            if not asks and before.text not in lexicon.closed.relatives | lexicon.closed.personal_pronouns:
+                yield word.start, word.end
 
     def _behind_preposition(self, start: int, end: int) -> int:
         """Give where words begin that are taken back: the "at" in front of them stays."""

@@ -42,8 +42,14 @@ def written_out(words: Sequence[Word], lexicon: Lexicon) -> frozenset[int]:
 
 def _takes_title(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     """Whether a title may stand behind a word: "watch", "read", and the "of" of "a copy of"."""
-    copied = words[place].text == "of" and place > 0 and words[place - 1].text in lexicon.no_times.copies
-    return copied or words[place].text in lexicon.playing | lexicon.no_times.titled
+    kinds, before = lexicon.no_times, words[place - 1].text if place else ""
+    # "The film Before Sunrise"
+    work = words[place].text in kinds.works and before in lexicon.closed.sure_noun_openers
+    return (
+        work
+        or (words[place].text == "of" and before in kinds.copies)
+        or words[place].text in lexicon.playing | lexicon.no_times.titled
+    )
 
 
 def _goes_on(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
@@ -155,7 +161,7 @@ class Titles(Standing):
     def _may_have_title(self) -> bool:
         """Whether a word stands in the text behind which a title may."""
         kinds = self.lexicon.no_times
-        return self._plays or not (kinds.titled | kinds.copies).isdisjoint(self.texts)
+        return self._plays or not (kinds.titled | kinds.copies | kinds.works).isdisjoint(self.texts)
 
     def _is_titular(self, place: int) -> bool:
         """Whether a word may stand before a time in what is called after it: "last christmas"."""

@@ -22,6 +22,9 @@ DECADES = frozenset(map(str, range(20, 100, 10)))
 """Numbers before a glued "s" that are years: "80s music"."""
 
 
+SCORE = 3
+"""Words of a score: its two numbers, and what joins them."""
+
 METRE = 4
 """Words of a metre: "in", its two numbers and the slash."""
 
@@ -45,6 +48,7 @@ class Figures(Standing):
             or self._is_year_of_thing(piece)
             or self._is_metre(piece)
             or self._is_rate(piece)
+            or self._is_extent(piece)
             or (self.texts[piece.start : piece.end] == ALWAYS and not self.around.may_end(piece))
         )
 
@@ -84,7 +88,18 @@ class Figures(Standing):
         return self.texts[place] in kinds.screens and shown in kinds.shapes
 
     def _is_odds(self, piece: Piece) -> bool:
-        """Whether something is bet on at it: "bet at 5 to 1"; but "place the bet at ten to one"."""
+        """Whether something is bet on at it: "bet at 5 to 1"; but "place the bet at ten to one".
+
+        Or it is the score: "they beat us 3 to 1".
+        """
+        *_, before, verb = ("", "", *self.texts[: piece.start])
+        ends = self.measures.is_number(piece.start) and self.measures.is_number(piece.end - 1)
+        if (
+            ends
+            and piece.end - piece.start == SCORE
+            and not self.lexicon.no_times.betting.isdisjoint((before, verb))
+        ):
+            return True
         if self.texts[piece.start] != "at" or "to" not in self.texts[piece.start + 1 : piece.end]:
             return False
         bets = (p for p in range(piece.start) if self.texts[p] in self.lexicon.no_times.betting)
@@ -165,3 +180,9 @@ class Figures(Standing):
         *behind, _ = (*self.texts[piece.end : piece.end + 2], "")
         each = behind[:1] == ["per"] and behind[1:] != [] and behind[1] not in self.closed.noun_openers
         return each and self.measures.is_number(piece.end - 1)
+
+    def _is_extent(self, piece: Piece) -> bool:
+        """Whether it is so many metres: "a 12 m long rope"."""
+        extents = self.lexicon.no_times.extents
+        places = (p for p in range(piece.start, piece.end) if self.texts[p] == "m")
+        return any(not extents.isdisjoint(self.texts[place + 1 : place + 2]) for place in places)

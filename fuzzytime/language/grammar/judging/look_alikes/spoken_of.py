@@ -80,7 +80,10 @@ def _is_called(piece: Piece, around: Surroundings) -> bool:
     bound = around.texts[piece.start] in around.closed.prepositions_of_time
     if article in around.lexicon.no_times.christening and thing in around.closed.noun_openers:
         known = around.words[piece.start].capital or named in around.lexicon.animals
-        return known and not bound and around.opens(piece.start - len((article, thing, named)))
+        verb = piece.start - len((article, thing, named))
+        # "We named the cat Tuesday"
+        told = verb > 0 and around.texts[verb - 1] in around.closed.personal_pronouns
+        return known and not bound and (told or around.opens(verb))
     return named in around.lexicon.no_times.naming and not bound and thing.isalpha()
 
 

@@ -60,9 +60,16 @@ class WeakWalls(Standing):
         return first.is_digits and last.isdecimal() and typed and (met or self.reminds(piece))
 
     def _ends_order(self, piece: Piece) -> bool:
-        """Whether a typed day of a month ends what is asked for: "call mum the 9th", not "take the 2nd"."""
+        """Whether a typed day of a month ends what is asked for: "call mum the 9th", not "take the 2nd".
+
+        Or begins it: "the 9th, call mum".
+        """
         before, place = self.around.before(piece), piece.start - 1
         typed = self.texts[piece.start] == "the" and self.texts[piece.end - 1] in self.beside.ordinal_endings
+        comma = self.around.follower(piece) == ","
+        order, thing, *_ = (*self.texts[piece.end + comma :], "", "")
+        if typed and piece.start == 0 and order in self.lexicon.orders:
+            return comma or thing in self.closed.noun_openers
         if not typed or not before.isalpha():
             return False
         ends = self.around.follower(piece) in self.beside.polite_ends | {""}

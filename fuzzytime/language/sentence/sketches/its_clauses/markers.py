@@ -26,8 +26,15 @@ class ClauseMarkers:
             or is_wish(self.tree, self.words[place:])
             or self._inquires(place, form)
             or self._marks(place, form)
+            or self._is_any_time(place, form)
             or self._is_of_verb(place)
         )
+
+    def _is_any_time(self, place: int, form: tuple[str, ...]) -> bool:
+        """Whether it is any time of whatever happens: "I don't have any time left"."""
+        behind = {word.text for word in self.words[place + len(form) : place + len(form) + 1]}
+        free = " ".join(form) in self.lexicon.beside.at_any_time
+        return free and behind.isdisjoint(self.lexicon.closed.condition_openers)
 
     def _is_of_verb(self, place: int) -> bool:
         """Whether it belongs to the verb right before it: "look after the baby"."""
@@ -94,9 +101,9 @@ class ClauseMarkers:
         return (OF,) if self.words[place].text == OF and counts else None
 
     def _inverted(self, place: int) -> tuple[str, ...] | None:
-        """Give the "should" of "should the bell ring, …", which has a tree of its own, as what begins it."""
-        word, node = self.words[place], next(iter(self.tree.nodes), None)
-        leads = place == 0 and node is not None and node.lower == "if" != word.text
+        """Give the "should" of "should the bell ring, …", which its tree has as "if", as what begins it."""
+        word = self.words[place]
+        leads = any(self.tree.nodes[p].lower == "if" != word.text for p in self.tree.at(word.start, word.end))
         return (word.text,) if leads and word.text in self.lexicon.closed.conditional_inversion else None
 
     def _edged(self, place: int) -> tuple[str, ...] | None:

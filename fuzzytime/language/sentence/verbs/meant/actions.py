@@ -65,11 +65,11 @@ def action_of(tree: Tree, *, told: bool = False) -> Action | None:
         below = _meant_below(tree, root) if assured is None else assured
         if below is None:
             break
+        # "Make sure not to call"; but "don't forget to call"
+        kept = negated and tree.nodes[root].lemma not in tree.lexicon.forgetting
+        negated = kept or _is_negated(tree, below)
         if assured is None:
             reference = _reference_of_verb(tree, root, below) or reference
-            negated = _is_negated(tree, below) or (
-                negated and tree.nodes[root].lemma not in tree.lexicon.forgetting
-            )
         root = gone_to_do(tree, below) or below
     if reference is None:
         reference = reference_of(tree, root)
