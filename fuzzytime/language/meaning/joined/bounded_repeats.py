@@ -65,12 +65,27 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     if is_release(said):
         first = first_time(said)
         return None if first is None else replace(repeat, starting=first)
-    if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
-        if any(wall.part is not None and not wall.part.name for wall in repeat.walls):
-            # "Mon-thu 9-5, fri 9-3": the second are hours of another day.
-            return None
-        return replace(repeat, starting=time.first, until=_of_night(time.last, time.first))
-    return None
+    return (
+        _through(repeat, time) if said.constraint is Constraint.BETWEEN and isinstance(time, Range) else None
+    )
+
+
+def _through(repeat: Repeat, time: Range) -> Repeat | None:
+    """Give a repetition from when to when: "every ten minutes from nine to noon"."""
+    if any(wall.part is not None and not wall.part.name for wall in repeat.walls):
+        # "Mon-thu 9-5, fri 9-3": the second are hours of another day.
+        return None
+    if _is_day_and_end(time) and not repeat.walls:
+        # "Every 20 minutes on friday until noon"
+        within = Said(time.last, Constraint.BEFORE, within=wall_of(time.first))
+        return _until(repeat, within, time.last)
+    return replace(repeat, starting=time.first, until=_of_night(time.last, time.first))
+
+
+def _is_day_and_end(time: Range) -> bool:
+    """Whether it is a day, and when on it something is over."""
+    days = replace(wall_of(time.first), days=None) == Wall() and wall_of(time.first).days is not None
+    return days and isinstance(time.last, Wall) and time.last.days is None
 
 
 def _for_so_long(repeat: Repeat, said: Said, time: Duration) -> Repeat | None:

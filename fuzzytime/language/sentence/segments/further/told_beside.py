@@ -7,6 +7,7 @@ of them for a part of the other. Where a joint stands between words that may be 
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
+from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_order
@@ -115,6 +116,8 @@ def _may_tell(tree: Tree, place: int) -> bool:
     """Whether words behind a joint may tell something: one of them may be what somebody does."""
     first, *behind = tree.nodes[place:]
     known = first.lower in tree.lexicon.people
+    if not known and any(_is_whose(*pair, tree.lexicon) for pair in pairwise(behind)):
+        return False
     sure = known or _is_surely_timed(behind, tree.lexicon)
     if first.tag in {"NN", "NNS"} and not sure:
         # "School starts at nine"; but "buy stamps, cards and the tea mum likes"
@@ -122,6 +125,12 @@ def _may_tell(tree: Tree, place: int) -> bool:
     finite = (node.tag in OPEN | {"POS"} for node in behind)
     taken = (node.may_act and node.tag in NOUNS | {"NNPS", "VB"} for node in behind)
     return known or (first.tag in TELLING and (any(finite) or any(taken)))
+
+
+def _is_whose(thing: Node, somebody: Node, lexicon: Lexicon) -> bool:
+    """Whether somebody stands behind a thing and does what is said of it: "the tea mum likes"."""
+    named = thing.tag.startswith("NN") and thing.lower not in lexicon.people
+    return named and somebody.lower in lexicon.people and somebody.lower not in lexicon.happening
 
 
 def _may_order(tree: Tree, place: int) -> bool:
