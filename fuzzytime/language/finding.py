@@ -168,7 +168,9 @@ def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
             )
         if before is not None and isinstance(phrase.said.time, HourMark) and phrase.said.time.open:
             # "Flour at ten, eggs at half past": the half past behind that ten.
-            here = replace(moment, since=before[1].requirement.earliest, carried=False)
+            requirement = before[1].requirement
+            since = requirement.latest if requirement.earliest is None else requirement.earliest
+            here = replace(moment, since=since, carried=False)
         if before is not None and phrase.said.alternative and _is_part_alone(phrase):
             # "Tonight or in the morning": the morning behind that night.
             here = replace(moment, since=before[1].requirement.earliest, follows=True)

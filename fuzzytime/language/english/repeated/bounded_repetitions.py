@@ -87,8 +87,9 @@ def within_range(said: Said, repeat: Repeat) -> Repeat | None:
 
 @grammar.rule(
     "repeat",
-    "<repeat> ,|and the? first time|one|dose? <said>",
-    "<repeat> the first time|one|dose? <said>",
+    "<repeat> ,|and the? first time|one|dose|feed? <said>",
+    "<repeat> the first time|one|dose|feed? <said>",
+    "<repeat> ,|and the? next time|one|dose|feed <said>",
     weight=0.6,
 )
 def from_first_time(repeat: Repeat, said: Said) -> Repeat | None:

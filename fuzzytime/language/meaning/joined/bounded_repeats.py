@@ -65,9 +65,8 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     if is_release(said):
         first = first_time(said)
         return None if first is None else replace(repeat, starting=first)
-    return (
-        _through(repeat, time) if said.constraint is Constraint.BETWEEN and isinstance(time, Range) else None
-    )
+    between = said.constraint is Constraint.BETWEEN
+    return _through(repeat, time) if between and isinstance(time, Range) else None
 
 
 def _through(repeat: Repeat, time: Range) -> Repeat | None:
