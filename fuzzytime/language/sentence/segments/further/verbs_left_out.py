@@ -99,18 +99,30 @@ def _things_behind_clauses(one: Waiting, part: Part, own: Sequence[Phrase]) -> l
         word = words[place]
         if word.start >= behind and longest_match(words, place, lexicon.clauses):
             clause = word
-        time = next((phrase for phrase in own if phrase.first >= place), None)
-        if word.text != "and" or clause is None or time is None or time.said.constraint is Constraint.FOR:
+        when = _when(one, place, own) if word.text == "and" and clause is not None else None
+        if clause is None or when is None:
             continue
         # "When you get up"; but "when the rice and the peas are done"
         acts = any(tree.nodes[p].is_verb for p in part.at((clause.start, word.start)))
-        added = [*part.at((word.end, time.span[0]))]
+        added = [*part.at((word.end, when))]
         # But "and another one": that is the same again.
         named = added[:1] and tree.nodes[added[0]].tag in NAMES | DETERMINERS
         named = named and tree.nodes[added[-1]].lower not in lexicon.closed.plural_anaphors | {"one"}
         if acts and named and all(_is_of_thing(part, p, ()) for p in added):
             return [words[place + 1].start]
     return []
+
+
+def _when(one: Waiting, place: int, own: Sequence[Phrase]) -> int | None:
+    """Give where a time or a clause begins behind a word: "at nine", "ten minutes before the pie is done"."""
+    words, lexicon = one.source.scanned.words, one.source.scanned.lexicon
+    behind = range(place + 1, len(one.source.places(0, one.segment.span[1])))
+    clause = next((p for p in behind if longest_match(words, p, lexicon.clauses)), None)
+    time = next((phrase for phrase in own if phrase.first >= place), None)
+    if time is not None and time.said.constraint is Constraint.FOR and clause != time.end:
+        return None
+    begins = [p for p in (clause, None if time is None else time.first) if p is not None]
+    return words[min(begins)].start if begins else None
 
 
 def _times_in_front(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int]:
