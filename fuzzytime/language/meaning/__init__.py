@@ -8,5 +8,6 @@ What was said
     ``times_of_day``. Two times ``joined`` to one. What is asked of ``phrases``; what names no time is
     ``ungrounded``.
 What it is
-    ``instants``, found as ``grounded``; ``recurrences``; what is ``required``.
+    ``instants``, found as ``grounded``, of ``midnights`` the one that is meant; ``recurrences``; what is
+    ``required``.
 """

@@ -4,17 +4,12 @@ from dataclasses import dataclass, replace
 from datetime import date, datetime, time, timedelta
 
 from fuzzytime.language.meaning.calendar import moved
-from fuzzytime.language.meaning.expressions import Duration, Wall
-from fuzzytime.language.meaning.feasts import Feast
+from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.times_of_day import Clock, Half
-from fuzzytime.language.policy import Midnight, Policy
 from fuzzytime.requirement import Unit
 
 SUB_DAY = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 CALENDAR_UNITS = frozenset({Unit.MONTH, Unit.QUARTER, Unit.YEAR})
-
-EVES = ("eve", "night")
-"""How the names of feasts end whose midnight is where they are over."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,20 +35,6 @@ class Instants:
 def midnight(day: date) -> datetime:
     """Give the moment a day begins on the wall clock."""
     return datetime.combine(day, time())
-
-
-def over_at_midnight(wall: Wall, policy: Policy) -> timedelta:
-    """Give how long after where its day begins the midnight of a day is: that day, or nothing."""
-    if wall.clock is not None and wall.clock.ends_day:
-        return timedelta(days=1)
-    ends = wall.clock is not None and wall.clock.may_end_day
-    return timedelta(days=ends and (is_eve(wall) or policy.midnight is Midnight.END))
-
-
-def is_eve(wall: Wall) -> bool:
-    """Whether it names an eve or a night, whose midnight is where it is over: "midnight on Christmas Eve"."""
-    named = isinstance(wall.days, Feast) and wall.days.name.endswith(EVES)
-    return named or (wall.part is not None and wall.part.half.is_late)
 
 
 def shifted(moment: datetime, duration: Duration, direction: int) -> datetime:

@@ -64,7 +64,7 @@ def feast_week(feast: Yearly, number: int | None = None) -> Calendar:
 
 @grammar.rule("days", "the day|evening|morning|night before <feast>", weight=0.7)
 @grammar.rule("days", "day|evening|morning|night before <feast>", weight=0.3)
-@grammar.rule("days", "erev <feast>", "<feast> eve", weight=0.05)
+@grammar.rule("days", "erev <feast>", "<feast> eve", weight=0.3)
 def eve(feast: Yearly) -> Calendar:
     """The day before christmas, erev passover, easter eve."""
     return Away(-1, Unit.DAY, feast)

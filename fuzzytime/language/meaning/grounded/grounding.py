@@ -38,9 +38,9 @@ from fuzzytime.language.meaning.instants import (
     halved,
     midnight,
     next_minute,
-    over_at_midnight,
     shifted,
 )
+from fuzzytime.language.meaning.midnights import over_at_midnight
 from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.language.policy import SameWeekday

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Self
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today, is_weekday
 from fuzzytime.language.meaning.expressions import Wall
-from fuzzytime.language.meaning.instants import halved, midnight, over_at_midnight
+from fuzzytime.language.meaning.instants import halved, midnight
+from fuzzytime.language.meaning.midnights import over_at_midnight
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.requirement import Unit, Window

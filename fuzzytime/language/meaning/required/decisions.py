@@ -10,7 +10,8 @@ from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, Time, Wall, wall_of
 from fuzzytime.language.meaning.grounded.moment import Moment, zone_of
-from fuzzytime.language.meaning.instants import Instants, is_eve
+from fuzzytime.language.meaning.instants import Instants
+from fuzzytime.language.meaning.midnights import is_eve
 from fuzzytime.language.meaning.recurrences.recurrence import CalendarRecurrence, EvenRecurrence
 from fuzzytime.language.meaning.recurrences.series import begins_by_policy, bounds_said, hours_of_turns
 from fuzzytime.language.policy import Midnight
