@@ -115,7 +115,7 @@ def test_a_new_time_keeps_what_it_leaves_open(first: str, anew: str, entry: str)
         ("walk the dog at half past seven pm", "no, quarter to", "walk the dog at quarter to 8 pm"),
         ("walk the dog at quarter past six pm", "no, half past", "walk the dog at half past 6 pm"),
         ("walk the dog before seven pm", "no, by half past", "walk the dog by half past 7 pm"),
-        ("walk the dog at midnight", "no, ten to", "walk the dog at ten to 12 am"),
+        ("walk the dog at midnight", "no, ten to", "walk the dog at ten to 12 pm"),
         ("walk the dog tomorrow at seven am", "no, half past", "walk the dog tomorrow at half past 7 am"),
         ("walk the dog every day at six pm", "no, half past", "walk the dog every day at half past 6 pm"),
         # No hour was said that could be kept, or a new one is.

@@ -2,6 +2,7 @@
 
 import re
 from datetime import datetime, timedelta
+from itertools import product
 
 from fuzzytime.language.about_wishes.said import CLOCKED, one_time
 from fuzzytime.language.finding import find_times
@@ -107,9 +108,10 @@ def _past_hour_said(new: str, old: str, said: datetime, now: datetime, lexicon: 
     begin = before.replace(minute=0, second=0, microsecond=0)
     minute = instant_after(now, anew.t_spec or 0.0).minute
     found: list[tuple[float, bool, str]] = []
-    for hours in (0, 1, -1, 2):
+    # "Ten to 12 pm" is before midnight, and "ten past 12 am" behind it.
+    for hours, half in product((0, 1, -1, 2), HALVES):
         hour = begin + timedelta(hours=hours)
-        text = f"{new} {hour.hour % 12 or 12} {HALVES[hour.hour // 12]}"
+        text = f"{new} {hour.hour % 12 or 12} {half}"
         whole = one_time(text, now, lexicon)
         if whole is None or not _names_clock(whole):
             continue

@@ -7,8 +7,8 @@ from fuzzytime.language.sentence.trees.tags import DETERMINERS, PRESENT, SUBJECT
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.statements.statement_trees import singular_verb
 
-LEAST = 2
-"""Words of "mum cooks", at least."""
+LEAST = 3
+"""Words of "mum cooks today", at least: "mum cooks" alone tells nothing of when."""
 
 ACTED = frozenset({"while", "when", "if"})
 """Kinds of clauses that name no event: somebody does something in them."""

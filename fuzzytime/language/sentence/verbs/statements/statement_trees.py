@@ -189,8 +189,8 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     doing = _with_one_doing(tree)
     if doing is not None:
         return doing
-    # "The drill's at nine", "the dog's at the vet"
-    there = {p for p, node in enumerate(tree.nodes) if node.tag == "IN" or p in timed}
+    # "The drill's at nine", "the dog's at the vet"; but "pasta's in now"
+    there = {p for p, node in enumerate(tree.nodes[:-1]) if node.tag == "IN" and p + 1 not in timed} | timed
     marks = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in there)
     verb = next(marks, None)
     if verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):
