@@ -3,7 +3,6 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from datetime import datetime
-from functools import cache
 from pathlib import Path
 
 from fuzzytime.documents.kept import Kept
@@ -48,16 +47,23 @@ class Times:
         return tuple(question for grounded in self.found for question in grounded.questions)
 
 
-@cache
 def shipped_lexicon(kept: Kept | None = None) -> Lexicon:
-    """Give the shipped word tables, which are English, read once, or as they were ``kept`` before.
+    """Give the shipped word tables, which are English.
+
+    They are read once, or were ``kept`` by an earlier program.
 
     Raises
     ------
     DocumentError
         If a table breaks rules: every mistake with file, line and column.
     """
-    return lexicon_with((), kept)
+    if not _ONCE:
+        _ONCE.append(lexicon_with((), kept))
+    return _ONCE[0]
+
+
+_ONCE: list[Lexicon] = []
+"""The shipped word tables, once they are read: they do not change."""
 
 
 def lexicon_with(customs: Iterable[Path], kept: Kept | None = None) -> Lexicon:

@@ -5,7 +5,6 @@ from datetime import datetime
 
 from fuzzytime.errors import DocumentError, Mistake
 from fuzzytime.interpreter import SpokenWish
-from fuzzytime.language import shipped_lexicon
 from fuzzytime_cli.bounds import MAX_INSTRUCTIONS
 from fuzzytime_cli.faults import NoInputError
 from fuzzytime_cli.inputs.source import Source
@@ -68,6 +67,8 @@ def said_in(line: str, *, marked: bool = False) -> str:
 
 def _is_date(words: str) -> bool:
     """Whether words name a weekday, its date perhaps, and nothing else."""
+    from fuzzytime.language import shipped_lexicon
+
     lexicon = shipped_lexicon()
     first, *others = words.lower().replace(",", " ").split()
     dated = all(lexicon.means(word, "month") or DATE.fullmatch(word) for word in others)
