@@ -14,7 +14,10 @@ from fuzzytime.language.sentence.segments.orders_beside_times import asks_for_de
 
 def notes_of(scanned: Scanned) -> Iterator[Span]:
     """Give the stretches of brackets that begin with an order, without a time, behind what is named."""
-    words, phrases = scanned.words, phrases_of(scanned)
+    words = scanned.words
+    if "(" not in scanned.text:
+        return
+    phrases = phrases_of(scanned)
     timed = places_in(phrases)
     for place, word in enumerate(words):
         named = (one for p, one in enumerate(words[:place]) if one.is_letters and p not in timed)
