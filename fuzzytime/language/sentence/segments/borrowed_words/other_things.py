@@ -81,7 +81,9 @@ def _acting(wish: Wish) -> range | None:
         node, before = nodes[place], nodes[place - 1] if place else None
         led = before is None or place - 1 in wish.timed or before.tag in LEADING or before.text == ","
         bare = (node.may_act or node.tag == "VB") and node.lower == node.lemma and place not in wish.timed
-        if not led or not bare or node.lower in lexicon.function_words:
+        # "Before you leave the house"
+        clause = any((other.lower,) in lexicon.clauses for other in nodes[max(0, place - 2) : place])
+        if clause or not led or not bare or node.lower in lexicon.function_words:
             continue
         carried = node.lower in lexicon.particles.get(nodes[place + 1].lower, ())
         verb = range(place, place + 1 + carried)

@@ -103,14 +103,29 @@ def _things_behind_clauses(one: Waiting, part: Part, own: Sequence[Phrase]) -> l
         if clause is None or when is None:
             continue
         # "When you get up"; but "when the rice and the peas are done"
-        acts = any(tree.nodes[p].is_verb for p in part.at((clause.start, word.start)))
-        added = [*part.at((word.end, when))]
+        said, added = ([*part.at(span)] for span in ((clause.start, word.start), (word.end, when)))
         # But "and another one": that is the same again.
         named = added[:1] and tree.nodes[added[0]].tag in NAMES | DETERMINERS
         named = named and tree.nodes[added[-1]].lower not in lexicon.closed.plural_anaphors | {"one"}
-        if acts and named and all(_is_of_thing(part, p, ()) for p in added):
+        if named and all(_is_of_thing(part, p, ()) for p in added) and _is_whole(part, said, added):
             return [words[place + 1].start]
     return []
+
+
+def _is_whole(part: Part, said: Sequence[int], added: Sequence[int]) -> bool:
+    """Whether a clause ends before "and": "when you get up"; but "when the rice | and the peas are done".
+
+    What something is done with may go on behind it, "when you get the invoice | and the receipt", unless
+    that is more likely whom the order is done with: "walk the dog before you leave the house | and the cat".
+    """
+    nodes, lexicon = part.tree.nodes, part.lexicon
+    verb = max((p for p in said if nodes[p].is_verb), default=None)
+    if verb is None:
+        return False
+    things = part.tree.said(part.tree.children(part.tree.root, "dobj", "dative"))
+    alive = lexicon.people | lexicon.animals
+    alike = not alive.isdisjoint(things) and not alive.isdisjoint(nodes[p].lower for p in added)
+    return alike or not any(nodes[p].tag in NAMES for p in said if p > verb)
 
 
 def _when(one: Waiting, place: int, own: Sequence[Phrase]) -> int | None:
