@@ -127,8 +127,10 @@ def _owning(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
     around = scanned.around
     closed, lexicon, texts = around.closed, around.lexicon, around.texts
     for place in range(1, len(texts) - 1):
-        binds = texts[place - 1] in closed.prepositions_of_points | closed.prepositions_of_times_taken
         day = texts[place].removesuffix("'s")
+        if day == texts[place] or place in known:
+            continue
+        binds = texts[place - 1] in closed.prepositions_of_points | closed.prepositions_of_times_taken
         named = any(
             entry.words == (day,) and entry.category in DAYS for entry in lexicon.entries.get(day, ())
         )
@@ -137,5 +139,5 @@ def _owning(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
         clause = (texts[place - 1] == "by" and happens) or (texts[place - 1],) in lexicon.clauses
         # "Wrap it in today's paper"
         binds = binds and (happens or texts[place - 1] not in {"in", "with"})
-        if binds and named and day != texts[place] and place not in known and not clause:
+        if binds and named and not clause:
             yield from range(place - 1, place + 2)

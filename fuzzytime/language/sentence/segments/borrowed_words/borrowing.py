@@ -81,8 +81,9 @@ def wishes_behind(source: Source, parts: Mapping[int, Part]) -> Iterator[Part]:
         said = source.scanned.text[end : part.segment.span[0]].lower()
         timed = any(start <= phrase.span[0] < part.segment.span[1] for phrase in source.phrases)
         # "Feed the hens when you get up and the ducks when it gets light"
-        clause = any((node.lower,) in part.lexicon.clauses for node in part.tree.nodes)
-        timed = timed or (part.segment.verbless and clause)
+        timed = timed or (
+            part.segment.verbless and any((node.lower,) in part.lexicon.clauses for node in part.tree.nodes)
+        )
         borrowed = (
             None if ordered is None or not timed or not _joins(said) else _behind(source, ordered, part)
         )

@@ -75,6 +75,7 @@ def told_beside(waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees)
 
 def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     lexicon, source, timed = tree.lexicon, one.source, one.timed(tree)
+    sound = source.sound
     joints = lexicon.closed.joints_of_orders - {"then", "also", "please"}
     denied = bool(lexicon.closed.negators_as_typed.intersection(node.lower for node in tree.nodes[:2]))
     may_begin = denied or any(node.may_act and is_bare(node, lexicon) for node in tree.nodes[:1])
@@ -87,8 +88,8 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
         if any(longest_match(source.scanned.words, word, lexicon.clauses) for word in before):
             # "Serve once the rice is done and the beans are done"
             return
-        first = source.sound[one.main : one.end_before(start)].strip()
-        second = source.sound[start : one.segment.span[1]]
+        first = sound[one.main : one.end_before(start)].strip()
+        second = sound[start : one.segment.span[1]]
         astray = tree.root >= here or any(place > here for place in timed)
         if may_begin and astray and joint != "so" and _may_tell(tree, here):
             yield _Try(place, start, start, first, second)

@@ -1,7 +1,7 @@
 """Whether lines are together a list of times: two are surely timed, or three have numbers like hours."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from itertools import pairwise
 
@@ -77,10 +77,12 @@ def timed_lines(texts: Sequence[str], lexicon: Lexicon) -> list[Timed]:
     """
     whole = how_timed(texts, lexicon)
     titles = [place for place, text in enumerate(texts) if _is_title(text, lexicon)]
-    found = [whole] * len(texts)
+    found, halves = [whole] * len(texts), hours_behind(lexicon.beside.of_hours)
     for first, end in pairwise((*titles, len(texts))):
         below = [line[0] for text in texts[first + 1 : end] for line in LINE.finditer(text)]
-        if not any(_surely(line, lexicon) or _is_typed(line, lexicon) for line in below):
+        if not any(
+            _surely(line, lexicon) or _is_typed(LEADING.match(line), halves.finditer(line)) for line in below
+        ):
             found[first:end] = [Timed.NO] * (end - first)
     return found
 
@@ -98,12 +100,9 @@ def _surely(line: str, lexicon: Lexicon) -> re.Match[str] | None:
     return _sure(prepositions, lexicon.beside.of_hours).search(line)
 
 
-def _is_typed(line: str, lexicon: Lexicon) -> bool:
-    """Whether a number in a line is typed like an hour and its minutes, or two from when to when."""
-    behind = hours_behind(lexicon.beside.of_hours).finditer(line)
-    return LEADING.match(line) is not None or any(
-        found["minutes"] or found["digits"] or found["last"] for found in behind
-    )
+def _is_typed(front: re.Match[str] | None, behind: Iterable[re.Match[str]]) -> bool:
+    """Whether a number of a line is typed like an hour and its minutes, or two from when to when."""
+    return front is not None or any(found["minutes"] or found["digits"] or found["last"] for found in behind)
 
 
 def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
@@ -113,7 +112,7 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     behind, fronts = [[*halves.finditer(line)] for line in lines], [LEADING.match(line) for line in lines]
     firsts = [_surely(line.strip(), lexicon) for line in lines]
     decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
-    typed = [_is_typed(line, lexicon) for line in lines]
+    typed = [_is_typed(*found) for found in zip(fronts, behind, strict=True)]
     happens = sum(
         found["minutes"] is not None and has_time(words_of(line[: found.start()])[-1].text, lexicon)
         for line, hours in zip(lines, behind, strict=True)
