@@ -11,6 +11,7 @@ from fuzzytime.interpreter.binding.giving_way import giving_way
 from fuzzytime.interpreter.binding.in_order import Rows, free_of_circles, of_places
 from fuzzytime.interpreter.binding.references import Links, link
 from fuzzytime.interpreter.binding.same_things import of_things
+from fuzzytime.interpreter.binding.timetables import of_timetables
 from fuzzytime.interpreter.gathering import Gathering
 from fuzzytime.interpreter.horizon import horizon_of, within_horizon
 from fuzzytime.interpreter.in_other_words.by_the_sky import told_by_the_sky
@@ -138,7 +139,7 @@ class Interpreter:
         skills, passing = in_passing(skills, self.rulebook, request.agents, gathered.links)
         problems += (*called, *passing)
         skills, precedences, unresolved = link(skills, gathered.links, self.rulebook, request.now)
-        order = (*gathered.rows.kept(), *of_places(skills), *of_things(skills))
+        order = (*gathered.rows.kept(), *of_places(skills), *of_things(skills), *of_timetables(skills))
         order = free_of_circles(order, precedences)
         out = turns_out_of_bounds(skills, precedences)
         dropped = {skills[place].identifier for place in out}

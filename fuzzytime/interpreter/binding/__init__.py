@@ -2,6 +2,7 @@
 
 What wishes say of each other: ``references``, made to ``ties`` without ``circles``; what goes on
 ``meanwhile``, unless it keeps ``both_hands``; and a length ``giving_way`` to what begins then. Order:
-``in_order`` by ``steps``, ``procedures``, ``same_things``. Where something cannot be planned: what
-waits is set ``apart``, and the order of the others is kept by ``loosening`` and ``renumbering``.
+``in_order`` by ``steps``, ``procedures``, ``same_things``, ``timetables``. Where something cannot be
+planned: what waits is set ``apart``, and the order of the others is kept by ``loosening`` and
+``renumbering``.
 """

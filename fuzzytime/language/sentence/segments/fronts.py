@@ -83,7 +83,7 @@ def fronts_of(
     led: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
         order = carried.without_carrier(CARRIER, attempt.order, 0)
-        asks = is_order(order) or bool(order.nodes and _is_wish(order, 0))
+        asks = is_order(order) or bool(order.nodes and is_wish(order, 0))
         # "If it rains | hoover the hall"
         governs = order.root == 0 and any(node.tag in DETERMINERS for node in order.nodes[1:2])
         governs = governs and bool(order.children(0, "dobj", "pobj"))
@@ -103,7 +103,7 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     first, end = words[marker.end].start, one.segment.span[1]
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
-        opens = may_be_done(tree, here) or _is_wish(tree, here)
+        opens = may_be_done(tree, here) or is_wish(tree, here)
         if start <= first or here == 0 or not opens:
             continue
         timed = one.timed(tree)
@@ -158,7 +158,7 @@ def may_be_done(tree: Tree, place: int) -> bool:
     return (node.may_act or led) and is_bare(node, lexicon) and not becomes
 
 
-def _is_wish(tree: Tree, place: int) -> bool:
+def is_wish(tree: Tree, place: int) -> bool:
     """Whether it begins to be said what is to be done, or be so: "when it is dark | I want to lock up"."""
     behind = tree.nodes[place + 1 : place + 3]
     if tree.nodes[place].tag in {"DT", "PRP$"}:

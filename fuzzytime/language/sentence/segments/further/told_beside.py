@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_order
+from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_order, is_wish
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.further.run_on_orders import tells
 from fuzzytime.language.sentence.segments.waiting import Waiting
@@ -39,7 +39,8 @@ WHOLE = ("dobj", "prt", "dative", "prep", "advmod", "npadvmod", "acomp")
 class _Try:
     """An order and what is told on both sides of a joint of the one that waits at a place.
 
-    ``start`` is where the second of both begins, ``begin`` where what is told does.
+    ``start`` is where the second of both begins, ``begin`` where what is told does. What somebody ``wishes``
+    is told as well, and is no order: "the roast has to go in at five".
     """
 
     one: int
@@ -47,6 +48,7 @@ class _Try:
     begin: int
     order: str
     told: str
+    wishes: bool = False
 
 
 def told_beside(waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees) -> dict[int, int]:
@@ -59,10 +61,13 @@ def told_beside(waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees)
         for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
         for attempt in _tries(place, one, tree)
     ]
-    orders = trees([CARRIER + attempt.order for attempt in tries])
+    orders = trees([("" if attempt.wishes else CARRIER) + attempt.order for attempt in tries])
     cut: dict[int, int] = {}
     for attempt, order, told in zip(tries, orders, trees([attempt.told for attempt in tries]), strict=True):
-        if attempt.one in cut or not _is_asked(order.without_carrier(CARRIER, attempt.order, 0)):
+        asked = (
+            tells(order) if attempt.wishes else _is_asked(order.without_carrier(CARRIER, attempt.order, 0))
+        )
+        if attempt.one in cut or not asked:
             continue
         phrases = [phrase.span for phrase in waiting[attempt.one].phrases]
         timed = {p for a, b in phrases for p in told.at(a - attempt.begin, b - attempt.begin)}
@@ -95,6 +100,8 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
             yield _Try(place, start, start, first, second)
         if joint in {",", ";", "so"} and _may_order(tree, here):
             yield _Try(place, start, one.main, second, first)
+        if joint == "so" and is_wish(tree, here):
+            yield _Try(place, start, one.main, second, first, wishes=True)
 
 
 def _is_parted(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
@@ -171,7 +178,7 @@ def _is_told(tree: Tree, timed: AbstractSet[int]) -> bool:
         plural = tree.nodes[told.root].tag == "NNS" and first.lower not in lexicon.people
         tree = tree if plural and verb.lower not in lexicon.doing.timed else told
     verbs = (tree.root, *tree.children(tree.root, "aux", "auxpass"))
-    return tells(tree) and any(tree.nodes[place].tag in OPEN for place in verbs)
+    return tells(tree) and any(tree.nodes[place].tag in OPEN | {"POS"} for place in verbs)
 
 
 def _is_surely_timed(nodes: Sequence[Node], lexicon: Lexicon) -> bool:

@@ -43,7 +43,7 @@ def due_of(
     if not told or not asked:
         # "Story at seven, lights out by half past" is one after the other.
         return None
-    return _begin_of(instructions[-1])
+    return _begin_of(instructions[-1], due=so)
 
 
 def _part_due(phrase: Phrase) -> Part | None:
@@ -54,11 +54,14 @@ def _part_due(phrase: Phrase) -> Part | None:
     return wall.part if phrase.said.constraint is Constraint.BEFORE else None
 
 
-def _begin_of(instruction: Instruction) -> float | None:
-    """Give when something begins, in seconds; of what is repeated, the first of today."""
+def _begin_of(instruction: Instruction, *, due: bool = False) -> float | None:
+    """Give when something begins, in seconds; of what is repeated, the first of today.
+
+    What is ``due`` begins by its deadline: "I have to be at work by nine, so I need to leave at eight".
+    """
     # "From monday the shop opens at eight" begins at eight.
     requirements = sorted(instruction.requirements, key=lambda one: one.constraint is not Constraint.AT)
-    said = [requirement.earliest for requirement in requirements]
+    said = [one.latest if due and one.earliest is None else one.earliest for one in requirements]
     repeats = instruction.repeats
     said += repeats.occurrences(DAY_SECONDS)[:1] if repeats is not None else ()
     return next((seconds for seconds in said if seconds is not None), None)

@@ -1,0 +1,86 @@
+"""Lines of a file whose times go up stand in that order; other lists of things to do stand in none."""
+
+from collections.abc import Sequence
+from datetime import datetime
+
+import pytest
+
+from fuzzytime.interpreter import Plan, Request, SpokenWish, plan
+from interpreter.telling import SEVEN, interpreter, order, starts
+
+pytestmark = pytest.mark.model
+
+
+def listed(lines: Sequence[str], *, now: datetime = SEVEN) -> Plan:
+    """Plan the lines of a file."""
+    wishes = tuple(SpokenWish(text=line, given=now, line=place) for place, line in enumerate(lines, 1))
+    return plan(Request(now=now, wishes=wishes), interpreter())
+
+
+def test_a_line_without_a_time_comes_behind_the_one_above() -> None:
+    lines = ["get up at 7:30", "make coffee", "have breakfast at eight", "do the dishes", "leave at 9:15"]
+    assert starts(listed([*lines, "lock the door"])) == {
+        "s1": "07:30",
+        "s2": "07:35",
+        "s3": "08:00",
+        "s4": "08:05",
+        "s5": "09:15",
+        "s6": "09:16",
+    }
+
+
+def test_what_stands_above_the_first_time_is_not_put_off() -> None:
+    assert starts(listed(["pack the van", "8:00 leave", "9:00 set up", "10:00 doors open"]))["s1"] == "07:00"
+
+
+def test_several_lines_between_two_times_follow_each_other() -> None:
+    lines = ["9:45 mash in", "clean the sink", "weigh the hops", "11:00 sparge", "12:00 boil"]
+    assert order(listed(lines)) == ["s1", "s2", "s3", "s4", "s5"]
+
+
+def test_below_a_day_a_line_stands_where_it_is_written() -> None:
+    lines = ["Saturday", "8:00 set up the stall", "9:00 doors open", "12:30 lunch", "count the till"]
+    assert starts(listed([*lines, "16:00 pack up"]))["s5"] == "13:15"
+
+
+def test_what_goes_on_by_itself_is_over_by_the_next_time() -> None:
+    lines = ["18:00 kids arrive", "20:15 film", "wash the cups", "21:00 teeth", "22:00 lights out"]
+    assert starts(listed(lines))["s3"] == "21:00"
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"), [("pack the bags by 10:15", "08:45"), ("post the keys by 7:50", "07:00")]
+)
+def test_in_a_table_a_deadline_stands_where_it_is_written_if_that_is_in_time(
+    line: str, expected: str
+) -> None:
+    lines = ["7:30 breakfast", "8:00 flag", "8:30 crafts, 15 min", line, "10:30 parents collect"]
+    assert starts(listed(lines))["s4"] == expected
+
+
+def test_in_sentences_a_deadline_says_all_there_is_to_say() -> None:
+    lines = ["answer the mails at eight", "meet the new colleague at nine", "send the offer by noon"]
+    assert starts(listed([*lines, "phone the client at eleven"]))["s3"] == "07:00"
+
+
+def test_one_line_of_many_may_be_out_of_order() -> None:
+    lines = ["8:00 set up", "9:00 doors", "van to the garage friday 8:30", "check the till", "11:00 break"]
+    assert starts(listed([*lines, "12:00 lunch", "16:00 pack up"]))["s4"] == "09:00"
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["call mum at noon", "water the plants", "gym at six pm"],
+        ["gym at six pm", "call mum at noon", "water the plants", "dentist at ten"],
+        ["get up at 7:30", "leave at eight", "be back at nine", *("tidy up", "iron", "cook", "sweep") * 2],
+    ],
+)
+def test_times_that_come_as_they_may_say_nothing_of_the_rest(lines: list[str]) -> None:
+    assert listed(lines).interpretation.order == ()
+
+
+def test_what_is_said_one_after_the_other_is_no_file() -> None:
+    lines = ["get up at 7:30", "make coffee", "have breakfast at eight", "leave at nine"]
+    wishes = tuple(SpokenWish(text=line, given=SEVEN) for line in lines)
+    assert plan(Request(now=SEVEN, wishes=wishes), interpreter()).interpretation.order == ()
