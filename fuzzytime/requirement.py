@@ -108,7 +108,8 @@ class Condition:
     instruction that makes it so ("warm up the printer"), which counts where no reading tells; ``about`` that
     of the latest that is about the same thing ("paint the door", where the paint is dry). ``takes`` is how
     many seconds it takes then to become so, where that is said. ``goes_on`` says that something is so for a
-    time and is waited for no longer than until it begins: "while the bread bakes".
+    time and is waited for no longer than until it begins: "while the bread bakes". ``excepted`` says that
+    words leave out the time when it is so, and wait for nothing: "unless it rains", "not while Ann sleeps".
     """
 
     text: str
@@ -122,6 +123,7 @@ class Condition:
     about: int | None = None
     takes: float | None = None
     goes_on: bool = False
+    excepted: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

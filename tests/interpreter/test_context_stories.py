@@ -245,6 +245,20 @@ def test_dinner_is_cooked_by_readings_and_by_the_clock_together(interpreter: Int
     assert min(made.schedule.satisfactions) > 0.9
 
 
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "Mow the lawn at noon unless it rains",
+        "Call Ann at noon, not while the baby sleeps",
+        "Ring the bell at noon unless the moon is blue",
+    ],
+)
+def test_nothing_is_left_out_by_what_nothing_tells_of(interpreter: Interpreter, sentence: str) -> None:
+    made = told(interpreter, Context.empty, sentence)
+    assert made.schedule.rejected == (False,)
+    assert any("so that no time is left out by it" in problem.message for problem in made.problems)
+
+
 SEVERAL = [
     ("when the pan is hot and the oven is hot", (4, 9)),
     ("when both the pan and the oven are hot", (4, 9)),

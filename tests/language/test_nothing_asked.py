@@ -255,6 +255,8 @@ def test_an_hour_behind_a_thing_is_said_to_be_none(text: str, said: list[str]) -
         ),
         ("call me after nine, I'm in a meeting until then", "I'm in a meeting until then"),
         ("the kettle is boiling, make the tea", "the kettle is boiling"),
+        ("the traffic's bad, leave at seven", "the traffic's bad"),
+        ("I'm exhausted, wake me at four", "I'm exhausted"),
     ],
 )
 def test_how_things_are_is_told_and_not_to_be_done(text: str, why: str) -> None:

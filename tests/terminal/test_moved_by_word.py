@@ -326,3 +326,15 @@ def test_questions_name_verbs_in_any_form_and_directions_want_a_length(line: str
     talk = talk_of("feed the cat at six pm", "wash the car at seven pm")
     assert said in talk.say(line)
     assert len(talk.entries) == 2
+
+
+@pytest.mark.model
+def test_what_was_before_another_and_is_moved_to_a_day_is_on_it() -> None:
+    talk = talk_of("call the bank at 4 pm", "read the papers before that", "put the papers off till tomorrow")
+    assert talk.entries == ["call the bank at 4 pm", "read the papers tomorrow"]
+
+
+@pytest.mark.model
+def test_a_clause_that_leaves_out_a_time_stands_for_no_other_thing() -> None:
+    line = "call Ann today, not while the baby sleeps"
+    assert talk_of(line).entries == [line]

@@ -8,7 +8,7 @@ from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, About, Abou
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import later_by
 from fuzzytime.language.about_wishes.said import Said
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
 SHORTEST = 3
 """Words of one thing, and of the one that it is not."""
@@ -179,6 +179,9 @@ def _instead(said: Said) -> About | None:
     elif (place := _instead_of(said)) is not None:
         old, new = said.behind(place).after("in its place of") or said, said.until(place)
     else:
+        return None
+    if longest_match(old.words, 0, said.lexicon.clauses):
+        # "Call Ann today, not while the baby sleeps"
         return None
     thing, time = ("", new.as_time()) if new.as_time() else new.parted()
     if time and old.as_time():

@@ -133,6 +133,9 @@ def _clause(question: Question) -> Said:
         formula = understood.formula
     elif formula is not None and understood.formula not in (None, formula):
         formula = with_hedges_of(understood.formula, formula)
+    if said.excepted and (formula is None or not question.known(formula)):
+        # What is to be left out is not said to be so: "unless it rains".
+        return Said(satisfaction=ALWAYS, model="always", notes=(*notes, _not_excepted(condition)))
     if formula is None and row.model == "until" and not rules and not understood.composed:
         # What nothing can tell of is not said to have happened: it may begin.
         return Said(satisfaction=ALWAYS, model="always", notes=(*notes, _not_told(condition)))
@@ -144,6 +147,11 @@ def _clause(question: Question) -> Said:
     if chosen.model == "until" and not question.known(formula):
         notes = (*notes, _not_told(condition))
     return _awaited(question, formula, chosen, heard, notes)
+
+
+def _not_excepted(condition: Condition) -> str:
+    """Say of what leaves out a time that nobody knows of any."""
+    return f"nothing tells {condition.text!r}, so that no time is left out by it"
 
 
 def _not_told(condition: Condition) -> str:

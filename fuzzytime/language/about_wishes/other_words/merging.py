@@ -43,7 +43,9 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
     if other is None or counted:
         # What was to be in ten minutes, or ten minutes after that, and is tomorrow, leaves no hour open.
         return new
-    times = {piece: time for piece in _pieces(old) if (time := one_time(piece, said, lexicon)) is not None}
+    pieces = ((piece, one_time(piece, said, lexicon)) for piece in _pieces(old))
+    # "Before that" says no day and no hour, nor does its "before".
+    times = {piece: time for piece, time in pieces if time is not None and not _is_open(time)}
     days = [piece for piece, time in times.items() if is_of_days(time)]
     dated = not is_of_days(other) and (
         # "Tonight", "this evening"
@@ -135,6 +137,11 @@ def _clock_in(text: str, said: datetime, lexicon: Lexicon) -> datetime | None:
         if clocked and first is not None:
             return instant_after(said, first)
     return None
+
+
+def _is_open(time: TimeRequirement) -> bool:
+    """Whether a time only counts from another: "beforehand", "after the call"."""
+    return time.anchor is not None or time.constraint is Constraint.VAGUE
 
 
 def _turns(time: TimeRequirement) -> tuple[float, ...]:

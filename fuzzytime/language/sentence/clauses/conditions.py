@@ -1,6 +1,7 @@
 """What a clause says must be so: "the pan is very hot", "the timer rings", "golden brown"."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from fuzzytime.language.grammar.surroundings.compared import NEARLY
 from fuzzytime.language.grammar.words import Word
@@ -20,6 +21,9 @@ ITS = "its"
 SAYING_HOW = frozenset({"JJ", "JJR", "RB", "RBR", "IN", "VBN", "VBG", "CD"})
 """Tags of words that say how something is, and of those before them: "too hot", "below 20"."""
 
+EXCEPTING = "unless"
+"""The marker of what leaves out a time."""
+
 SHORTEST_BEING = 2
 """Words of "its dark"."""
 
@@ -35,13 +39,19 @@ def is_wish(tree: Tree, words: Sequence[Word]) -> bool:
 
 def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Condition:
     """Read "the pan is very hot": subject, hedges, word; another form keeps its text only."""
+    condition = _condition_of(tree, verb, nodes, text)
+    if not text.lower().startswith(EXCEPTING):
+        return condition
+    return replace(condition, negated=not condition.negated, excepted=True)
+
+
+def _condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Condition:
     doing, node, inside = tree.lexicon.doing, tree.nodes[verb], set(nodes)
     subjects = [p for p in tree.children(verb, *GRAMMATICAL_SUBJECTS) if p in inside]
     if not subjects:
         # "Until it thickens": a pronoun right before the verb was taken for what the marker governs.
         subjects = [p for p in nodes if p == verb - 1 and tree.nodes[p].tag in {"PRP", "PRP$"}]
     negated = any(p in inside for p in tree.children(verb, "neg"))
-    negated ^= text.lower().startswith("unless")
     if not subjects:
         return Condition(text=text, negated=negated)
     subject = " ".join(

@@ -170,6 +170,8 @@ def _is_told(tree: Tree, timed: AbstractSet[int]) -> bool:
         return False
     lexicon, first = tree.lexicon, tree.nodes[0]
     known = first.lower in lexicon.people | lexicon.happening | lexicon.taken
+    # "Traffic's bad": nobody is to traffic.
+    known = known or any(node.tag == "POS" for node in tree.nodes[1:2])
     known = known or first.tag in DETERMINERS or _is_surely_timed(tree.nodes, lexicon)
     if (known or not first.may_act) and not tree.children(tree.root, "relcl"):
         told = as_statement(with_doer(tree), timed, lexicon.travelling)

@@ -272,7 +272,7 @@ class _Clauses:
             return clause
         if clause.condition is None or clause.kind not in {"when", "if", "while"} or before[-1:] == ["even"]:
             return replace(clause, excepted=True)
-        condition = replace(clause.condition, negated=not clause.condition.negated)
+        condition = replace(clause.condition, negated=not clause.condition.negated, excepted=True)
         return replace(
             clause, kind="when", condition=condition, span=(self.words[place - 1].start, clause.span[1])
         )

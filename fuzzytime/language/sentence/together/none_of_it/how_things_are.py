@@ -29,7 +29,9 @@ def tells_how_things_are(sketch: Sketch) -> bool:
     if tree.nodes[root].lower in closed.present_be:
         return any(place > root for place in tree.children(root, *DESCRIBING))
     helping = tree.said(tree.children(root, "aux"))
-    going_on = tree.nodes[root].tag == "VBG" and bool(helping) and helping <= closed.present_be
+    # "I'm knackered": a tree may have that for what is done to somebody.
+    helping |= tree.said(tree.children(root, "auxpass")) if tree.nodes[0].tag == "PRP" else set()
+    going_on = tree.nodes[root].tag in {"VBG", "VBN"} and bool(helping) and helping <= closed.present_be
     return going_on or holds_true(tree)
 
 

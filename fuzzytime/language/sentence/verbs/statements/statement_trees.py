@@ -179,23 +179,25 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     owner = [
         p
         for p in tree.children(root, "poss")
-        if tree.nodes[p].lower in tree.lexicon.closed.indefinite_pronouns
+        if tree.nodes[p].lower in tree.lexicon.closed.indefinite_pronouns or tree.nodes[root].tag == "JJ"
     ]
     if owner and owner[0] + 2 == root and tree.nodes[owner[0] + 1].tag == "POS":
         mark = owner[0] + 1
         being = tree.hung(tree.children(root), mark).changed(owner[0], relation="nsubj")
         being = being.changed(mark, tag="VBZ", lemma="be", head=mark, relation="ROOT")
-        return being.changed(root, head=mark, relation="advmod")
+        return being.changed(root, head=mark, relation="acomp" if tree.nodes[root].tag == "JJ" else "advmod")
     doing = _with_one_doing(tree)
     if doing is not None:
         return doing
     # "The drill's at nine", "the dog's at the vet"; but "pasta's in now"
     there = {p for p, node in enumerate(tree.nodes[:-1]) if node.tag == "IN" and p + 1 not in timed} | timed
-    marks = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in there)
+    # "The traffic's bad"
+    so = {p for p in tree.children(root, "amod") if p > root}
+    marks = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in there | so)
     verb = next(marks, None)
     if verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):
         return tree
-    being = tree.hung((p for p in tree.children(root) if p > root), verb)
+    being = tree.hung((p for p in tree.children(root) if p > root), verb).hung(so, verb, "acomp")
     being = being.changed(root, head=verb, relation="nsubj")
     return being.changed(verb, tag="VBZ", lemma="be", head=verb, relation="ROOT")
 
