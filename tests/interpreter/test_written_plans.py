@@ -246,3 +246,9 @@ def test_who_awaits_a_delivery_does_other_things_too() -> None:
 def test_a_number_in_front_is_an_hour_where_most_lines_begin_with_theirs(line: str, hours: list[str]) -> None:
     found = starts(told(["9.15 open the hall", "10.30 tea", line, "2 pm delivery", "4.30 lock the hall"]))
     assert [found[name] for name in found if name == "s3"] == hours
+
+
+def test_what_is_to_be_done_at_the_same_time_ends_when_the_other_does() -> None:
+    lines = ["Put the chicken in at 5 pm for an hour and a half"]
+    made = told([*lines, "Put the potatoes on for 40 minutes so they're done at the same time"])
+    assert starts(made) == {"s1": "17:00", "s2": "17:50"}

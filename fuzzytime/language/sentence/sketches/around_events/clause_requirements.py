@@ -167,6 +167,11 @@ def referred(requirement: TimeRequirement, reference: Reference | None) -> TimeR
     lasting = requirement.preposition in LASTING or requirement.constraint is Constraint.BETWEEN
     if reference is Reference.THROUGHOUT and not lasting:
         return requirement
+    anchor = requirement.anchor
+    together = requirement.constraint is Constraint.AT and anchor is not None and anchor.edge is Edge.START
+    if anchor is not None and together and reference is Reference.FINISH:
+        # "Start the rice so it's done at the same time": as the other is.
+        requirement = replace(requirement, anchor=replace(anchor, edge=Edge.END, exact=True))
     return replace(requirement, reference=reference, reference_said=True)
 
 
