@@ -319,3 +319,16 @@ def test_a_sensor_that_comes_back_is_believed_from_then_on(interpreter: Interpre
     context = Context.of({"pan_temp": [*before, (-20.0, 150.0), (-10.0, 155.0), (0.0, 160.0)]})
     (start,) = told(interpreter, context, "Flip the pancakes when the pan is hot").schedule.start_times
     assert 1 * MINUTE <= start <= 3 * MINUTE
+
+
+def test_it_is_what_was_worked_on_before_where_nothing_makes_the_own_thing_so(
+    interpreter: Interpreter,
+) -> None:
+    steps = ("Heat the pan", "Fry the onions once it's hot, about eight minutes")
+    made = told(interpreter, Context.of({"pan_temp": HEATING}), *steps)
+    assert 1.6 * MINUTE - 1 <= made.schedule.start_times[1] <= 3.3 * MINUTE + 1
+
+
+def test_the_weather_is_nothing_that_was_worked_on(interpreter: Interpreter) -> None:
+    made = told(interpreter, Context.empty, "Pick up the parcel", "Water the tomatoes when it's cooler")
+    assert [one.waits for one in made.everything] == [False, True]

@@ -67,6 +67,8 @@ def _condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Con
         for p in nodes
         if p == nodes[-1] == verb + 1 and tree.nodes[p].relation in {"prep", "prt"} and not tree.children(p)
     ]
+    # "Once it is hot, about eight minutes": a tree may hang what is so on the length.
+    said = said or [p for p in nodes if verb < p == nodes[-1] and tree.nodes[p].tag.startswith("JJ")]
     if (node.lemma not in doing.being and node.lower not in tree.lexicon.closed.clipped_be) or not said:
         starts = node.lemma in doing.phases
         below = [p for p in tree.children(verb, "xcomp") if p in inside and starts]

@@ -134,9 +134,12 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
             about = anchors.done_with(condition.subject)
             if about is None and condition.subject in anchors.lexicon.closed.anaphors:
                 about = anchors.done_with_it(condition.subject)
-            if about is None and said.subject in anchors.lexicon.closed.anaphors:
+            of_weather = said.word in anchors.lexicon.impersonal
+            if about is None and said.subject in anchors.lexicon.closed.anaphors and not of_weather:
                 # "Sand the shelf. First coat of paint once it's dust free": nothing was done with the paint.
-                about = anchors.done_with(_said_before(said.subject, anchors, sketch))
+                earlier = _said_before(said.subject, anchors, sketch)
+                about = anchors.done_with(earlier)
+                condition = condition if about is None else _named(said, earlier, anchors.lexicon)
             condition = replace(condition, about=about, takes=takes)
     elif clause.kind == "while" and not condition.negated:
         condition = replace(condition, about=_under_way(said, condition, anchors), goes_on=True)
