@@ -55,3 +55,9 @@ def test_two_agents_do_not_share_what_must_follow() -> None:
     peeled, boiled, washed, chopped = plan.schedule.start_times
     assert peeled + plan.skills[0].skill.duration <= boiled
     assert washed + plan.skills[2].skill.duration <= chopped
+
+
+def test_what_is_done_once_more_is_done_shortly_before_it_is_due() -> None:
+    plan = told(["let the dog out around nine pm and again before ten pm"])
+    first, again = plan.schedule.start_times
+    assert again - first > 45 * 60

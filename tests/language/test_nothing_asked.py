@@ -274,3 +274,10 @@ def test_how_things_are_is_told_and_not_to_be_done(text: str, why: str) -> None:
 def test_what_is_so_at_its_own_time_happens_then(text: str) -> None:
     instructions = language().read(text, now=NOW).instructions
     assert sorted(one.operation is not None and one.operation.stated for one in instructions) == [False, True]
+
+
+@pytest.mark.parametrize("text", ["Hi all,", "many thanks", "kind regards", "hello there", "Thanks!"])
+def test_what_is_only_polite_is_told(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert [remark.kind for remark in reading.remarks] == [RemarkKind.TOLD]
+    assert all(one.operation is None for one in reading.instructions)

@@ -18,7 +18,8 @@ LEADS = OWN_TIME | {Constraint.BEFORE}
 def of_things(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
     """Give the order of what is done with the same thing, where no words say when.
 
-    A time of its own says more than the order: "serve the soup at seven", "heat the soup".
+    A time of its own says more than the order: "serve the soup at seven", "heat the soup". What is done once
+    more by a deadline is done shortly before that: "let the dog out at nine", "… again before bed".
     """
     worked_on: dict[str, list[tuple[frozenset[str], Step]]] = {}
     for position, one in enumerate(skills):
@@ -29,7 +30,9 @@ def of_things(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
         rarest = min((worked_on.setdefault(word, []) for word in thing), key=len)
         # "Pick the first tray", "inspect the tray"
         before = next((earlier for named, earlier in reversed(rarest) if thing <= named), None)
-        if before is not None and _leaves_open(before) and _is_open(step):
+        if before is not None and _is_again(before, step):
+            yield before.precedence_until_due(step)
+        elif before is not None and _leaves_open(before) and _is_open(step):
             yield before.precedence(step)
         for word in thing:
             worked_on[word].append((thing, step))
@@ -54,3 +57,20 @@ def _leaves_open(step: Step) -> bool:
 def _is_open(step: Step) -> bool:
     said = step.interpreted.requirements
     return not any(part.constraint in LEADS or is_anchored(part) for part in said)
+
+
+def _is_again(before: Step, step: Step) -> bool:
+    """Whether the same is done once more, and only by when is said."""
+    one, other = before.interpreted.operation, step.interpreted.operation
+    if one is None or other is None or (one.phrase, one.object) != (other.phrase, other.object):
+        return False
+    due = [
+        part.constraint is Constraint.BEFORE and part.anchor is None for part in step.interpreted.requirements
+    ]
+    latest = step.interpreted.skill.satisfaction.best.high
+    return (
+        all(due)
+        and bool(due)
+        and before.at_moment
+        and before.interpreted.skill.satisfaction.best.low < latest
+    )

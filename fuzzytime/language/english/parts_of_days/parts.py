@@ -34,6 +34,12 @@ def wall_of_part(found: Part) -> Wall:
     return Wall(part=found)
 
 
+@grammar.rule("wall", "that same? <part>", weight=0.2)
+def part_of_that_day(found: Part) -> Wall | None:
+    """(I'll read them) that afternoon."""
+    return None if found.is_point else Wall(Relative(0, onward=True), found)
+
+
 @grammar.rule("wall", "on? the? <parts> of <wall>", weight=1.2)
 def parts_of_days(found: Part, wall: Wall) -> Wall | None:
     """(on) the nights of the 4th (and 5th)."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, is_quoted, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.segments.waiting import Part
@@ -114,6 +114,21 @@ def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[
     first = first if called < 0 else called
     inside = (word for word in words if first <= word.start < end)
     said = [word for word in inside if word.is_letters or is_quoted(word.text)]
-    if not all(any(a <= word.start < b for a, b in heard) for word in said):
+    if _is_courtesy(words, part.lexicon):
+        whole = words[0].start, words[-1].end
+        yield Remark(RemarkKind.TOLD, whole, f"{text[slice(*whole)]!r} is said out of courtesy")
+    elif not all(any(a <= word.start < b for a, b in heard) for word in said):
         message = f"{text[first:end]!r} names nothing to do that is understood"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, (first, end), message)
+
+
+def _is_courtesy(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether all that is said is polite, or calls somebody: "hi all", "many thanks"."""
+    said = [word for word in words if word.is_letters]
+    place = 0
+    while place < len(said):
+        known = longest_match(said, place, lexicon.courtesies)
+        if known is None and said[place].text not in lexicon.addresses:
+            return False
+        place += len(known or said[place : place + 1])
+    return bool(said)

@@ -65,7 +65,7 @@ def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
         # "Buy milk, and if they have eggs buy six, and be back by noon": that is of its own order alone.
         inserted = inserted and "," in (text_between(found[-1], sketch, text) if found else "")
         conditions = () if inserted else tuple(clause for clause in clauses if clause.kind == "if")
-        if conditions and sketch.asks and sketch.part.segment.connective in JOINED and not sketch.clauses:
+        if conditions and sketch.asks and sketch.part.segment.connective in JOINED and _ends_only(sketch):
             # "If it rains, bring in the chairs and call mum at six"
             found.append(sketch.under((), conditions))
             continue
@@ -76,6 +76,11 @@ def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
             clauses = tuple(c for c in sketch.clauses if c.span[1] <= begin and c.kind in HELD)
             inserted = len(found) > 1 and not _is_ended(found[-2], sketch, text)
     return found
+
+
+def _ends_only(sketch: Sketch) -> bool:
+    """Whether clauses of an order say no more than when it is over: "sit with her until she's asleep"."""
+    return all(clause.kind == "until" for clause in sketch.clauses)
 
 
 def _is_otherwise(before: Sketch, sketch: Sketch, text: str) -> bool:
