@@ -15,6 +15,9 @@ from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
+SPOKEN_OF = frozenset({"morning", "afternoon", "evening", "night"})
+"""Parts of days behind "that": it joins what is said of others, "tell Tom that lunch is ready"."""
+
 
 @grammar.rule("parted", "<part>")
 def part(found: Part) -> Part | None:
@@ -36,8 +39,8 @@ def wall_of_part(found: Part) -> Wall:
 
 @grammar.rule("wall", "that same? <part>", weight=0.2)
 def part_of_that_day(found: Part) -> Wall | None:
-    """(I'll read them) that afternoon."""
-    return None if found.is_point else Wall(Relative(0, onward=True), found)
+    """(I'll read them) that afternoon; but "tell Tom that bedtime is at eight"."""
+    return Wall(Relative(0, onward=True), found) if found.name in SPOKEN_OF else None
 
 
 @grammar.rule("wall", "on? the? <parts> of <wall>", weight=1.2)
