@@ -5,24 +5,78 @@ import io
 import os
 import signal
 import sys
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from functools import partial
-from typing import Annotated
+from functools import cache
+from importlib import import_module
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from typer.exceptions import TyperException
+from typer.main import get_group
 
-from fuzzytime_cli import study
-from fuzzytime_cli.commands import batch, config, doctor, explain, parse, plan, repl, rules
-from fuzzytime_cli.commands import run as live
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import exit_of, report
 from fuzzytime_cli.narrow import help_that_fits
 from fuzzytime_cli.parameters import Command, Group
 
+if TYPE_CHECKING:
+    import typer._click as click
+
+COMMANDS = {
+    "plan": ("fuzzytime_cli.commands.plan", "Print the best schedule, and how well each wish is satisfied."),
+    "explain": (
+        "fuzzytime_cli.commands.explain",
+        "Show what was understood, which rules apply, and why then.",
+    ),
+    "repl": ("fuzzytime_cli.commands.repl", "Hold a conversation: the schedule follows as you type."),
+    "run": ("fuzzytime_cli.commands.run", "Carry a plan out, and replan as things happen."),
+    "batch": ("fuzzytime_cli.commands.batch", "Plan many task files: one JSON line each, in order."),
+    "parse": ("fuzzytime_cli.commands.parse", "Show the operations and times of each text."),
+    "doctor": ("fuzzytime_cli.commands.doctor", "Check the installation."),
+    "rules": ("fuzzytime_cli.commands.rules", "Check rule tables; show what applies."),
+    "study": ("fuzzytime_cli.study", "Ask people what they mean; plan with what they answer."),
+    "config": ("fuzzytime_cli.commands.config", "Show the settings, and where each comes from."),
+}
+"""Where each command is, and what it does in a line."""
+
+
+class Commands(Mapping[str, "click.Command"]):
+    """The commands by name, each imported when it is asked for: none waits for the others."""
+
+    def __getitem__(self, name: str) -> "click.Command":
+        return _made(name, *COMMANDS[name])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(COMMANDS)
+
+    def __len__(self) -> int:
+        return len(COMMANDS)
+
+
+@cache
+def _made(name: str, module: str, summary: str) -> "click.Command":
+    """Give the command that a module's function of its name is, or that its app of several is."""
+    home = import_module(module)
+    alone = typer.Typer(rich_markup_mode=None)
+    if hasattr(home, "app"):
+        alone.add_typer(home.app, name=name, short_help=summary)
+    else:
+        kind = getattr(home, "CommandWithProgram", Command)
+        alone.command(name, cls=kind, short_help=summary)(getattr(home, name))
+    return get_group(alone).commands[name]
+
+
+class Program(Group):
+    """The command `fuzzytime`."""
+
+    def __init__(self, **given: Any) -> None:  # noqa: ANN401 - what a group of Typer's takes
+        super().__init__(**{**given, "commands": Commands()})
+
+
 app = typer.Typer(
     name="fuzzytime",
-    cls=Group,
+    cls=Program,
     help=(
         "Turns what people say about time into the schedule that satisfies them most, and says why.\n\n"
         "Without a command it holds a conversation on a terminal, and plans what a pipe brings."
@@ -33,19 +87,6 @@ app = typer.Typer(
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-command = partial(app.command, cls=Command)
-command("plan", short_help="Print the best schedule, and how well each wish is satisfied.")(plan.plan)
-command("explain", short_help="Show what was understood, which rules apply, and why then.")(explain.explain)
-command("repl", short_help="Hold a conversation: the schedule follows as you type.")(repl.repl)
-command("run", cls=live.CommandWithProgram, short_help="Carry a plan out, and replan as things happen.")(
-    live.run
-)
-command("batch", short_help="Plan many task files: one JSON line each, in order.")(batch.batch)
-command("parse", short_help="Show the operations and times of each text.")(parse.parse)
-app.add_typer(rules.app, name="rules", short_help="Check rule tables; show what applies.")
-app.add_typer(study.app, name="study", short_help="Ask people what they mean; plan with what they answer.")
-app.add_typer(config.app, name="config", short_help="Show the settings, and where each comes from.")
-command("doctor", short_help="Check the installation.")(doctor.doctor)
 
 
 def _show_version(wanted: bool) -> None:  # noqa: FBT001 - Typer calls it with the flag's value
@@ -73,7 +114,9 @@ def start(
 
         converse()
     else:
-        plan.plan(file="-")
+        from fuzzytime_cli.commands.plan import plan
+
+        plan(file="-")
 
 
 def run(arguments: list[str]) -> int:

@@ -110,7 +110,6 @@ class Assembly:
             If a table breaks a rule, with every mistake.
         """
         from fuzzytime.errors import FuzzytimeError
-        from fuzzytime.language import is_word_table
         from fuzzytime.rulebook import Actor, Profile, Rulebook
 
         files = self.rule_files()
@@ -121,6 +120,8 @@ class Assembly:
         try:
             return Rulebook.shipped(profile, Actor(actor) if actor else None, files, cache_folder(os.environ))
         except FuzzytimeError as error:
+            from fuzzytime.language.grammar.word_tables.layers import is_word_table
+
             customs = next((path for path in files if path.is_file() and is_word_table(path)), None)
             mistake = f"{customs}: this holds customs and no rules: --customs takes it" if customs else error
             raise ConfigError(str(mistake)) from error
@@ -136,7 +137,7 @@ class Assembly:
             If a file of customs is not there.
         """
         from fuzzytime.errors import FuzzytimeError
-        from fuzzytime.language import Language, is_word_table
+        from fuzzytime.language import Language
 
         with as_config():
             customs = self.customs_files()
@@ -145,6 +146,7 @@ class Assembly:
             try:
                 return Language.shipped(cache=cache_folder(os.environ), customs=customs)
             except FuzzytimeError as error:
+                from fuzzytime.language.grammar.word_tables.layers import is_word_table
                 from fuzzytime.rulebook import check
 
                 others = (path for path in customs if path.is_file() and not is_word_table(path))

@@ -70,7 +70,8 @@ def table_mistakes(files: Sequence[Path]) -> tuple[Mistake, ...]:
     OSError
         If a file cannot be read.
     """
-    from fuzzytime.language import check_customs, is_word_table
+    from fuzzytime.language import check_customs
+    from fuzzytime.language.grammar.word_tables.layers import is_word_table
     from fuzzytime.rulebook import check
 
     # A pipe can be read but once: it is taken for rules.

@@ -6,7 +6,6 @@ from datetime import datetime, tzinfo
 from itertools import islice
 from typing import Any, BinaryIO
 
-from fuzzytime.context import parse_fields
 from fuzzytime.errors import FuzzytimeError, InstructionError
 from fuzzytime.language import NAMED, Language, Reading, RemarkKind, answer
 from fuzzytime.spelling import nearest
@@ -63,6 +62,8 @@ def asked_of(line: bytes, now: datetime, *, objects: bool, zone: tzinfo | None =
         return Asked(line.decode("utf-8", "replace"), now, rule)
     if not (objects and text.lstrip().startswith("{")):
         return Asked(text, now)
+    from fuzzytime.context import parse_fields
+
     try:
         said = parse_fields(text, longest=MAX_LINE)
     except FuzzytimeError as error:

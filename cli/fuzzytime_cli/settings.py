@@ -4,13 +4,16 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from fuzzytime.documents.nodes import Node, Reader
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.spelling import nearest
 from fuzzytime.times import parse_duration, parse_zone
 from fuzzytime_cli.choices import ActorChoice, ProfileChoice, SolverChoice
 from fuzzytime_cli.faults import ConfigError, as_config
+
+if TYPE_CHECKING:
+    from fuzzytime.documents.nodes import Node, Reader
 
 PROJECT_FILE = "fuzzytime.yaml"
 PROJECT_RULES = "fuzzytime-rules.yaml"
@@ -188,6 +191,10 @@ def _checked(name: str, kind: Kind, text: str) -> Value:
 
 def _file_settings(path: Path) -> dict[str, Setting]:
     try:
+        if not path.exists():
+            return {}
+        from fuzzytime.documents.nodes import Reader
+
         reader = Reader.of_file(path)
     except IsADirectoryError as error:
         raise ConfigError(f"{path}: settings must be a file, and it is a folder") from error
@@ -204,7 +211,7 @@ def _file_settings(path: Path) -> dict[str, Setting]:
     return found
 
 
-def _value(reader: Reader, node: Node, name: str) -> Value:
+def _value(reader: "Reader", node: "Node", name: str) -> Value:
     kind = KINDS[name]
     if isinstance(kind.default, tuple):
         folder = Path(reader.path).parent

@@ -1,29 +1,31 @@
 """Frozen values written as JSON, and made again of it: what tables became, in a form that can hold no code.
 
 All that a value consists of stands in one row, each part before what is made of it: first texts and numbers,
-as they are, then rows of places: of a kind, among the names of kinds, and of the parts. What is shared is
-written once.
+as they are, and the tuples and sets of nothing else, which most are; then rows of places: of a kind, among
+the names of kinds, and of the parts. What is shared is written once, but for texts in such tuples and sets.
 """
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from datetime import time
 from enum import Enum
 from importlib import import_module
+from itertools import accumulate
 from types import MappingProxyType
 from typing import Any
 
 LIBRARY = "fuzzytime"
 """Whose classes are written and made: those of other modules are not."""
 
-_Maker = Callable[[Sequence[Any]], object]
+_Maker = Callable[[Iterable[Any]], object]
 
-_ATOMS = frozenset({str, int, float, bool})
+_ATOMS = frozenset({str, int, float, bool, type(None)})
 
 
-def _mapping(parts: Sequence[Any]) -> dict[Any, Any]:
-    return dict(zip(parts[::2], parts[1::2], strict=True))
+def _mapping(parts: Iterable[Any]) -> dict[Any, Any]:
+    each = iter(parts)
+    return dict(zip(each, each, strict=True))
 
 
 _BUILT_IN: Mapping[str, _Maker] = {
@@ -31,7 +33,7 @@ _BUILT_IN: Mapping[str, _Maker] = {
     "set": frozenset,
     "dict": _mapping,
     "mapping": lambda parts: MappingProxyType(_mapping(parts)),
-    "time": lambda parts: time.fromisoformat(parts[0]),
+    "time": lambda parts: time.fromisoformat(*parts),
 }
 
 
@@ -42,7 +44,7 @@ def written(value: object) -> str:
     ------
     TypeError
         If it, or a part of it, is no text, number, tuple, frozenset, mapping, time of day, or dataclass,
-        enumeration or mapping of this library.
+        named tuple, enumeration or mapping of this library.
     """
     writer = _Writer()
     whole = writer.place(value)
@@ -62,53 +64,50 @@ def made_again(text: str) -> Any:  # noqa: ANN401 - what was written
     """
     said = json.loads(text)
     makers = [_BUILT_IN.get(name) or _maker(name) for name in said["kinds"]]
-    values: list[Any] = said["atoms"]
+    values: list[Any] = [*said["atoms"], *map(tuple, said["tuples"]), *map(frozenset, said["sets"])]
     for kind, *parts in said["made"]:
-        values.append(makers[kind]([values[part] for part in parts]))
+        values.append(makers[kind](map(values.__getitem__, parts)))
     return values[said["whole"]]
 
 
 class _Writer:
-    """The atoms and rows so far, and where each value already has its place.
-
-    Until it is known how many atoms there are, theirs are counted down from -1.
-    """
+    """What is written so far, in groups that stand behind each other, and where each value has its place."""
 
     def __init__(self) -> None:
         self._kinds: dict[str, int] = {}
-        self._atoms: dict[tuple[type, str], object] = {}
-        self._places: dict[object, int] = {}
-        self._rows: list[list[int]] = []
+        self._groups: dict[str, list[Any]] = {"atoms": [], "tuples": [], "sets": [], "made": []}
+        self._places: dict[object, tuple[str, int]] = {}
 
-    def place(self, value: object) -> int:
-        """Give the place of a value, writing what is not written yet."""
-        atom = (type(value), repr(value)) if value is None or type(value) in _ATOMS else None
-        key = atom or id(value)
+    def place(self, value: object) -> tuple[str, int]:
+        """Give the group of a value and its place there, writing what is not written yet."""
+        key = (type(value), repr(value)) if type(value) in _ATOMS else id(value)
         if key not in self._places:
-            if atom:
-                self._atoms[atom] = value
-                self._places[key] = -len(self._atoms)
-            else:
-                name, parts = _parted(value)
-                row = [self._kinds.setdefault(name, len(self._kinds)), *map(self.place, parts)]
-                self._places[key] = len(self._rows)
-                self._rows.append(row)
+            group, entry = self._grouped(value)
+            self._places[key] = group, len(self._groups[group])
+            self._groups[group].append(entry)
         return self._places[key]
 
-    def said(self, whole: int) -> dict[str, object]:
+    def _grouped(self, value: Any) -> tuple[str, object]:  # noqa: ANN401 - of any class
+        """Give the group that a value stands in, and what is written there."""
+        kind = type(value)
+        if kind in _ATOMS:
+            return "atoms", value
+        if kind in {tuple, frozenset} and all(type(part) in _ATOMS for part in value):
+            return "tuples" if kind is tuple else "sets", list(value)
+        name, parts = _parted(value)
+        return "made", [self._kinds.setdefault(name, len(self._kinds)), *map(self.place, parts)]
+
+    def said(self, whole: tuple[str, int]) -> dict[str, object]:
         """Give all that is written, and the place of the whole among it."""
-        count = len(self._atoms)
+        sizes = accumulate(map(len, self._groups.values()), initial=0)
+        starts = dict(zip(self._groups, sizes, strict=False))
 
-        def final(place: int) -> int:
-            return -place - 1 if place < 0 else place + count
+        def final(place: tuple[str, int]) -> int:
+            group, at = place
+            return starts[group] + at
 
-        rows = [[kind, *map(final, parts)] for kind, *parts in self._rows]
-        return {
-            "kinds": [*self._kinds],
-            "atoms": [*self._atoms.values()],
-            "made": rows,
-            "whole": final(whole),
-        }
+        rows = [[kind, *map(final, parts)] for kind, *parts in self._groups["made"]]
+        return {"kinds": [*self._kinds], **self._groups, "made": rows, "whole": final(whole)}
 
 
 def _parted(value: Any) -> tuple[str, Sequence[Any]]:  # noqa: ANN401 - of any class
@@ -128,6 +127,8 @@ def _parted(value: Any) -> tuple[str, Sequence[Any]]:  # noqa: ANN401 - of any c
             return name, (value.value,)
         if issubclass(kind, dict):
             return name, _pairs(value)
+        if issubclass(kind, tuple):
+            return name, value
         if is_dataclass(kind):
             return name, [getattr(value, field.name) for field in fields(kind) if field.init]
     raise TypeError(f"a {name} cannot be written")
@@ -143,8 +144,8 @@ def _maker(name: str) -> _Maker:
     if module.partition(".")[0] != LIBRARY:
         raise ValueError(f"{name} is none of this library")
     kind: Any = getattr(import_module(module), named)
-    if issubclass(kind, Enum):
-        return lambda parts: kind(parts[0])
+    if issubclass(kind, Enum | tuple):
+        return lambda parts: kind(*parts)
     if issubclass(kind, dict):
         return lambda parts: kind(_mapping(parts))
     # Of what is no dataclass this is a TypeError.

@@ -48,8 +48,6 @@ from fuzzytime.language.answer import NAMED, answer
 from fuzzytime.language.continued import continued, names_thing
 from fuzzytime.language.finding import Times, check_customs, check_length, find_times, shipped_lexicon
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.word_tables import read_lexicon
-from fuzzytime.language.grammar.word_tables.layers import is_word_table
 from fuzzytime.language.instruction import (
     Instruction,
     Operation,
@@ -123,7 +121,6 @@ __all__ = [
     "is_several",
     "is_thing",
     "is_untold",
-    "is_word_table",
     "later_by",
     "lets_be",
     "may_be_thing",
@@ -133,7 +130,6 @@ __all__ = [
     "news_in",
     "nouns_of",
     "perhaps_reported",
-    "read_lexicon",
     "reported",
     "respelled",
     "restated",

@@ -12,7 +12,6 @@ from fuzzytime.language.grammar.leftovers.leftovers import leftovers
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.understood.denied import denied
-from fuzzytime.language.grammar.word_tables import read_lexicon
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.expressions import HourMark, Phrase, Wall
 from fuzzytime.language.meaning.grounded.moment import Moment
@@ -80,9 +79,13 @@ def lexicon_with(customs: Iterable[Path], kept: Kept | None = None) -> Lexicon:
     """
     rules = rules_directory()
     words, calendar, customs = rules / "lexicon.yaml", rules / "calendar.yaml", tuple(customs)
-    if kept is None:
+
+    def read() -> Lexicon:
+        from fuzzytime.language.grammar.word_tables import read_lexicon
+
         return read_lexicon(words, calendar, customs)
-    return kept.made("lexicon", (words, calendar, *customs), lambda: read_lexicon(words, calendar, customs))
+
+    return read() if kept is None else kept.made("lexicon", (words, calendar, *customs), read)
 
 
 def check_customs(customs: Iterable[Path]) -> tuple[Mistake, ...]:

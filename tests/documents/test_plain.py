@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.documents.plain import made_again, written
-from fuzzytime.language.grammar.lexicon import Forms
+from fuzzytime.language.grammar.lexicon import Entry, Forms
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, TimeRequirement
 
@@ -47,10 +47,13 @@ def test_what_is_written_comes_back(value: object) -> None:
         TimeRequirement(text="at noon", span=(0, 7), constraint=Constraint.AT, t_spec=10.0),
         Policy(),
         Forms({("half", "past"): 30}),
+        Entry(("half", "past"), "fraction", 30),
     ],
 )
 def test_values_of_the_library_come_back(value: object) -> None:
-    assert made_again(written(value)) == value
+    found = made_again(written(value))
+    assert found == value
+    assert type(found) is type(value)
 
 
 def test_what_is_shared_is_written_once() -> None:
@@ -76,6 +79,8 @@ def test_other_values_are_refused(value: object) -> None:
     ],
 )
 def test_nothing_else_is_made(kind: str) -> None:
-    text = json.dumps({"kinds": [kind], "atoms": ["x"], "made": [[0, 0]], "whole": 1})
+    text = json.dumps(
+        {"kinds": [kind], "atoms": ["x"], "tuples": [], "sets": [], "made": [[0, 0]], "whole": 1}
+    )
     with pytest.raises((ValueError, TypeError, AttributeError)):
         made_again(text)

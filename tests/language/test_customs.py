@@ -7,7 +7,8 @@ import pytest
 
 from console import ROOT
 from fuzzytime.errors import DocumentError
-from fuzzytime.language import Language, find_times, is_word_table
+from fuzzytime.language import Language, find_times
+from fuzzytime.language.grammar.word_tables.layers import is_word_table
 from fuzzytime.language.policy import DateOrder
 from fuzzytime.resources import rules_directory
 from fuzzytime.times import instant_after

@@ -31,6 +31,7 @@ Action = Callable[..., Any]
 _Action = TypeVar("_Action", bound=Callable[..., Any])
 
 _PART = re.compile(r"(?:<[^>]*>|[^\s<])+")
+_BETWEEN_LITERALS = re.compile(r"(?:<[^>]*>|[\s|?])+")
 _Element = tuple[bool, list[str | None]]
 """A part of a pattern: whether it is an argument, and what it may be; None where it may be absent."""
 
@@ -110,16 +111,14 @@ class _Beginning:
 class _Index:
     """Patterns by the symbols that may begin them, unfolded when a text first has one: few texts have all."""
 
-    def __init__(self, patterns: Iterable[Pattern]) -> None:
+    def __init__(self, patterns: Sequence[Pattern]) -> None:
         self._patterns: dict[str, list[Pattern]] = {}
         self._beginnings: dict[str, _Beginning] = {}
-        symbols: set[str] = set()
         for pattern in patterns:
-            elements = _elements(pattern.text)
-            symbols.update(symbol for _, choices in elements for symbol in choices if symbol is not None)
-            for first in _firsts(elements):
+            for first in _firsts(_elements(pattern.text)):
                 self._patterns.setdefault(first, []).append(pattern)
-        self.literals = frozenset(symbol[1:] for symbol in symbols if symbol[0] == "'")
+        texts = "\n".join(pattern.text for pattern in patterns)
+        self.literals = frozenset(_BETWEEN_LITERALS.split(texts)) - {""}
 
     def beginning(self, first: str) -> _Beginning:
         """Give the rules that begin with a symbol."""
@@ -289,7 +288,7 @@ def unfolded(pattern: str) -> tuple[tuple[tuple[str, ...], tuple[int | None, ...
     >>> unfolded("half past? <hour>")
     ((("'half", "'past", 'hour'), (2,)), (("'half", 'hour'), (1,)))
     """
-    elements = _elements(pattern)
+    elements = list(_elements(pattern))
     rows = []
     for row in itertools.product(*[choices for _, choices in elements]):
         symbols: list[str] = []
@@ -304,14 +303,14 @@ def unfolded(pattern: str) -> tuple[tuple[tuple[str, ...], tuple[int | None, ...
     return tuple(rows)
 
 
-def _elements(pattern: str) -> list[_Element]:
-    found: list[_Element] = []
-    for part in _PART.findall(pattern):
+def _elements(pattern: str) -> Iterator[_Element]:
+    """Give the parts of a pattern as they are wanted: often nobody asks beyond the first."""
+    for found in _PART.finditer(pattern):
+        part = found[0]
         names = part.rstrip("?").split("|")
-        wanted = names[0].startswith("<")
+        wanted = part.startswith("<")
         choices: list[str | None] = [name[1:-1] if wanted else literal(name) for name in names]
-        found.append((wanted, [*choices, None] if part.endswith("?") else choices))
-    return found
+        yield wanted, [*choices, None] if part.endswith("?") else choices
 
 
 def _firsts(elements: Iterable[_Element]) -> list[str]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon.forms import Forms, matched_to
@@ -25,8 +25,7 @@ class Preposition:
     edge: Edge
 
 
-@dataclass(frozen=True, slots=True)
-class Entry:
+class Entry(NamedTuple):
     """One way to say something: its words, the category and the meaning they have."""
 
     words: tuple[str, ...]

@@ -1,12 +1,11 @@
 """Groups of words around what looks like a time and is none: rows of ``rules/lexicon.yaml``."""
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from fuzzytime.language.grammar.lexicon.word_groups import Words
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class NoTimes:
+class NoTimes(NamedTuple):
     """Words around what looks like a time and is none, by what it is instead: ``no_times``."""
 
     streets: Words

@@ -1,12 +1,11 @@
 """Verbs, and what is said like one, in the groups that readers of trees ask for by name."""
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from fuzzytime.language.grammar.lexicon.word_groups import Words
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Doing:
+class Doing(NamedTuple):
     """Verbs, and what is said like one, by what they say of what happens or ask for: ``doing``."""
 
     labels: Words

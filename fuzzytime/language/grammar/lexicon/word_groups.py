@@ -4,13 +4,12 @@ What a group is for, and which words it holds, stands there, beside it; a space 
 here.
 """
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 Words = frozenset[str]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ClosedClasses:
+class ClosedClasses(NamedTuple):
     """Determiners, pronouns, auxiliaries, conjunctions, prepositions and adverbs: ``closed_classes``."""
 
     endings_of_manner: Words
@@ -146,8 +145,7 @@ class ClosedClasses:
     abbreviations: Words
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class BesideTimes:
+class BesideTimes(NamedTuple):
     """Words around a time, and around its lengths, by what they make of it: ``beside_times``."""
 
     before_weekends: Words

@@ -1,7 +1,6 @@
 """Reading ``lexicon.yaml``: prepositions, hedges, time words, comparisons, amounts, and groups of words."""
 
 from collections.abc import Iterable
-from dataclasses import fields
 from typing import Any, TypeVar
 
 from fuzzytime.documents.nodes import Node
@@ -98,7 +97,7 @@ def read_amounts(
 
 def read_groups(tables: Tables, section: str, kind: type[_Groups]) -> _Groups:
     """Read a section whose rows are the fields of a class: lists of words, and of ``<groups>`` above."""
-    names: dict[str, str] = {field.name.replace("_", " "): field.name for field in fields(kind)}
+    names: dict[str, str] = {field.replace("_", " "): field for field in kind._fields}
     found: dict[str, Words] = {}
     for name, row in tables.rows(section, names):
         found[name.text] = _group(tables, row, f"{section}.{name.text}", found)
