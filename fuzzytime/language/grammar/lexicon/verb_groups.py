@@ -73,6 +73,7 @@ class Doing:
     timed: Words
     several_timed: Words
     saying: Words
+    passing_on: Words
     foretold: Words
     closing_up: Words
     closing_there: Words

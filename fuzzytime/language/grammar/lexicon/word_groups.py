@@ -92,6 +92,7 @@ class ClosedClasses:
     behind_clipped_be: Words
     first_person_future: Words
     negators: Words
+    forbidding: Words
     denials: Words
     negators_as_typed: Words
     coordinators: Words
