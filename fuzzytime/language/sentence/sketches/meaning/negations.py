@@ -79,7 +79,7 @@ def without_denial(
 def _is_of_anyone(operation: Operation, lexicon: Lexicon) -> bool:
     """Whether nobody asks for it before: "don't let anyone in after ten", "don't eat anything after ten"."""
     named = (operation.object or "").lower()
-    return named in lexicon.closed.indefinite_pronouns or named.startswith("any")
+    return named in lexicon.closed.indefinite_pronouns or named.partition(" ")[0] in {"any", "anything"}
 
 
 def _forbids(said: str, lexicon: Lexicon) -> bool:

@@ -260,10 +260,11 @@ def _day_of(sketch: Sketch, *, heads: bool) -> _Day | None:
 def _day_beside(before: Sketch, sketch: Sketch, between: str) -> _Day | None:
     """Give the day of what an event is told beside: "buy the cake on friday, guests come at four"."""
     told = [one.operation is not None and one.operation.stated for one in (before, sketch)]
-    if not told[1] or (between.strip() not in WHY and not told[0]):
+    if not told[1] or ENDS & {*between} or (between.strip() not in WHY and not told[0]):
         return None
-    days = [phrase.said for phrase in before.phrases if isinstance(phrase.said.time, Wall)]
-    days = [said for said in days if said.is_day and said.constraint not in BOUNDS]
+    days = [said for said in (one.said for one in before.phrases) if said.is_day]
+    days = [said for said in days if (on := said.wall.days) is not None and on.grain is Unit.DAY]
+    days = [said for said in days if said.constraint not in BOUNDS]
     return _Day(days[0]) if len(days) == 1 else None
 
 
