@@ -42,7 +42,7 @@ class Policy:
     night_from, night_to, night_hours
         Who speaks between these times of day is up at night, and means one within so many hours.
     ahead_from
-        On a day to come that is named, the hours from this time of day on are plausible too.
+        From when on people may be up on a day to come. A clock time that early is meant where it is usual.
     hours_before
         What is due at a time of a day may begin on it at ``plausible_from``, or so many hours before.
     workday_from

@@ -227,7 +227,6 @@ def test_nothing_is_said_to_be_unused_where_all_is_read() -> None:
         ("Paint the fence on bank holiday monday", ["monday"]),
         ("Paint the fence over the weekend", []),
         ("Visit the weekend market", []),
-        ("Ring dad on his birthday", ["on his birthday"]),
         ("Paint the room over half term", ["over half term"]),
         ("Call mum within 8 weekends", ["8 weekends"]),
         ("Plan the birthday party at six", []),

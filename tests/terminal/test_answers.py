@@ -58,7 +58,7 @@ def test_where_none_is_chosen_the_question_is_put_again(answer: str) -> None:
     [
         ("water the plants at noon", ["call mum at six", "water the plants at noon"]),
         ("at half past seven", ["call mum at half past seven"]),
-        ("no, tomorrow", ["call mum tomorrow at six pm"]),
+        ("no, tomorrow", ["call mum tomorrow at six"]),
         ("no, at eight", ["call mum at eight"]),
         ("forget it", []),
     ],

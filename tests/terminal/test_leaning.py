@@ -131,9 +131,9 @@ def test_what_stands_for_nothing_is_asked_about_and_planned_as_nothing(line: str
     ("lines", "entry"),
     [
         ("call mum tomorrow at ten | no, the day after", "call mum on 2026-03-06 at ten"),
-        ("call mum at six | no, the next day", "call mum on 2026-03-05 at six pm"),
+        ("call mum at six | no, the next day", "call mum on 2026-03-05 at six"),
         ("call mum on friday | the week after", "call mum on 2026-03-13"),
-        ("call mum at six | no, on friday", "call mum on friday at six pm"),
+        ("call mum at six | no, on friday", "call mum on friday at six"),
         ("call mum tonight at eight | let's say nine", "call mum tonight at nine"),
         ("give her the drops at eight in the evening | at ten", "give her the drops in the evening at ten"),
         ("stir it every five minutes | no, every ten", "stir it every ten minutes"),

@@ -247,7 +247,7 @@ class _Composer:
         times = ground_all(sketch.phrases, self.draft.text, moment)
         if not sketch.doubted:
             # What is not planned is no clue to what else is meant.
-            self._remember(times)
+            self._remember(times, happens=sketch.operation is not None and sketch.operation.stated)
         self.remarks += times.remarks
         self.questions += times.questions
         return times
@@ -265,13 +265,14 @@ class _Composer:
         asked = (p for p in range(position - 1, -1, -1) if (one := given[p]) is None or not one.negated)
         return next(asked, None)
 
-    def _remember(self, times: Times) -> None:
-        """Remember the last clock time said: the next is hardly before it."""
+    def _remember(self, times: Times, *, happens: bool) -> None:
+        """Remember the last clock time said: the next is hardly before it; and the day of what happens."""
         said = last_said(times.requirements, NOTHING)
         if said.clock is not None:
             self.moment = replace(self.moment, since=said.clock, carried=False)
         if said.day is not None:
-            self.moment = replace(self.moment, day=said.day)
+            event = said.day if happens else self.moment.event
+            self.moment = replace(self.moment, day=said.day, event=event)
 
 
 def _window_of(draft: Draft) -> tuple[float, float] | None:

@@ -62,3 +62,9 @@ def past_no_hour(minutes: float) -> HourMark:
 def to_no_hour(minutes: float) -> HourMark:
     """(at) ten to: of the hour that was said before, or of the next."""
     return HourMark(60 - int(minutes), open=True)
+
+
+@grammar.rule("said", "at half", weight=0.1)
+def half_of_no_hour() -> Said:
+    """(at six, and) at half: past the hour that was said before."""
+    return Said(HourMark(30, open=True), None, "at")

@@ -67,8 +67,9 @@ def bound_days_away(preposition: Preposition, clock: Clock, days: Calendar) -> S
 
 @grammar.rule("said", "due|deadline : by|on|at? <goal>", "( due|deadline by|on|at? <goal> )", weight=0.4)
 def due(goal: Goal) -> Said | None:
-    """(pay the rent) due: fri, (due friday): as lists of things to do have it."""
-    return said_of(goal, "by", Constraint.BEFORE, Edge.DUE)
+    """(pay the rent) due: fri, (due friday): as lists of things to do have it; of a morning, its end."""
+    parted = isinstance(goal.time, Wall) and goal.time.part is not None
+    return said_of(goal, "by", Constraint.BEFORE, Edge.LAST if parted else Edge.DUE)
 
 
 @grammar.rule("said", "due|deadline by|on|at? <goal>", weight=0.4)
@@ -209,6 +210,12 @@ def latest(said: Said) -> Said | None:
     if said.constraint not in {None, Constraint.AT, Constraint.BEFORE} or isinstance(said.time, TimeWord):
         return None
     return replace(said, constraint=Constraint.BEFORE, preposition="no later than", edge=Edge.LAST)
+
+
+@grammar.rule("said", "on? <wall> or on? <wall> ,? at the? very? latest", weight=1.6)
+def latest_of_two(first: Wall, last: Wall) -> Said | None:
+    """Today or tomorrow morning at the latest."""
+    return None if first.days is None or last.days is None else latest(Said(last))
 
 
 @grammar.rule(

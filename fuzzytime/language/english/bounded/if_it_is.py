@@ -120,8 +120,10 @@ def _weekdays(days: Calendar) -> set[int] | None:
     weight=0.5,
 )
 def if_it_is_past(said: Said) -> Said | None:
-    """(call the office) if it's after nine, once it's past nine: after that."""
-    return said if _bounds(said) else None
+    """(call the office) if it's after nine, once it's past nine: from then on, which may be now."""
+    if not _bounds(said):
+        return None
+    return replace(said, preposition="from") if said.preposition == "after" else said
 
 
 @grammar.rule("said", "unless it's|its <said>", "unless it is <said>", weight=0.5)

@@ -87,7 +87,9 @@ def month_series(number: int) -> Calendar:
 @grammar.rule("days", "<deictic> <series>", weight=0.1)
 def this_or_next(which: Which, series: Calendar) -> Calendar | None:
     """Next week, this monday, last march."""
-    return None if isinstance(series, Workday) and which is Which.THIS else Deictic(which, series)
+    # "The same day" may be another than today.
+    none = isinstance(series, Workday) or series == Cycle(Unit.DAY)
+    return None if none and which is Which.THIS else Deictic(which, series)
 
 
 @grammar.rule("days", "midweek <days>?", "mid -? week <days>?", weight=0.5)

@@ -61,6 +61,12 @@ def eve_of(days: Calendar) -> Wall | None:
     return Wall(Away(-1, Unit.DAY, days)) if days.grain is Unit.DAY else None
 
 
+@grammar.rule("days", "on the day itself?", "on his|her|their birthday", weight=0.3)
+def on_the_day() -> Calendar:
+    """(The wedding is on saturday; do the flowers) on the day."""
+    return Relative(0, onward=True, event=True)
+
+
 @grammar.rule("days", "this|same day <deictic> <series>", "the same day <deictic> <series>", weight=0.6)
 def same_day(which: Which, series: Calendar) -> Calendar | None:
     """This day next week, the same day next month."""

@@ -82,6 +82,7 @@ class Borders(Around):
             or self._is_asked(piece)
             or tells_when_due(piece, self.texts, self.lexicon)
             or self._counts_nothing(piece)
+            or self._is_day_of(piece)
             or self._is_way(piece)
             or self.measures.counts_hundreds(piece)
         )
@@ -93,6 +94,14 @@ class Borders(Around):
             return False
         clock = wall.clock is not None and wall.days is None and wall.part is None
         return clock and self.words[first + 1].is_digits and self.words[first - 1].is_letters
+
+    def _is_day_of(self, piece: Piece) -> bool:
+        """Whether what is behind "on the day" says of which: "on the day of the party"."""
+        behind = self.around.follower(piece)
+        ends = (
+            not behind.isalpha() or behind in self.closed.further_clause | self.closed.prepositions_of_points
+        )
+        return self.texts[piece.end - 3 : piece.end] == ["on", "the", "day"] and not ends
 
     def _counts_nothing(self, piece: Piece) -> bool:
         """Whether nothing says of what a number behind "in" is: "in around one", "order the shoes in 7"."""

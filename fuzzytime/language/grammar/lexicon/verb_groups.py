@@ -72,6 +72,7 @@ class Doing(NamedTuple):
     timed: Words
     several_timed: Words
     saying: Words
+    passing_on: Words
     foretold: Words
     closing_up: Words
     closing_there: Words

@@ -91,6 +91,7 @@ class ClosedClasses(NamedTuple):
     behind_clipped_be: Words
     first_person_future: Words
     negators: Words
+    forbidding: Words
     denials: Words
     negators_as_typed: Words
     coordinators: Words

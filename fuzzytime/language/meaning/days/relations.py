@@ -72,11 +72,12 @@ class Relative(_Single):
     """A day by its distance from today: "tomorrow".
 
     ``onward`` says that it counts from the day that was said before, where that is one to come: "the day
-    after".
+    after"; of an ``event``, from the day of what was told to happen: "on the day".
     """
 
     days: int
     onward: bool = False
+    event: bool = False
 
     @property
     def grain(self) -> Unit:

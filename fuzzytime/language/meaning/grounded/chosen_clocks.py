@@ -169,7 +169,7 @@ def _is_late(here: Standpoint, since: datetime, moments: Sequence[datetime]) -> 
 def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     """Whether people are up, for as long as what is asked for is said to last.
 
-    On a day to come that is named they may be up earlier.
+    On a day to come that is named they may be up earlier for some things.
     """
     first, last = here.policy.plausible_from, here.policy.plausible_to
     if not (here.usual or ahead) and _is_soon(here, moment):
@@ -177,8 +177,8 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     if not here.usual and EARLY <= here.now.time() < first <= last and moment.date() == here.now.date():
         # Who speaks at five is up at half past; dinner is in the evening all the same.
         first = here.now.time()
-    if ahead and moment.date() > here.now.date() and (here.early or not here.ends):
-        # Nothing is over by six in the morning but what people do that early.
+    if here.early and ahead and moment.date() > here.now.date():
+        # Nothing is at six in the morning but what people do that early.
         first = min(first, here.policy.ahead_from)
     # "Stay up until three": the end of usual hours is one of them, but "theatre at eleven" is none.
     closes = here.usual and here.ends and moment.time() == last

@@ -140,6 +140,8 @@ class Grounding(Standpoint):
         base = calendar.anchor if isinstance(calendar, Following) else calendar
         onward = days_onward(base)
         said = self.day or self.since
+        if isinstance(base, Relative) and base.event:
+            said = self.event or said
         if said is None and onward == 0:
             raise UngroundedError("which day is meant is not said")
         if onward is not None and said is not None and said.date() > self.now.date():
@@ -180,15 +182,16 @@ class Grounding(Standpoint):
         """Give the next occurrence; without am or pm, the next plausible one."""
         if wall.part is not None:
             clock = halved(clock, wall.part.half)
-        moments = sorted(self._next(seconds) for seconds in clock.candidates())
+        later = self.ends or (self.behind and clock.is_open)
+        moments = sorted(self._next(seconds, later=later) for seconds in clock.candidates())
         if self.past:
             return Instants(last := max(map(self._last, moments)), last, clock.grain, (), wall.zone)
         placed = within_window(self, clock) or before_due(self, clock) or same_day_after(self, clock)
         return decided(self, placed or moments, clock, wall)
 
-    def _next(self, seconds: int) -> datetime:
+    def _next(self, seconds: int, *, later: bool) -> datetime:
         moment = midnight(self.now.date()) + timedelta(seconds=seconds)
-        ahead = moment > self.now or (moment == self.now and not self.ends)
+        ahead = moment > self.now or (moment == self.now and not later)
         return moment if ahead else moment + timedelta(days=1)
 
     def _last(self, moment: datetime) -> datetime:

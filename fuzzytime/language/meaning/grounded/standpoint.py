@@ -23,6 +23,8 @@ class Clues(Generic[At]):
     ----------
     since, day
         The clock time, and the day, that was said before in the same text.
+    event
+        The day of what was told last to happen.
     listed
         Whether it was said for the same thing to be done: "at eight and nine".
     follows
@@ -57,6 +59,7 @@ class Clues(Generic[At]):
 
     since: At | None = None
     day: At | None = None
+    event: At | None = None
     listed: bool = False
     follows: bool = False
     carried: bool = False
@@ -87,6 +90,8 @@ class Standpoint(Clues[datetime], ABC):
         Seconds that what is asked for was said to last, 0 where nothing was said.
     ends : bool
         Whether it is a deadline, which is not now: nothing can be done by then.
+    behind : bool
+        Whether something is to be after it, which now is not.
     opens : bool
         Whether it is a deadline where what it names begins, which is to come: "before winter".
     """
@@ -95,6 +100,7 @@ class Standpoint(Clues[datetime], ABC):
     policy: Policy
     lasting: float = 0.0
     ends: bool = False
+    behind: bool = False
     opens: bool = False
 
     @property

@@ -205,8 +205,9 @@ class _Grounder:
         lasting = self.said.lasting.seconds if self.said.lasting is not None else 0.0
         ends = self.said.constraint is Constraint.BEFORE
         opens = ends and self.said.edge is Edge.START
+        behind = self.said.preposition == "after"
         edges = Edges(self.said, self.moment, zone)
-        here = replace(self.moment.grounding(zone), lasting=lasting, ends=ends, opens=opens)
+        here = replace(self.moment.grounding(zone), lasting=lasting, ends=ends, behind=behind, opens=opens)
         time = at_middle(time) if self.said.constraint in {Constraint.BEFORE, Constraint.AFTER} else time
         found = here.instants(time)
         if isinstance(time, Wall) and _is_at_place(time) and edges.has_begun(time, found):

@@ -87,7 +87,12 @@ class Source:
         words, lexicon = self.scanned.words, self.scanned.lexicon
         for place in range(len(words) - DENIAL):
             end = place + DENIAL
-            if " ".join(word.text for word in words[place:end]) not in lexicon.closed.denials:
+            said = " ".join(word.text for word in words[place:end])
+            # "There's no need to" says it with a verb of its own, "no need to hurry" when.
+            before = words[place - 1].text if place else ","
+            opens = not before.isalpha() or before in lexicon.closed.joints_of_orders
+            opens = opens or (before,) in lexicon.conversation["answering"]
+            if said not in lexicon.closed.denials or not opens or place in self.covered:
                 continue
             if (words[end].text,) in lexicon.questions["helping"]:
                 # "On no account should you call her"

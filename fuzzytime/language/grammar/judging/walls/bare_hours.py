@@ -122,6 +122,7 @@ class BareHours(Standing):
         # "Pick up the kids three fifteen": it is no number that is picked.
         alone = not (bound or self.around.is_unit(piece.end)) and (
             self._ends_behind_object(piece)
+            or self._is_told(piece)
             or self._is_listed(piece)
             or self._is_in_front(piece)
             or self._leads_entry(piece, said)
@@ -146,6 +147,13 @@ class BareHours(Standing):
             return known and self._ends_order(piece)
         told = someone or named or happens or self._ends_at_quarter(piece, place)
         return spelt and told and self._ends_order(piece)
+
+    def _is_told(self, piece: Piece) -> bool:
+        """Whether what happens is said to be then: "start time is 14.00"; but "the total is 14.00"."""
+        doing, said = self.lexicon.doing, self.texts[: piece.start - 1]
+        begins = doing.timed | doing.several_timed | self.lexicon.happening | self.lexicon.taken | {"time"}
+        told = self.around.before(piece) in self.closed.third_person_be and self._ends_order(piece)
+        return told and not begins.isdisjoint(said)
 
     def _begins_then(self, word: str) -> bool:
         """Whether what a word says is at a moment: "leave | 7.30", "the film starts | 8.10"."""

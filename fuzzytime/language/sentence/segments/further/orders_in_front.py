@@ -110,9 +110,12 @@ def _is_verb(tree: Tree, place: int) -> bool:
 
 
 def _is_unknown(tree: Tree, place: int, end: int) -> bool:
-    """Whether the first word of some before a comma is an order that was taken for a thing."""
-    said = tree.reach(place)
-    return place == 0 and tree.nodes[0].tag == "NN" and 1 < said[1] <= end and bool(tree.children(0, "prep"))
+    """Whether the first word of some before a comma is an order that was taken for a thing, or a place."""
+    if place or not 1 < tree.reach(place)[1] <= end:
+        return False
+    # "Home the arm, pick the part up"
+    named = tree.nodes[0].tag == "NN" and bool(tree.children(0, "prep"))
+    return named or bool(tree.children(0, "dobj"))
 
 
 def _names_nothing(tree: Tree, place: int) -> bool:

@@ -53,11 +53,15 @@ def _particles_behind_clauses(one: Waiting, part: Part) -> list[int]:
     lemma, found, behind = part.tree.nodes[part.tree.root].lemma, [], False
     for place in one.source.places(part.offset, one.segment.span[1])[: -SHORTEST_GAP - 1]:
         turned = words[place + 1].text
-        timed = place + SHORTEST_GAP + (words[place + 2].text in lexicon.closed.adverbs_of_repetition)
+        again = words[place + 2].text in lexicon.closed.adverbs_of_repetition
+        timed = place + SHORTEST_GAP + again
         says_when = timed in starts or longest_match(words, timed, lexicon.clauses) is not None
         carried = lemma in lexicon.particles.get(turned, ()) or turned in lexicon.beside.switched
         other = words[place].text in {"and", "&"} and carried
-        if behind and other and says_when:
+        # "At six turn it on, and off again at seven"
+        apart = words[place - 1].text == ","
+        turns = (again or apart) and words[place - 1 - apart].text in lexicon.particles
+        if (behind or turns) and other and says_when:
             found.append(words[place + 1].start)
         behind = behind or (place > 0 and longest_match(words, place, lexicon.clauses) is not None)
     return found
@@ -70,12 +74,15 @@ def verbs_left_out(one: Waiting, part: Part) -> list[int]:
     found = _particles_behind_clauses(one, part)
     for old, new in pairwise(own):
         between = words[old.end : new.first]
+        joint = [word.text for word in between[:2]]
+        if joint in ([",", "and"], [",", "then"]):
+            between = between[1:]
         if _turns_to_particle(between, part.lexicon):
             found.append(between[1].start)
             continue
-        if [word.text for word in between[:2]] in ([",", "and"], [",", "then"], ["and", "then"]):
+        if joint == ["and", "then"]:
             between = between[1:]
-        elif not between or between[0].text not in {"and", ",", "or"}:
+        elif not between or between[0].text not in {"and", ",", "or", "then"}:
             continue
         if len(between) >= SHORTEST_GAP and (
             _names_another(one, part, between, old, new)

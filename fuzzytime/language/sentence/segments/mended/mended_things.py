@@ -244,11 +244,12 @@ def with_her(tree: Tree, timed: AbstractSet[int]) -> Tree:
 def with_thing_before_time(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "give the cat her pill morning and night" its thing, which a tree takes for a part of the time."""
     for place in sorted(timed):
-        thing, node = place - 1, tree.nodes[place]
+        node = tree.nodes[place]
         parts = [p for p in tree.children(place, *PARTS) if p < place and p not in timed]
-        # "Feed starter 11.45"
-        named = thing in parts and tree.nodes[thing].tag.startswith(("NN", "JJ"))
-        if not named or parts[0] == 0:
+        thing = parts[-1] if parts else 0
+        # "Feed starter 11.45", "her antibiotic three times a day"
+        named = tree.nodes[thing].tag.startswith(("NN", "JJ")) and timed >= {*range(thing + 1, place)}
+        if not named or not parts or parts[0] == 0:
             continue
         verb = parts[0] - 1 if tree.nodes[parts[0] - 1].is_verb else node.head
         if not tree.nodes[verb].is_verb or verb in timed or node.head == place:

@@ -1,5 +1,7 @@
 """Trees mended where a word that is done was taken for a thing, or a thing for what is done."""
 
+from collections.abc import Set as AbstractSet
+
 from fuzzytime.language.sentence.segments.mended.mended_verbs import (
     does_to_person,
     with_thing_done,
@@ -55,6 +57,23 @@ def _with_manner(tree: Tree) -> Tree:
         if node.is_verb and not known and node.relation == "conj":
             tree = tree.changed(place, tag="RB", relation="advmod").hung(tree.children(place), node.head)
     return tree
+
+
+def with_joined(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "bath and bed", "milk and eggs" both things, where a tree has the first for what is done.
+
+    Nothing but a time stands behind them. Of "trim and mow" a tree has the second for a thing.
+    """
+    joined = tree.nodes[1:2] and tree.nodes[1].lower in {"and", "&"} and 2 in tree.children(0, "conj")
+    if not joined or not tree.nodes[0].is_bare or tree.root or tree.children(0, "dobj", "prt"):
+        return tree
+    alone = all(
+        place in timed or not tree.nodes[place].text[0].isalnum() for place in range(3, len(tree.nodes))
+    )
+    if not tree.nodes[2].tag.startswith("NN") or not alone:
+        return tree
+    place, tag = (2, "VB") if tree.nodes[2].lower in tree.lexicon.orders else (0, "NN")
+    return tree.changed(place, tag=tag)
 
 
 def _does_named(tree: Tree) -> Tree | None:

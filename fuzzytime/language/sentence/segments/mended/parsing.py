@@ -20,6 +20,7 @@ from fuzzytime.language.sentence.segments.mended.mended_trees import (
     as_done,
     as_order,
     as_somewhere,
+    with_joined,
     with_reminded,
 )
 from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed
@@ -86,6 +87,7 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
     if not tree.nodes:
         return tree
     tree, timed = as_somewhere(tree), one.timed(tree)
+    tree = with_joined(tree, timed)
     tree = with_thing_before_time(with_her(with_bare_thing(with_whole_things(tree), timed), timed), timed)
     tree = with_purpose(with_aim(tree, timed))
     tree = with_event_names(with_object_of_aim(tree, timed), timed)

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.sketches.sketch import Sketch
@@ -66,7 +67,7 @@ def without_denial(
     if operation is None or not operation.negated or not denied or operation.lemma in lexicon.doing.unwanted:
         return operation, requirements, duration
     later = all(r.constraint is Constraint.AFTER for r in requirements if r.span in denied)
-    if later and _is_of_anyone(operation, lexicon):
+    if later and (_is_of_anyone(operation, lexicon) or _forbids(said, lexicon)):
         return operation, requirements, duration
     lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
     if duration is not None and not lasting:
@@ -76,8 +77,14 @@ def without_denial(
 
 
 def _is_of_anyone(operation: Operation, lexicon: Lexicon) -> bool:
-    """Whether whoever comes is meant, and nobody asks for it before: "don't let anyone in after ten"."""
-    return (operation.object or "").lower() in lexicon.closed.indefinite_pronouns
+    """Whether nobody asks for it before: "don't let anyone in after ten", "don't eat anything after ten"."""
+    named = (operation.object or "").lower()
+    return named in lexicon.closed.indefinite_pronouns or named.partition(" ")[0] in {"any", "anything"}
+
+
+def _forbids(said: str, lexicon: Lexicon) -> bool:
+    """Whether somebody is told what they may not do: "he mustn't drive after ten"."""
+    return any(word.text in lexicon.closed.forbidding for word in words_of(said))
 
 
 def _beside_times(requirements: Iterable[TimeRequirement], length: float) -> list[TimeRequirement]:

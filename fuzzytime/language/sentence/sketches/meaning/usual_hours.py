@@ -36,11 +36,12 @@ def at_usual_hours(moment: Moment, sketch: Sketch, text: str) -> Moment:
     words = words_of(" ; ".join((*dated, *named)))
     places = (place for place in range(len(words)) if not _is_thing(words, place, sketch.lexicon))
     found = (longest_match(words, place, sketch.lexicon.usual_hours) for place in places)
-    # "Sleep until" says more than "sleep"
-    form = max((form for form in found if form is not None), key=len, default=None)
-    if form is None:
+    usual = sketch.lexicon.usual_hours
+    # "Sleep until" says more than "sleep", and in "crew breakfast" the meal does.
+    said = [(len(form), usual[form][1] is not None, usual[form]) for form in found if form is not None]
+    if not said:
         return moment
-    first, last = sketch.lexicon.usual_hours[form]
+    *_, (first, last) = max(said, key=lambda one: one[:2])
     if last is not None and not all(_is_in(clock, first, last) for clock in _clocks_of(sketch)):
         # "Wake grandma from her nap at three": not at its usual hours.
         return moment

@@ -22,7 +22,10 @@ from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.days.below_headings import under_heading
 from fuzzytime.language.sentence.together.days.listed_days import listed_below_day
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import BOUNDS, Constraint, Unit
+
+WHY = frozenset({",", "-", "–", ":"})
+"""Marks behind which is told what an order is for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +69,9 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
         if held is not None and (not named or _is_part(sketch.phrases[named[0]].said)):
             # "Sunday:", then "assemble the bed in the morning"
             told = _on_day(sketch, held)
+        elif not named and placed:
+            beside = _day_beside(placed[-1], sketch, between)
+            told = sketch if beside is None else _on_day(sketch, beside)
         if named:
             told = _on_own_day(told, named[0], text)
         # What stands before a colon holds for all behind it, as in "school trip on the 12th: …".
@@ -207,7 +213,15 @@ def _on_own_day(sketch: Sketch, place: int, text: str) -> Sketch:
             whole = replace(phrases[other].said, time=day.time)
             said = sketch.phrases[other].said
             phrases[other] = replace(phrases[other], said=said.borrowing(whole))
-    return replace(sketch, phrases=tuple(phrases))
+    placed = replace(sketch, phrases=tuple(phrases))
+    # "On friday the painters are here all day" is on that day, and not for 24 hours.
+    return placed.keeping(lambda phrase: not _is_all_day(phrase, text)) if day.is_day else placed
+
+
+def _is_all_day(phrase: Phrase, text: str) -> bool:
+    """Whether it is the length of a day that is said as all of it: "all day"."""
+    said = {*text[slice(*phrase.span)].lower().split()}
+    return phrase.said.time == Duration(((1, Unit.DAY),)) and not said.isdisjoint({"all", "whole"})
 
 
 def _on_day(sketch: Sketch, held: _Day) -> Sketch:
@@ -241,6 +255,17 @@ def _day_of(sketch: Sketch, *, heads: bool) -> _Day | None:
             # "Every evening at six feed the hens, and at seven shut the coop"
             return _Day(Said(daily, Constraint.EVERY))
     return None
+
+
+def _day_beside(before: Sketch, sketch: Sketch, between: str) -> _Day | None:
+    """Give the day of what an event is told beside: "buy the cake on friday, guests come at four"."""
+    told = [one.operation is not None and one.operation.stated for one in (before, sketch)]
+    if not told[1] or ENDS & {*between} or (between.strip() not in WHY and not told[0]):
+        return None
+    days = [said for said in (one.said for one in before.phrases) if said.is_day]
+    days = [said for said in days if (on := said.wall.days) is not None and on.grain is Unit.DAY]
+    days = [said for said in days if said.constraint not in BOUNDS]
+    return _Day(days[0]) if len(days) == 1 else None
 
 
 def is_morning_after(said: Said, before: Part) -> bool:

@@ -48,7 +48,7 @@ def _does(said: Sequence[Word], behind: str, sketch: Sketch) -> str | None:
     has_to = " ".join(word.text for word in said[:2]) in lexicon.beside.obliging and behind != "?"
     if (asks(said, behind, lexicon) and not has_to) or (behind == "?" and _is_inverted(tree)):
         return "asks, and says nothing to do"
-    if _greets(sketch, said):
+    if _greets(sketch, said) or _answers(said, lexicon):
         return "greets, and says nothing to do"
     if _takes_back(said, lexicon):
         return "takes back what was said before, and says nothing to do"
@@ -119,6 +119,18 @@ def _greets(sketch: Sketch, said: Sequence[Word]) -> bool:
         # "Happy hour at six"
         return False
     return len(left) <= GREETED and not any(word.text in sketch.lexicon.particles for word in left)
+
+
+def _answers(said: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words only say that it is well, or take leave: "thanks, that's all for now"."""
+    place = 0
+    while place < len(said):
+        form = longest_match(said, place, lexicon.conversation["answering"])
+        if form is None and said[place].text[0].isalnum():
+            return False
+        place += len(form or " ")
+    # "Boil the eggs, then cool"
+    return sum(word.is_letters for word in said) > 1
 
 
 def _takes_back(said: Sequence[Word], lexicon: Lexicon) -> bool:

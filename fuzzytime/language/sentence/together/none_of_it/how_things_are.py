@@ -20,7 +20,7 @@ def tells_how_things_are(sketch: Sketch) -> bool:
     """Whether a sentence says how things are, at no time of its own: perhaps why something is asked for."""
     tree, closed = sketch.part.tree, sketch.lexicon.closed
     # "Wash the kit by noon, sam has training"
-    own = (phrase for phrase in sketch.phrases if overlap(phrase.span, sketch.part.segment.span))
+    own = [phrase for phrase in sketch.phrases if overlap(phrase.span, sketch.part.segment.span)]
     if not tree.nodes or sketch.clauses or not all(map(_is_present, own)):
         return False
     root = tree.root
@@ -32,7 +32,11 @@ def tells_how_things_are(sketch: Sketch) -> bool:
     # "I'm knackered": a tree may have that for what is done to somebody.
     helping |= tree.said(tree.children(root, "auxpass")) if tree.nodes[0].tag == "PRP" else set()
     going_on = tree.nodes[root].tag in {"VBG", "VBN"} and bool(helping) and helping <= closed.present_be
-    return going_on or holds_true(tree)
+    # "They shut then"
+    happens = bool(own) and sketch.operation is not None and sketch.operation.stated
+    node = tree.nodes[root]
+    happens = happens and (node.tag in tags.PRESENT or node.lower == node.lemma)
+    return going_on or happens or holds_true(tree)
 
 
 def holds_true(tree: Tree) -> bool:

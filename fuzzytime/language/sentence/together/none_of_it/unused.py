@@ -8,6 +8,7 @@ from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, 
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.verbs.meant.actions import passes_on
 
 OBJECTS = ("dobj", "attr", "oprd")
 BESIDE = frozenset({"advcl", "ccomp", "conj", "parataxis", "dep"})
@@ -87,8 +88,12 @@ def unused_words(text: str, part: Part, operation: Operation, heard: Sequence[Sp
 
 
 def _reasons(tree: Tree) -> frozenset[int]:
-    """Give the words that only say why, or what for: "… because Ann comes", "… so we can cook the fish"."""
+    """Give the words that only say why, or what for: "… because Ann comes", "… so we can cook the fish".
+
+    So does who passes an order on: "the school asked us to be there".
+    """
     closed, nodes = tree.lexicon.closed, tree.nodes
+    whose = [p for verb in range(len(nodes)) if passes_on(tree, verb) for p in tree.children(verb, *SUBJECTS)]
     marks = [p for p, node in enumerate(nodes) if node.lower in closed.subordinators_of_reason]
     for place, node in enumerate(nodes):
         # "So we can …", "so that we can …"
@@ -97,7 +102,7 @@ def _reasons(tree: Tree) -> frozenset[int]:
         )
         marks += [place] if aims and place and place < node.head != tree.root else []
     led = (nodes[p].head for p in marks if nodes[p].relation in {"mark", "advmod"})
-    return frozenset(place for verb in led for place in tree.below(verb))
+    return frozenset(place for top in (*led, *whose) for place in (top, *tree.below(top)))
 
 
 def _says_how(node: Node, lexicon: Lexicon) -> bool:

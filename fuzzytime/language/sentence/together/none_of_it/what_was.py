@@ -5,6 +5,7 @@ from fuzzytime.language.meaning.expressions import Coming, Offset, Said, Wall
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.meant.actions import passes_on
 from fuzzytime.requirement import Constraint
 
 DONE = ("dobj", "acomp", "attr")
@@ -22,7 +23,7 @@ def tells_what_was(sketch: Sketch) -> bool:
     if due and not _names_past(sketch) and (sketch.phrases or sketch.clauses):
         # The dog must be "walked by seven", actors "called for 14:00".
         return False
-    if not tree.nodes or tree.nodes[root].lemma in sketch.lexicon.wanting - {"be"}:
+    if not tree.nodes or tree.nodes[root].lemma in sketch.lexicon.wanting - {"be"} or passes_on(tree, root):
         return False
     node = tree.nodes[root]
     moved_on = (node.lower,) in sketch.lexicon.conversation["rescheduled"]

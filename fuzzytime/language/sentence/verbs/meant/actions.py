@@ -99,8 +99,23 @@ def _meant_below(tree: Tree, root: int) -> int | None:
         or _is_going_to(tree, root)
         or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root)))
         or (lemma == "have" and _has_to(tree, below))
+        or passes_on(tree, root)
     )
     return below if leads else None
+
+
+def passes_on(tree: Tree, place: int) -> bool:
+    """Whether somebody wants something of who speaks: "mum said to ring her", "dad told me to lock up"."""
+    closed, below = tree.lexicon.closed, tree.children(place, "xcomp")
+    said = tree.nodes[place].lower in tree.lexicon.doing.passing_on and not tree.children(place, "aux")
+    whom = tree.said(tree.children(place, "dobj", "dative"))
+    whose = tree.said(tree.children(place, *SUBJECTS))
+    asked = (
+        bool(whose)
+        and whom <= closed.first_person_objects
+        and whose.isdisjoint(closed.first_and_second_person)
+    )
+    return said and asked and any(_has_to(tree, verb) for verb in below)
 
 
 def _is_said_of(tree: Tree, place: int) -> bool:

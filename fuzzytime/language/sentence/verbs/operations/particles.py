@@ -127,8 +127,9 @@ class Particles(VerbWords):
         above = list(self.tree.above(place))
         if verb not in above:
             return False
-        # "Remind me to take it out", "tell Ann that the meeting is off"
-        inner = any(self.has_to(p) or self._is_told(p) for p in above[: above.index(verb)])
+        # "Remind me to take it out", "tell Ann that the meeting is off"; but "turn it on | before I leave"
+        below = (p for p in above[: above.index(verb)] if self.tree.reach(p)[0] != place)
+        inner = any(self.has_to(p) or self._is_told(p) for p in below)
         return not inner and node.tag in {"IN", "RP", "RB"} and not owned
 
     def _is_told(self, verb: int) -> bool:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.language.sentence.verbs.meant.actions import FINITE
+from fuzzytime.language.sentence.verbs.meant.actions import FINITE, passes_on
 from fuzzytime.language.sentence.verbs.places import Places
 from fuzzytime.language.sentence.verbs.statements.statements import others_do
 
@@ -19,8 +19,7 @@ class Stated(Places):
         """Give what a statement is about: "the assignment should start now"."""
         closed = self.lexicon.closed
         node = self.tree.nodes[verb]
-        # "The sauce needs to simmer"
-        verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
+        verbs = self._with_verb_above(verb)
         subjects = [p for v in verbs for p in self.tree.children(v, *SUBJECTS) if not self.timed(p)]
         if not subjects:
             return None
@@ -39,12 +38,18 @@ class Stated(Places):
             )
         return self.said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
 
+    def _with_verb_above(self, verb: int) -> tuple[int, ...]:
+        """Give a verb, with that above it which says who does it: "the sauce needs to simmer"."""
+        node = self.tree.nodes[verb]
+        below = node.relation == "xcomp" and not passes_on(self.tree, node.head)
+        return (verb, node.head) if below else (verb,)
+
     def _due(self, verb: int) -> str | None:
         """Give what "it" must do: "it has to rest for ten minutes" is about what was said before."""
         node = self.tree.nodes[verb]
         if node.lower in self.lexicon.results or self.tree.children(verb, "auxpass"):
             return None
-        verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
+        verbs = self._with_verb_above(verb)
         subjects = [self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, *SUBJECTS)]
         helping = {self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, "aux", "auxpass")}
         helping |= self.tree.said(verbs[1:])
@@ -151,9 +156,8 @@ class Stated(Places):
         """Whether it is only told that something is to come: "rain is expected at three"."""
         node, closed, doing = self.tree.nodes[verb], self.lexicon.closed, self.lexicon.doing
         over = self.tree.nodes[node.head]
-        called = self.tree.said(self.tree.children(verb, *SUBJECTS))
-        called |= self.tree.said(self.tree.children(node.head, *SUBJECTS))
-        if not called.isdisjoint(closed.first_and_second_person):
+        called = self.tree.said(self.tree.children(node.head, *SUBJECTS))
+        if not called.isdisjoint(closed.first_and_second_person) and verb != node.head:
             return False
         if node.relation == "xcomp" and node.tag == "VB" and not self.tree.children(verb, "auxpass"):
             helped = self._helping(node.head) | {over.lower}
