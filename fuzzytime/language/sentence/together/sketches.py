@@ -41,10 +41,12 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     sketches, corrections = after_all([sketch_of(draft, part) for part in draft.parts], draft)
     remarks += corrections
     sketches = left_out_behind(sketches)
-    sketches = within_opening_hours(told_beside(sketches, draft.text), draft.text)
+    # Where steps were told apart there is a stop.
+    apart = draft.scanned.text
+    sketches = within_opening_hours(told_beside(sketches, apart), draft.text)
     sketches = due_before_told(sketches, draft.text)
     sketches = repeated(led(sketches, draft.text), draft.text)
-    told = shared(at_once(within(sketches, draft.text), draft.text), draft.text)
+    told = shared(at_once(within(sketches, apart), draft.text), draft.text)
     words = draft.scanned.words
     told = [without_days_left_out(sketch) for sketch in under_first_line(told, draft.text)]
     told = [day_by_day(each_day_too(sketch, words), draft.text) for sketch in told]
