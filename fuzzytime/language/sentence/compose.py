@@ -104,7 +104,7 @@ class _Composer:
         self.remarks += remarks
         sketches, remarks = asked_of(sketches, self.draft, self.mentions, self.first)
         self.remarks += remarks
-        sketches = said_for_all(sketches, self.draft.scanned.text)
+        sketches = said_for_all(sketches, self.draft.text)
         sketches = due_before(sketches, self.draft.text, self.mentions, self.first)
         operations = [sketch.operation for sketch in sketches]
         instructions = self.made

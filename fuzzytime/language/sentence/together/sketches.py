@@ -43,7 +43,7 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     sketches = left_out_behind(sketches)
     # Where steps were told apart there is a stop.
     apart = draft.scanned.text
-    sketches = within_opening_hours(told_beside(sketches, apart), draft.text)
+    sketches = within_opening_hours(told_beside(sketches, draft.text), draft.text)
     sketches = due_before_told(sketches, draft.text)
     sketches = repeated(led(sketches, draft.text), draft.text)
     told = shared(at_once(within(sketches, apart), draft.text), draft.text)
@@ -66,7 +66,7 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
             found += of_several_times(again, words)
     found = [on_owned_day(_ordered(sketch, draft)) for sketch in again_between(found)]
     headed = draft.heading is not None and draft.heading.day is not None
-    found = things_alone(each_week(found, draft.text), draft.text, headed=headed)
+    found = things_alone(each_week(found, draft.text), apart, headed=headed)
     placed = on_their_days(found, draft.text, draft.heading)
     return _with_asides([from_first_time(sketch, words) for sketch in placed], draft), remarks
 

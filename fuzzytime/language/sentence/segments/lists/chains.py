@@ -50,8 +50,9 @@ class _Step:
         verbs = lexicon.orders.union(lexicon.addressing, lexicon.circling, lexicon.timing)
         verbs = verbs.union(lexicon.doing.errands, lexicon.doing.putting, lexicon.doing.several_timed)
         known = all(word[0].isalpha() and word not in lexicon.function_words for word in name)
-        acts = lexicon.doing.timed.union(verbs if len(name) > 1 else ())
-        return known and 0 < len(name) <= LONGEST and name[0] not in acts
+        acts = lexicon.doing.timed.union(lexicon.asides["taking"], verbs if len(name) > 1 else ())
+        acts = acts.union(lexicon.particles)
+        return known and 0 < len(name) <= LONGEST and acts.isdisjoint((name[0], name[-1]))
 
     @property
     def is_timed(self) -> bool:
@@ -61,12 +62,19 @@ class _Step:
         return self.is_named and bool(times) and (lasts or times[-1].end == end)
 
     @property
+    def is_known(self) -> bool:
+        """Whether it is one word, or holds one for what has a time: no "add flour"."""
+        return len(self.name) == 1 or any(map(self._is_done, self.name))
+
+    @property
     def is_alone(self) -> bool:
         """Whether its name alone says what one does: "a break", "breakfast"."""
-        lexicon, last = self.entry.lexicon, self.name[-1:]
+        return self.is_named and not self.entry.times and self._is_done(self.name[-1])
+
+    def _is_done(self, word: str) -> bool:
+        lexicon = self.entry.lexicon
         known = lexicon.happening | lexicon.taken | lexicon.lasting
-        done = last in lexicon.conversation["by itself"] or not known.isdisjoint(last)
-        return done and self.is_named and not self.entry.times
+        return word in known or (word,) in lexicon.conversation["by itself"]
 
     @property
     def is_apart(self) -> bool:
@@ -74,12 +82,16 @@ class _Step:
         lexicon, first = self.entry.lexicon, self.entry.words[0].text.partition("'")[0]
         return first in lexicon.closed.subject_pronouns | lexicon.orders | lexicon.doing.several_timed
 
+    @property
+    def is_led(self) -> bool:
+        """Whether it goes on with nothing that is said before it in its sentence, but comes next."""
+        return not self.joints or any(word.text in ENDS | {"then"} for word in self.joints)
+
     def is_told_of(self, first: "_Step") -> bool:
         """Whether who is named in the first may do it: "Tom gets up at six, showers at seven"."""
-        led = any(word.text == "then" for word in self.joints)
         verbs = (*first.name[-1:], *self.name)
         told = len(first.name) > 1 == len(self.name) and all(word.endswith("s") for word in verbs)
-        return told and not led
+        return told and not self.is_led
 
 
 def chained(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Span]:
@@ -95,7 +107,7 @@ def chained(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Span]:
                 continue
         if sum(one.is_timed for one in run) >= LEAST:
             found += [one.joint for one in run[1:] if one.joint is not None]
-        run = [step] if step is not None and step.is_timed else []
+        run = [step] if step is not None and step.is_led and step.is_timed and step.is_known else []
     return found
 
 

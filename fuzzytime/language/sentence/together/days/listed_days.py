@@ -59,9 +59,8 @@ def _is_named(sketch: Sketch) -> bool:
 
 
 def _goes_on(before: Sketch, sketch: Sketch, text: str) -> bool:
-    """Whether "then", or a comma alone, stands between two parts."""
-    between = text_between(before, sketch, text).strip()
-    return sketch.part.segment.connective == "then" or between == ","
+    """Whether "then" stands between two parts, or a stop."""
+    return sketch.part.segment.connective == "then" or text_between(before, sketch, text).strip() == ";"
 
 
 def _to_be_done(sketch: Sketch, *, chained: bool) -> Sketch:

@@ -105,7 +105,10 @@ def _is_then(before: Sketch, sketch: Sketch, text: str) -> bool:
         # "Set an alarm for six I have a flight" tells why.
         return False
     between = text_between(before, sketch, text)
-    alone = not sketch.clauses and not sketch.times and not _lasts(sketch)
+    tree = sketch.part.tree
+    # "Meeting at seven, opening ceremony ten minutes"
+    chained = bool(sketch.phrases) and tree.nodes[tree.root].tag.startswith("NN")
+    alone = not (sketch.clauses or sketch.times or chained or _lasts(sketch))
     return (
         alone
         and not ENDS & set(between)
