@@ -15,7 +15,7 @@ from fuzzytime.language.sentence.together.days.days_apart import on_owned_day, o
 from fuzzytime.language.sentence.together.days.days_left_out import left_out_behind, without_days_left_out
 from fuzzytime.language.sentence.together.days.days_on import days_on
 from fuzzytime.language.sentence.together.days.each_week import each_week
-from fuzzytime.language.sentence.together.days.listed_days import things_alone
+from fuzzytime.language.sentence.together.days.listed_days import heads_list, things_alone
 from fuzzytime.language.sentence.together.lent.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.none_of_it.after_all import after_all
 from fuzzytime.language.sentence.together.times.again_between import again_between
@@ -30,7 +30,7 @@ from fuzzytime.language.sentence.together.times.several_times import also_at_eve
 from fuzzytime.language.sentence.together.times.turns import counted_apart
 from fuzzytime.language.sentence.together.told.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.told.reasons_told import due_before_told
-from fuzzytime.language.sentence.together.told.told_beside import told_beside
+from fuzzytime.language.sentence.together.told.told_beside import steps_in_turn, told_beside
 from fuzzytime.requirement import Constraint
 
 
@@ -67,6 +67,8 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     found = [on_owned_day(_ordered(sketch, draft)) for sketch in again_between(found)]
     headed = draft.heading is not None and draft.heading.day is not None
     found = things_alone(each_week(found, draft.text), apart, headed=headed)
+    if not (found and heads_list(found[0], draft.text)):
+        found = steps_in_turn(found, draft.text, apart)
     placed = on_their_days(found, draft.text, draft.heading)
     return _with_asides([from_first_time(sketch, words) for sketch in placed], draft), remarks
 

@@ -51,8 +51,8 @@ class _Step:
         verbs = verbs.union(lexicon.doing.errands, lexicon.doing.putting, lexicon.doing.several_timed)
         known = all(word[0].isalpha() and word not in lexicon.function_words for word in name)
         acts = lexicon.doing.timed.union(lexicon.asides["taking"], verbs if len(name) > 1 else ())
-        acts = acts.union(lexicon.particles)
-        return known and 0 < len(name) <= LONGEST and acts.isdisjoint((name[0], name[-1]))
+        called = known and 0 < len(name) <= LONGEST
+        return called and name[0] not in acts and lexicon.particles.keys().isdisjoint(name)
 
     @property
     def is_timed(self) -> bool:

@@ -6,12 +6,15 @@ from dataclasses import replace
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.phrases import is_at_clock
 from fuzzytime.language.sentence.references.mentions import Mentions
-from fuzzytime.language.sentence.segments.further.same_doers import tells_more
+from fuzzytime.language.sentence.segments.further.same_doers import JOINTS, tells_more
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Constraint, Reference
+
+STOP = ";"
+"""What stands between two steps that are told apart, in place of their joint."""
 
 BREAKS = frozenset({",", "-", "–", ";"})
 """Marks between an order and what is told of it."""
@@ -67,13 +70,35 @@ def _done_next(sketch: Sketch, operation: Operation, text: str) -> Sketch:
     return _behind(replace(sketch, operation=told), text)
 
 
-def _behind(sketch: Sketch, text: str) -> Sketch:
+def _behind(sketch: Sketch, text: str, connective: str = "then") -> Sketch:
     """Give what is told as what comes behind what is told before it, at the comma or "and" between them."""
     segment = sketch.part.segment
     before = text[: segment.span[0]].rstrip()
     joint = len(before) - (len("and") if before.lower().endswith("and") else 1)
-    joined = replace(segment, connective="then", connective_span=(joint, len(before)))
+    joined = replace(segment, connective=connective, connective_span=(joint, len(before)))
     return replace(sketch, part=replace(sketch.part, segment=joined))
+
+
+def steps_in_turn(sketches: Sequence[Sketch], text: str, apart: str) -> list[Sketch]:
+    """Let steps without a time come behind those before them: "maths at nine, reading for an hour, break".
+
+    In the text with its stops they are ``apart``, and one of them has a time or comes next.
+    """
+    if not any(one.times or one.part.segment.connective == "then" for one in sketches):
+        return list(sketches)
+    found = list(sketches[:1])
+    for sketch in sketches[1:]:
+        joint = text_between(found[-1], sketch, text).strip().lower()
+        joined = joint in JOINTS and text_between(found[-1], sketch, apart).strip() == STOP
+        waits = not (sketch.times or sketch.clauses or sketch.part.segment.connective)
+        led = bool(found[-1].phrases) or found[-1].part.segment.connective == "then"
+        # "The meeting starts at seven, opening ceremony ten minutes"
+        within = (
+            found[-1].operation is not None and found[-1].operation.lemma in sketch.lexicon.doing.beginning
+        )
+        said = "meanwhile" if within else "then"
+        found.append(_behind(sketch, text, said) if joined and waits and led else sketch)
+    return found
 
 
 def _is_on(before: Sketch, sketch: Sketch) -> bool:
