@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.phrases import places_in
@@ -96,6 +96,9 @@ class _Step:
 
 def chained(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Span]:
     """Give the joints of a text that stand between such steps, where two of them have a time."""
+    if not _may_chain(list(words_of(text)), lexicon):
+        # Most lines are no such chain, and to scan them costs time.
+        return []
     found: list[Span] = []
     run: list[_Step] = []
     for step in (*_steps(Scanned.of(text, grammar, lexicon)), None):
@@ -109,6 +112,25 @@ def chained(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Span]:
             found += [one.joint for one in run[1:] if one.joint is not None]
         run = [step] if step is not None and step.is_led and step.is_timed and step.is_known else []
     return found
+
+
+def _may_chain(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a name may stand in front of joints, and no order with its thing: "yoga at 7"; but "ring the bell"."""
+    texts = [word.text for word in words]
+    closed = lexicon.closed
+    things = closed.noun_openers | closed.all_anaphors | closed.personal_pronouns
+    for place in range(len(texts) - 1):
+        led = not place or texts[place - 1] in ENDS | {"then"}
+        first = place + (texts[place] in closed.noun_openers)
+        if not led or JOINTS.isdisjoint(texts[first:]) or texts[first : first + 1] == []:
+            continue
+        behind, further = (*texts[first + 1 : first + 3], "", "")[:2]
+        acts = texts[first] in lexicon.orders | lexicon.addressing and behind not in lexicon.function_words
+        # "Two hours of coding", "half an hour of piano"
+        counted = any(lexicon.means(word, "unit") for word in (behind, further))
+        if counted or not (acts or texts[first] in lexicon.function_words or behind in things):
+            return True
+    return False
 
 
 def _steps(scanned: Scanned) -> Iterator[_Step]:
