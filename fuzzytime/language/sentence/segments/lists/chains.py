@@ -115,7 +115,7 @@ def chained(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Span]:
 
 
 def _may_chain(words: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether a name may stand in front of joints, and no order with its thing: "yoga at 7"; but "ring the bell"."""
+    """Whether a name may stand in front of joints, and no order with its thing: "ring the bell"."""
     texts = [word.text for word in words]
     closed = lexicon.closed
     things = closed.noun_openers | closed.all_anaphors | closed.personal_pronouns

@@ -6,15 +6,12 @@ from dataclasses import replace
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.phrases import is_at_clock
 from fuzzytime.language.sentence.references.mentions import Mentions
-from fuzzytime.language.sentence.segments.further.same_doers import JOINTS, tells_more
+from fuzzytime.language.sentence.segments.further.same_doers import tells_more
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.sketches.sketch import Sketch, are_steps, text_between
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Constraint, Reference
-
-STOP = ";"
-"""What stands between two steps that are told apart, in place of their joint."""
 
 BREAKS = frozenset({",", "-", "–", ";"})
 """Marks between an order and what is told of it."""
@@ -88,8 +85,7 @@ def steps_in_turn(sketches: Sequence[Sketch], text: str, apart: str) -> list[Ske
         return list(sketches)
     found = list(sketches[:1])
     for sketch in sketches[1:]:
-        joint = text_between(found[-1], sketch, text).strip().lower()
-        joined = joint in JOINTS and text_between(found[-1], sketch, apart).strip() == STOP
+        joined = are_steps(found[-1], sketch, text, apart)
         waits = not (sketch.times or sketch.clauses or sketch.part.segment.connective)
         led = bool(found[-1].phrases) or found[-1].part.segment.connective == "then"
         # "The meeting starts at seven, opening ceremony ten minutes"
