@@ -106,8 +106,12 @@ def test_what_goes_on_is_meant_and_not_what_is_done_with_it() -> None:
         ("study tomorrow seven to nine", (31, 33)),
         ("clean the garage tomorrow between two and four", None),
         ("mow the lawn anytime 3 to 5", None),
+        ("lunch between 12 and 1.30", (12, 13.5)),
+        ("lunch tomorrow noon to two", (36, 38)),
+        ("lunch somewhere between 12 and 1.30", None),
+        ("coffee sometime between ten and twelve", None),
     ],
 )
 def test_two_ends_behind_their_day_say_how_long(line: str, hours: tuple[float, float] | None) -> None:
     lasting = next(iter(_times(line).values()))
-    assert lasting == hours if hours else lasting[1] - lasting[0] < 1
+    assert lasting == hours if hours else lasting[1] - lasting[0] <= 1

@@ -15,7 +15,7 @@ from fuzzytime.skills import Precedence
 RIGHT_THEN = "exactly"
 """How near what somebody goes to follows the way there."""
 
-FROM, UNTIL = "from", "until"
+FROM, BETWEEN, UNTIL = "from", "between", "until"
 LASTING = frozenset({"be", "have"})
 """What is said of somebody or something that is so for a while: "I'm out until four"."""
 
@@ -77,7 +77,8 @@ def until_then(instruction: Instruction, lexicon: Lexicon) -> float | None:
 def from_to(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Instruction:
     """Take two ends as a start and a length: "I have a meeting from two to four", "paint from two to four".
 
-    "Between two and four" leaves open when in between something is done, though not when it happens.
+    "Between two and four" leaves open when in between something is done, and "sometime between two and four"
+    when it happens, too.
     """
     operation, requirements = instruction.operation, list(instruction.requirements)
     if operation is None or instruction.duration is not None:
@@ -86,12 +87,14 @@ def from_to(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Inst
         # "From two to four or from six to seven" leaves open how long.
         return instruction
     for place, part in enumerate(requirements):
-        if part.preposition != "between" or part.earliest is None or part.latest is None:
+        if part.preposition != BETWEEN or part.earliest is None or part.latest is None:
             continue
         # What a line above says is when all below it is, and how long none of that.
         own = part.span[0] < part.span[1]
-        ends = own and _says_ends(part, given, lexicon)
-        if operation.stated or (ends and part.reference is Reference.START):
+        asked = not operation.stated
+        if asked and (not own or part.reference is not Reference.START):
+            continue
+        if _says_ends(part, given, lexicon, asked=asked):
             begin, length = part.earliest, part.latest - part.earliest
             requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
             return replace(instruction, requirements=tuple(requirements), duration=length)
@@ -100,10 +103,14 @@ def from_to(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Inst
     return _until(instruction) if operation.stated and operation.lemma in LASTING else instruction
 
 
-def _says_ends(part: TimeRequirement, given: datetime, lexicon: Lexicon) -> bool:
-    """Whether a time is two ends, perhaps behind its day: "from two to four", "tomorrow 2-4"."""
+def _says_ends(part: TimeRequirement, given: datetime, lexicon: Lexicon, *, asked: bool) -> bool:
+    """Whether a time is two ends, perhaps behind its day: "from two to four", "tomorrow 2-4".
+
+    Of what is not ``asked`` for they may stand behind "between".
+    """
     words = part.text.lower().split()
-    first = next((place for place, word in enumerate(words) if _opens_ends(word, lexicon)), None)
+    opens = (place for place, word in enumerate(words) if _opens_ends(word, lexicon))
+    first = next(opens, None) if asked else words.index(BETWEEN) if BETWEEN in words else 0
     day = " ".join(part.text.split()[:first])
     if not first:
         return first is not None

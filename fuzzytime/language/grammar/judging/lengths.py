@@ -129,12 +129,16 @@ class Lengths(Standing):
     def _accepts_length(self, piece: Piece) -> bool:
         """Whether a length of time without a preposition says how long something takes."""
         # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
-        follower = self.around.follower(piece)
+        follower, before = self.around.follower(piece), self.around.before(piece)
+        opens = before in self.closed.joints_of_orders or not before[:1].isalnum()
         if follower == "of":
-            # "Do ten minutes of yoga"
-            return self.around.before(piece) in self.lexicon.doing.spending
-        if self.around.before(piece) in self.lexicon.doing.spent:
-            # "Spend an hour cleaning", "take ten minutes to tidy up"
+            # "Do ten minutes of yoga", "then two hours of coding"; but "ten minutes of your time"
+            named = self.closed.noun_openers.isdisjoint(self.texts[piece.end + 1 : piece.end + 2])
+            return before in self.lexicon.doing.spending or (opens and named)
+        if before in self.lexicon.doing.spent or (
+            follower.endswith("ing") and (opens or before in self.lexicon.doing.spending)
+        ):
+            # "Two hours coding, then lunch", "spend an hour cleaning", "take ten minutes to tidy up"
             return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
         return follower in self.lexicon.lasting or self.around.may_end(piece)
 

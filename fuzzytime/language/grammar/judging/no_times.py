@@ -115,12 +115,14 @@ class NoTime(Standing):
         return aged or (somebody and known and self.texts[verb] in self.closed.third_person_be)
 
     def _is_far(self, piece: Piece) -> bool:
-        """Whether it is so many metres: "swim 50m", "cut the board to 1.5 m"; but "boil for 5 m"."""
+        """Whether it is so many metres: "swim 50m", "4m of cable", "cut it to 1.5 m"; but "boil for 5 m"."""
         time = piece.value.time
         if not isinstance(time, Duration) or piece.value.preposition is not None:
             return False
         if self.texts[piece.end - 1] != "m" or time.unit is not Unit.MINUTE or len(time.terms) > 1:
             return False
+        if self.around.follower(piece) == "of":
+            return True
         for place in range(piece.start - 1, max(-1, piece.start - 1 - FAR), -1):
             if self.texts[place] in self.closed.joints_of_orders:
                 # "Lower the heat and simmer 5 m"

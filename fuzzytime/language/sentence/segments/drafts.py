@@ -28,7 +28,7 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.lists.runs import run_apart, switched_apart
 from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed, timed_lines
-from fuzzytime.language.sentence.segments.openings import openings_inside
+from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside
 from fuzzytime.language.sentence.segments.rounds import parted
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
 from fuzzytime.language.sentence.segments.told.asides import Aside, asides_of, beside_each_other
@@ -170,7 +170,8 @@ def _source_of(draft: Draft) -> Source:
     apart = tuple(orders_beside(draft.scanned.text, draft.messages))
     source = Source(draft.now, draft.scanned, draft.phrases, draft.remarks, apart=apart)
     said = draft.scanned.words, source.covered, draft.lexicon
-    return replace(source, orders=tuple(order_words(*said)), openings=tuple(openings_inside(*said)))
+    openings = (*openings_inside(*said), *lengths_in_front(draft.scanned.words, draft.phrases))
+    return replace(source, orders=tuple(order_words(*said)), openings=openings)
 
 
 def _without_parts(

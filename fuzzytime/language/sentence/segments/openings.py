@@ -6,6 +6,7 @@ from collections.abc import Set as AbstractSet
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
+from fuzzytime.language.meaning.expressions import Duration, Phrase
 
 
 def behind_opening(
@@ -54,6 +55,16 @@ def openings_inside(words: Sequence[Word], times: AbstractSet[int], lexicon: Lex
         end = place + len(form or ())
         if form and end < len(words) and words[end].is_letters | (words[end].text == ","):
             yield words[place].start, words[end - 1].end
+
+
+def lengths_in_front(words: Sequence[Word], phrases: Sequence[Phrase]) -> Iterator[Span]:
+    """Give each length of what is named behind it, where no verb asks for that: "two hours of coding"."""
+    for phrase in phrases:
+        before = words[phrase.first - 1].text if phrase.first else "then"
+        leads = not before.isalnum() or before in {"and", "then"}
+        said = words[phrase.end].text if phrase.end < len(words) - 1 else ""
+        if leads and said == "of" and isinstance(phrase.said.time, Duration):
+            yield phrase.span[0], words[phrase.end].end
 
 
 def _is_somewhere(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> bool:

@@ -9,7 +9,7 @@ from fuzzytime.language.instruction import Operation, Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, Said
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
-from fuzzytime.language.sentence.segments.further.same_doers import tells_more
+from fuzzytime.language.sentence.segments.further.same_doers import JOINTS, tells_more
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.its_times.own_times import own_times
 from fuzzytime.language.sentence.sketches.its_times.referred import referred
@@ -132,6 +132,16 @@ class Sketch:
 def text_between(first: Sketch, second: Sketch, text: str) -> str:
     """Give what stands between the parts of two sketches."""
     return text[first.part.segment.span[1] : second.part.segment.span[0]]
+
+
+STOP = ";"
+"""What stands between two steps that are told apart, in place of their joint."""
+
+
+def are_steps(first: Sketch, second: Sketch, text: str, apart: str) -> bool:
+    """Whether two sketches are steps that a text joins, and that its stops tell ``apart``: "maths, break"."""
+    joint = text_between(first, second, text).strip().lower()
+    return joint in JOINTS and text_between(first, second, apart).strip() == STOP
 
 
 def sketch_of(draft: Draft, part: Part) -> Sketch:

@@ -15,7 +15,7 @@ from fuzzytime.language.sentence.together.days.days_apart import on_owned_day, o
 from fuzzytime.language.sentence.together.days.days_left_out import left_out_behind, without_days_left_out
 from fuzzytime.language.sentence.together.days.days_on import days_on
 from fuzzytime.language.sentence.together.days.each_week import each_week
-from fuzzytime.language.sentence.together.days.listed_days import things_alone
+from fuzzytime.language.sentence.together.days.listed_days import heads_list, things_alone
 from fuzzytime.language.sentence.together.lent.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.none_of_it.after_all import after_all
 from fuzzytime.language.sentence.together.times.again_between import again_between
@@ -30,7 +30,7 @@ from fuzzytime.language.sentence.together.times.several_times import also_at_eve
 from fuzzytime.language.sentence.together.times.turns import counted_apart
 from fuzzytime.language.sentence.together.told.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.told.reasons_told import due_before_told
-from fuzzytime.language.sentence.together.told.told_beside import told_beside
+from fuzzytime.language.sentence.together.told.told_beside import steps_in_turn, told_beside
 from fuzzytime.requirement import Constraint
 
 
@@ -41,10 +41,12 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     sketches, corrections = after_all([sketch_of(draft, part) for part in draft.parts], draft)
     remarks += corrections
     sketches = left_out_behind(sketches)
+    # Where steps were told apart there is a stop.
+    apart = draft.scanned.text
     sketches = within_opening_hours(told_beside(sketches, draft.text), draft.text)
     sketches = due_before_told(sketches, draft.text)
     sketches = repeated(led(sketches, draft.text), draft.text)
-    told = shared(at_once(within(sketches, draft.text), draft.text), draft.text)
+    told = shared(at_once(within(sketches, apart), draft.text), draft.text)
     words = draft.scanned.words
     told = [without_days_left_out(sketch) for sketch in under_first_line(told, draft.text)]
     told = [day_by_day(each_day_too(sketch, words), draft.text) for sketch in told]
@@ -64,7 +66,10 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
             found += of_several_times(again, words)
     found = [on_owned_day(_ordered(sketch, draft)) for sketch in again_between(found)]
     headed = draft.heading is not None and draft.heading.day is not None
-    found = things_alone(each_week(found, draft.text), draft.text, headed=headed)
+    found = things_alone(each_week(found, draft.text), draft.text, apart, headed=headed)
+    # "Morning: gym, shower" has its steps in any order.
+    if ": " not in draft.text and not (found and heads_list(found[0], draft.text)):
+        found = steps_in_turn(found, draft.text, apart)
     placed = on_their_days(found, draft.text, draft.heading)
     return _with_asides([from_first_time(sketch, words) for sketch in placed], draft), remarks
 

@@ -5,6 +5,7 @@ They stand beside what they are about, or on a line of their own, and are read a
 
 from collections.abc import Sequence
 
+from fuzzytime.english import singular
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings.looked_up import TIMELY
@@ -19,8 +20,17 @@ PARTS = frozenset({"part", "meal"})
 OWNING = frozenset({"'s", "'"})
 """What makes a length that of what is behind it: "an hour's drive", "40 minutes' drive"."""
 
+BEHIND_THEN = 2
+"""Words of "then,"."""
+
+SUBJECT_AND_VERB = 2
+"""Words that say what something does."""
+
 RULE = "told"
 """The rule of a length that is told."""
+
+ENDS = frozenset({".", "!", ";"})
+"""Marks between sentences."""
 
 MARKS = frozenset({",", "(", ")", "-", ".", ";", ":", "!", "–", "—"})
 """Marks around such words."""
@@ -58,17 +68,20 @@ class _Telling:
             end += 1
         before, after = texts[start : piece.start], texts[piece.end : end]
         way = self._is_way(before, after, alone=start == 0) or self._leads(before, piece.end, end)
-        if not way and not self._is_length(before, after):
+        goes_on = not after and self._is_begun(start) and self._goes_on(before)
+        behind = not after and before == ["for"] and self._is_behind_then(start, end)
+        if not (way or goes_on or behind or self._is_length(before, after)):
             return None
         if end < len(texts) and texts[end] == ")":
             end += 1
         first = words[start - 1 if start > 0 and texts[start - 1] in MARKS - {".", "!"} else start].start
+        first = words[start - BEHIND_THEN].start if behind else first
         span = (words[piece.start].start, words[piece.end - 1].end)
         return Aside(
             (first, words[end - 1].end),
             Phrase(Said(piece.value, Constraint.FOR), piece.start, piece.end, span, RULE),
             way=way,
-            left=self._leaves(before, texts[start - 1] if start else "", piece.value),
+            left=goes_on or self._leaves(before, texts[start - 1] if start else "", piece.value),
         )
 
     def _leaves(self, before: Sequence[str], joint: str, length: Duration) -> bool:
@@ -124,6 +137,30 @@ class _Telling:
         numbered = any(word.is_digits or word.text in self.lexicon.numbers for word in named)
         led = named[0].capital or named[0].text in told["determiners"] | told["there"]
         return bool(places) or (led and not timed and not numbered and not event)
+
+    def _goes_on(self, before: Sequence[str]) -> bool:
+        """Whether words say what a thing does for so long once it is begun: "it bakes for forty minutes"."""
+        said = before[:-1] if before[-1:] == ["for"] else before
+        if len(said) != SUBJECT_AND_VERB or said[0] not in self.told["subjects"]:
+            return False
+        lexicon, verb, stem = self.lexicon, said[1], singular(said[1])
+        others = lexicon.impersonal.union(
+            lexicon.function_words, lexicon.doing.several_timed, lexicon.doing.taking
+        )
+        cooked = verb in lexicon.timing | lexicon.timing_alone
+        return cooked or (stem != verb and others.isdisjoint((stem, verb)))
+
+    def _is_behind_then(self, start: int, end: int) -> bool:
+        """Whether one ends in a length behind a "then" that leads nowhere: "at 2 then, for an hour"."""
+        led = self.texts[max(0, start - BEHIND_THEN) : start] == ["then", ","] and start > BEHIND_THEN
+        joined = led and self.texts[start - BEHIND_THEN - 1] in MARKS | self.told["joints"]
+        return led and not joined and (end == len(self.texts) or self.texts[end] in ENDS)
+
+    def _is_begun(self, place: int) -> bool:
+        """Whether what stands before a place in its sentence begins with an order, or with a thing."""
+        first = next((p + 1 for p in range(place - 2, -1, -1) if self.texts[p] in ENDS), 0)
+        said, closed = self.texts[first : place - 1], self.lexicon.closed
+        return bool(said) and said[0] not in self.lexicon.function_words - closed.noun_openers
 
     def _is_length(self, before: Sequence[str], after: Sequence[str]) -> bool:
         """Whether words say how long something takes: "ten minutes should do", "allow an hour for it"."""

@@ -12,7 +12,7 @@ from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.clauses.clause_contents import Contents
+from fuzzytime.language.sentence.clauses.clause_contents import STATED, Contents
 from fuzzytime.language.sentence.clauses.clause_sides import (
     BEHIND,
     at_most_after,
@@ -163,7 +163,8 @@ class _Clauses:
         nodes = list(self.tree.at(*content))
         if not nodes or (form[-1] in self.lexicon.ordinals and self._is_counted(nodes[0])):
             return None
-        distance = bound or self.before.distance(place)
+        # "Fade it out over ten seconds when he walks on", "cook it ten minutes once it boils"
+        distance = bound or (None if kind in STATED else self.before.distance(place))
         start, duration, side = self._so_far(place, distance, kind)
         day_part = self._day_part(place, form) if distance is None else None
         if day_part is not None and form in COUNTED_FROM:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.meaning.expressions import Repeat
-from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.sketches.sketch import Sketch, are_steps
 from fuzzytime.language.sentence.verbs.without_verbs.named_alone import named_alone
 
 HEADS = (":", "- ", "– ", "— ")
@@ -37,20 +37,35 @@ def listed_below_day(first: Sketch, sketch: Sketch, between: str, text: str) -> 
     return hour.said.wall.clock is not None and hour.said.wall.days is None
 
 
-def things_alone(sketches: Sequence[Sketch], text: str, *, headed: bool) -> list[Sketch]:
+def things_alone(sketches: Sequence[Sketch], text: str, apart: str, *, headed: bool) -> list[Sketch]:
     """Give what is named, and no verb is understood, its place among what is to be done.
 
-    It stands beside a time or a clause, or in a list with a head; ``headed`` by a line above.
+    It stands beside a time or a clause, in a list with a head (``headed`` by a line above), or goes on with
+    what is named before it: "half an hour of piano, then tea". In the text with its stops they are ``apart``.
     """
     listed = headed or bool(sketches and heads_list(sketches[0], text))
-    return [_to_be_done(one) if one.operation is None and (listed or one.heard) else one for one in sketches]
+    found: list[Sketch] = []
+    for sketch in sketches:
+        then = sketch.part.segment.connective == "then"
+        chained = bool(found) and _is_named(found[-1])
+        chained = chained and (then or are_steps(found[-1], sketch, text, apart))
+        named = sketch.operation is None and (listed or chained or sketch.heard)
+        found.append(_to_be_done(sketch, chained=chained) if named else sketch)
+    return found
 
 
-def _to_be_done(sketch: Sketch) -> Sketch:
+def _is_named(sketch: Sketch) -> bool:
+    """Whether it is only named, and no verb says what is done with a thing, or where."""
+    operation = sketch.operation
+    return operation is not None and operation.verb == operation.name
+
+
+def _to_be_done(sketch: Sketch, *, chained: bool) -> Sketch:
     """Give what is named alone, beside its time or without, as what is to be done."""
     tree, offset = sketch.part.tree, sketch.part.offset
     if not tree.nodes:
         return sketch
     spans = [(first - offset, end - offset) for first, end in sketch.heard]
-    operation = named_alone(tree, {place for span in spans for place in tree.at(*span)})
+    heard = {place for span in spans for place in tree.at(*span)}
+    operation = named_alone(tree, heard, chained=chained)
     return sketch if operation is None else replace(sketch, operation=operation.moved(offset))

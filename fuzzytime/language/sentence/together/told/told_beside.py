@@ -4,13 +4,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.phrases import is_at_clock
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.further.same_doers import tells_more
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.sketches.sketch import Sketch, are_steps, text_between
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Reference
 
 BREAKS = frozenset({",", "-", "–", ";"})
 """Marks between an order and what is told of it."""
@@ -66,13 +67,34 @@ def _done_next(sketch: Sketch, operation: Operation, text: str) -> Sketch:
     return _behind(replace(sketch, operation=told), text)
 
 
-def _behind(sketch: Sketch, text: str) -> Sketch:
+def _behind(sketch: Sketch, text: str, connective: str = "then") -> Sketch:
     """Give what is told as what comes behind what is told before it, at the comma or "and" between them."""
     segment = sketch.part.segment
     before = text[: segment.span[0]].rstrip()
     joint = len(before) - (len("and") if before.lower().endswith("and") else 1)
-    joined = replace(segment, connective="then", connective_span=(joint, len(before)))
+    joined = replace(segment, connective=connective, connective_span=(joint, len(before)))
     return replace(sketch, part=replace(sketch.part, segment=joined))
+
+
+def steps_in_turn(sketches: Sequence[Sketch], text: str, apart: str) -> list[Sketch]:
+    """Let steps without a time come behind those before them: "maths at nine, reading for an hour, break".
+
+    In the text with its stops they are ``apart``, and one of them has a time or comes next.
+    """
+    if not any(one.times or one.part.segment.connective == "then" for one in sketches):
+        return list(sketches)
+    found = list(sketches[:1])
+    for sketch in sketches[1:]:
+        joined = are_steps(found[-1], sketch, text, apart)
+        waits = not (sketch.times or sketch.clauses or sketch.part.segment.connective)
+        led = bool(found[-1].phrases) or found[-1].part.segment.connective == "then"
+        # "The meeting starts at seven, opening ceremony ten minutes"
+        within = (
+            found[-1].operation is not None and found[-1].operation.lemma in sketch.lexicon.doing.beginning
+        )
+        said = "meanwhile" if within else "then"
+        found.append(_behind(sketch, text, said) if joined and waits and led else sketch)
+    return found
 
 
 def _is_on(before: Sketch, sketch: Sketch) -> bool:
@@ -104,7 +126,10 @@ def _is_then(before: Sketch, sketch: Sketch, text: str) -> bool:
         # "Set an alarm for six I have a flight" tells why.
         return False
     between = text_between(before, sketch, text)
-    alone = not sketch.clauses and not sketch.times and not _lasts(sketch)
+    tree = sketch.part.tree
+    # "Meeting at seven, opening ceremony ten minutes"
+    chained = bool(sketch.phrases) and tree.nodes[tree.root].tag.startswith("NN")
+    alone = not (sketch.clauses or sketch.times or chained or _lasts(sketch))
     return (
         alone
         and not ENDS & set(between)
@@ -133,23 +158,41 @@ def _lasts(sketch: Sketch) -> bool:
 
 
 def due_before(sketches: Sequence[Sketch], text: str, mentions: Mentions, first: int) -> list[Sketch]:
-    """Let what takes long, and was not asked for, be over when what it is for has to be so.
+    """Let what takes long, and was not asked for, be over when it has to be so, or what it is for has to be.
 
-    "Makeup for Ines takes 90 minutes, she has to be on set by 8"; ``first`` instructions were given before.
+    "The lamb needs three hours and it has to be on the table at two", "makeup for Ines takes 90 minutes, she
+    has to be on set by 8"; ``first`` instructions were given before.
     """
-    found = list(sketches)
-    for place in range(len(found) - 1):
-        why, due = found[place : place + 2]
-        operation = why.operation
-        if operation is None or operation.object is None or not _tells_length(why):
+    found: list[Sketch] = []
+    for due in sketches:
+        operation = found[-1].operation if found else None
+        if operation is None or operation.object is None or not _takes_until(found[-1], due, text):
+            found.append(due)
             continue
-        bounds = any(phrase.said.constraint is Constraint.BEFORE for phrase in due.phrases)
-        known = mentions.about(content_words(operation.object), first) is not None
-        if known or not bounds or not _has_to_be_so(due) or not _is_beside(why, due, text):
+        if mentions.about(content_words(operation.object), first) is not None:
+            found.append(due)
             continue
-        found[place] = replace(why, operation=replace(operation, lemma="be", complement=None))
-        found[place + 1] = _behind(due, text)
+        told = replace(found[-1], operation=replace(operation, lemma="be", complement=None))
+        if _is_same(due):
+            found[-1] = told.also(*due.times, about=Reference.FINISH).reaching(due)
+        else:
+            found[-1:] = [told, _behind(due, text)]
     return found
+
+
+def _takes_until(why: Sketch, due: Sketch, text: str) -> bool:
+    """Whether it is told how long something takes, and behind that by when something has to be so."""
+    bounds = any(is_at_clock(p) or p.said.constraint is Constraint.BEFORE for p in due.phrases)
+    joint = text_between(why, due, text).strip()
+    joined = joint in BREAKS or (joint == "and" and _is_same(due))
+    return bounds and joined and not due.part.segment.connective and _tells_length(why) and _has_to_be_so(due)
+
+
+def _is_same(due: Sketch) -> bool:
+    """Whether it is said of the same thing again: "it has to be ready by six", "… and has to be ready"."""
+    tree = due.part.tree
+    subjects = tree.said(tree.children(tree.root, *SUBJECTS))
+    return due.part.segment.doer is not None or bool(subjects & due.lexicon.closed.anaphors)
 
 
 def _tells_length(sketch: Sketch) -> bool:
@@ -165,4 +208,5 @@ def _has_to_be_so(sketch: Sketch) -> bool:
     if sketch.operation is None or sketch.operation.lemma not in {"be", "get"}:
         return False
     helping = tree.said((root, *tree.children(root, "aux")))
-    return bool(helping & sketch.lexicon.closed.verbs_of_obligation) and bool(tree.children(root, *SUBJECTS))
+    called = sketch.part.segment.doer is not None or bool(tree.children(root, *SUBJECTS))
+    return bool(helping & sketch.lexicon.closed.verbs_of_obligation) and called

@@ -30,8 +30,11 @@ THINGS = frozenset({"NN", "NNS", "VBZ"})
 """Tags of things: a plural in front is often taken for what one does."""
 
 
-def named_alone(tree: Tree, heard: Collection[int]) -> Operation | None:
-    """Give what is named beside times and clauses, whose places are ``heard``; None for what is no name."""
+def named_alone(tree: Tree, heard: Collection[int], *, chained: bool = False) -> Operation | None:
+    """Give what is named beside times and clauses, whose places are ``heard``; None for what is no name.
+
+    What is ``chained`` to another name may be called with its article: "yoga, then a shower".
+    """
     said = _said(tree, heard)
     nodes = [tree.nodes[place] for place in said]
     if not nodes or not all(_is_inside(tree, place) for place in said) or _denies(tree, nodes):
@@ -40,10 +43,11 @@ def named_alone(tree: Tree, heard: Collection[int]) -> Operation | None:
     if _is_where(tree, nodes):
         return Operation(verb="be", lemma="be", span=span, place=name)
     heads = [node for node in nodes if node.head not in said or tree.nodes[node.head] is node]
-    if nodes[0].tag in DETERMINERS:
+    opened = nodes[0].tag in DETERMINERS
+    if opened and not chained:
         # "The dog at seven" goes on with the verb said last.
         return None
-    if not heads or not nodes[0].tag.startswith((*FIRST, "VB")) or not _is_noun(heads[0]):
+    if not heads or not (opened or nodes[0].tag.startswith((*FIRST, "VB"))) or not _is_noun(heads[0]):
         return None
     return Operation(verb=name, lemma=heads[0].lemma, span=span)
 
