@@ -142,6 +142,17 @@ def test_one_of_what_is_done_at_once_is_dropped_and_the_others_stay() -> None:
     assert set(starts(talk)) == {"feed the cat", "wash the car", "lock the shed"}
 
 
+def test_two_of_a_line_change_places_and_back() -> None:
+    talk = talk_of("interview with Priya at ten and with Dominic at eleven, 45 minutes each")
+    before = starts(talk)
+    talk.say("swap Priya and Dominic")
+    assert list(starts(talk).values()) == list(before.values())[::-1]
+    talk.say("no, put them back")
+    assert starts(talk) == before
+    talk.say("Dominic asks whether he could come at four instead")
+    assert starts(talk) == before | {"interview with Dominic": FOUR}
+
+
 def test_a_new_time_is_in_place_of_what_is_vague() -> None:
     talk = talk_of("dentist at ten", "send the invoice tomorrow at some point")
     talk.say("can the invoice go at four?")
