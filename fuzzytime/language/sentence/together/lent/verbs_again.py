@@ -20,7 +20,7 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
     part = sketch.part
     spans = list(map(part.span, part.tree.nodes))
     said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
-    while said and not text[slice(*said[-1])].isalnum():
+    while said and text[slice(*said[-1])] == ",":
         # "… and with Dominic at eleven, 45 minutes each"
         said.pop()
     rest = text[said[0][0] : said[-1][1]] if said else ""
