@@ -34,9 +34,6 @@ SPELT_HALF = re.compile(r"(?<=\w )([ap]) m\b(?!')", re.IGNORECASE)
 GLUED_AT = re.compile(r"(?<=[a-z])@(?=\d{1,2}(?:[:.]\d\d)?(?:[ap]m)?(?![\w@-]|\.\w))", re.IGNORECASE)
 """An "at" between a name and its clock time: "gym@6", but no address."""
 
-SPEAKER = re.compile(r"(?<![\w.-])i(?=['\u2019 ]|$)")
-"""Who speaks, in a line that is typed small: "before i go out"."""
-
 NAME = "Tim"
 """What stands for what is quoted: a tree has it for a thing that is named."""
 
@@ -162,11 +159,11 @@ def _spans(text: str, tokens: Iterable[tuple[int, int]]) -> Iterator[Span]:
 def _sound(text: str) -> str:
     """Give the text as the tokenizer should have it.
 
-    A lone surrogate is no character to it, "pre-heat" would be three words, "p m" would be two, "i" would be
-    foreign, and what is quoted is a name.
+    A lone surrogate is no character to it, "pre-heat" would be three words, "p m" would be two, and what is
+    quoted is a name.
     """
     whole = PREFIXED.sub(lambda match: f"{match[1]}{match[2]} ", text)
-    whole = SPEAKER.sub("I", GLUED_AT.sub(" ", whole))
+    whole = GLUED_AT.sub(" ", whole)
     whole = SPELT_HALF.sub(lambda match: f"{match[1]}m ", whole)
     for start, end in reversed(quotes_in(text)):
         whole = whole[:start] + NAME + whole[end:]
