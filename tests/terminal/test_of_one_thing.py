@@ -136,6 +136,12 @@ def test_what_is_said_in_place_of_one_thing_leaves_the_others(said: str, left: s
     assert set(starts(talk)) == left
 
 
+def test_what_was_not_planned_of_a_line_takes_nothing_else_of_it_along() -> None:
+    talk = talk_of("gym at ten, then lunch with Dan at one and shopping at three")
+    talk.say("lunch is off, Dan has a meeting")
+    assert starts(talk)["gym"] == NINE.replace(hour=10)
+
+
 def test_one_of_what_is_done_at_once_is_dropped_and_the_others_stay() -> None:
     talk = talk_of("feed the cat at ten, wash the car and the van at one and lock the shed at three")
     talk.say("forget the van")

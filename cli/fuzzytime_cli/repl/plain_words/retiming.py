@@ -20,7 +20,7 @@ from fuzzytime.language import (
 )
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration
-from fuzzytime_cli.repl.naming import called, part_meant, starts_of_entry
+from fuzzytime_cli.repl.naming import called, part_meant, starts_of_entry, words_of_entry
 from fuzzytime_cli.repl.parts import in_a_part, placed_at, untied, with_time_of_part
 from fuzzytime_cli.repl.scene import Scene, check_sole, waiting
 from fuzzytime_cli.repl.which import entries_meant
@@ -81,7 +81,7 @@ def wished_instead(scene: Scene, words: str) -> str | None:
     wish = with_names(wish, next(iter(old), None), language.lexicon)
     if name:
         wish = in_a_part(scene, meant[0], name, wish)
-    elif len(old) > 1 and about.names:
+    elif about.names and (len(old) > 1 or not about.names <= words_of_entry(scene, meant[0])):
         # "The soup is off, make a salad", of which more was asked for than the soup
         return None
     return f":edit {meant[0].number} {wish}" if wish else None
