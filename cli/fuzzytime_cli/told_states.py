@@ -84,8 +84,8 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
         # "I've got some"; but "I've fed the cat" tells what was done
         spoken = first in closed.first_person or not operation.stated
         return past and spoken and reported(reading, lexicon) is None
-    # No order begins with "she" or "that".
-    return first in closed.third_person_singular | closed.singular_anaphors and not owed
+    # No order begins with "she", "they" or "that".
+    return first in closed.third_person | closed.singular_anaphors and not owed
 
 
 def _is_remark(reading: Reading, operation: Operation, lexicon: Lexicon) -> bool:

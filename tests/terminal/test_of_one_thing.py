@@ -112,6 +112,59 @@ def test_what_stays_of_a_line_keeps_its_label_and_the_moment_it_was_said() -> No
     assert talk.start("s1.3") == NINE.replace(hour=13)
 
 
+def test_what_stood_between_two_is_said_apart_with_a_time_of_its_own() -> None:
+    talk = talk_of("dentist at ten, then write the report for an hour, then lunch at one")
+    talk.say("do the report at two instead")
+    assert starts(talk) == {
+        "dentist": NINE.replace(hour=10),
+        "lunch": NINE.replace(hour=13),
+        "write the report": NINE.replace(hour=14),
+    }
+    assert talk.start("s1.2") == NINE.replace(hour=14)
+
+
+@pytest.mark.parametrize(
+    ("said", "left"),
+    [
+        ("forget the dentist, they've got flu", {"feed the cat", "lock the shed"}),
+        ("forget the dentist, call Ann at six", {"feed the cat", "lock the shed", "call Ann"}),
+    ],
+)
+def test_what_is_said_in_place_of_one_thing_leaves_the_others(said: str, left: set[str]) -> None:
+    talk = talk_of(*AMONG_OTHERS)
+    talk.say(said)
+    assert set(starts(talk)) == left
+
+
+def test_what_was_not_planned_of_a_line_takes_nothing_else_of_it_along() -> None:
+    talk = talk_of("gym at ten, then lunch with Dan at one and shopping at three")
+    talk.say("lunch is off, Dan has a meeting")
+    assert starts(talk)["gym"] == NINE.replace(hour=10)
+
+
+def test_one_of_what_is_done_at_once_is_dropped_and_the_others_stay() -> None:
+    talk = talk_of("feed the cat at ten, wash the car and the van at one and lock the shed at three")
+    talk.say("forget the van")
+    assert set(starts(talk)) == {"feed the cat", "wash the car", "lock the shed"}
+
+
+def test_two_of_a_line_change_places_and_back() -> None:
+    talk = talk_of("interview with Priya at ten and with Dominic at eleven, 45 minutes each")
+    before = starts(talk)
+    talk.say("swap Priya and Dominic")
+    assert list(starts(talk).values()) == list(before.values())[::-1]
+    talk.say("no, put them back")
+    assert starts(talk) == before
+    talk.say("Dominic asks whether he could come at four instead")
+    assert starts(talk) == before | {"interview with Dominic": FOUR}
+
+
+def test_a_new_time_is_in_place_of_what_is_vague() -> None:
+    talk = talk_of("dentist at ten", "send the invoice tomorrow at some point")
+    talk.say("can the invoice go at four?")
+    assert starts(talk)["send the invoice"] == FOUR + timedelta(days=1)
+
+
 @pytest.mark.parametrize("said", ["cancel the gym", "no gym"])
 def test_a_correction_that_is_dropped_brings_nothing_back(said: str) -> None:
     talk = talk_of("gym at six and call mum at seven")

@@ -69,6 +69,13 @@ AS_ASKED = {"judo": ("10:00", 60.0), "mow the lawn": ("13:00", 20.0), "call mum"
         ("cancel my judo lesson", "judo", None),
         ("the one at four has to be at six", "call mum", ("18:00", 30.0)),
         ("the one o'clock won't be till six", "mow the lawn", ("18:00", 20.0)),
+        ("I can't do judo today after all", "judo", None),
+        ("I'm not going to do the lawn today", "mow the lawn", None),
+        ("judo is off, they've got someone else", "judo", None),
+        ("mum asks whether she could do noon instead", "call mum", ("12:00", 30.0)),
+        ("mum wants to know if we can make it noon", "call mum", ("12:00", 30.0)),
+        ("can judo go after the lawn?", "judo", ("13:20", 60.0)),
+        ("no wait, judo should be after the lawn", "judo", ("13:20", 60.0)),
     ],
 )
 def test_one_thing_is_changed_and_the_others_stay(

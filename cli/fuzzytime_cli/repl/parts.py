@@ -9,7 +9,7 @@ from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import Instruction, Said, content_words, find_times, merged_time
 from fuzzytime.language.instruction import Span
 from fuzzytime.requirement import Constraint
-from fuzzytime.times import instant_after
+from fuzzytime.times import format_duration, instant_after
 from fuzzytime_cli.repl.scene import FIRST, Scene, begun_parts, waiting
 from fuzzytime_cli.repl.typed import number_of
 from fuzzytime_cli.session import Entry
@@ -37,13 +37,29 @@ def with_time_of_part(scene: Scene, entry: Entry, time: str, part: str) -> str:
     others = [other for other in _parts_of(scene, entry) if other is not one]
     shares = first < end and any((first, end) == _time_of(other, length=length) for other in others)
     if shares:
-        return _checked(scene, entry, _each_with_time(scene, entry, one, time), {one.skill.name})
-    try:
-        return _checked(scene, entry, untied(scene, front + behind), {one.skill.name})
-    except FuzzytimeError:
-        # "On friday" would be of the next one, too.
-        then = _on_its_day(scene, entry, others, len(entry.text) - len(behind))
-        return _checked(scene, entry, untied(scene, front + then), {one.skill.name})
+        return _checked(scene, entry, {one.skill.name}, _each_with_time(scene, entry, one, time))
+    # "On friday" would be of the next one, too.
+    then = _on_its_day(scene, entry, others, len(entry.text) - len(behind))
+    texts = [untied(scene, front + behind), untied(scene, front + then)]
+    if not length:
+        texts.append(_apart(scene, entry, one, time))
+    return _checked(scene, entry, {one.skill.name}, *texts)
+
+
+def _apart(scene: Scene, entry: Entry, one: Interpreted, time: str) -> str:
+    """Give an entry's words with one of its things in a sentence of its own; empty where that cannot be.
+
+    Of "meet Jo at ten, then write for an hour, then lunch at one" the second thing may be done at two.
+    """
+    known = one.instruction
+    lasts = f"for {format_duration(known.duration)} " if known is not None and known.duration else ""
+    return in_a_part(scene, entry, one.skill.name, f"{one.skill.name} {lasts}{time}")
+
+
+def in_a_part(scene: Scene, entry: Entry, name: str, words: str) -> str:
+    """Give an entry's words with others in place of one of its things; empty where they cannot be said so."""
+    left = without_part(scene, entry, name).rstrip(".! ")
+    return f"{left}. {words[:1].upper()}{words[1:]}" if left else ""
 
 
 def placed_at(scene: Scene, text: str, span: Span, time: str) -> tuple[str, str]:
@@ -104,7 +120,7 @@ def swapped_parts(scene: Scene, entry: Entry, parts: Sequence[str | None]) -> st
     if first == end or begin == over or end > begin:
         raise FuzzytimeError(f"which two change places is not clear: say it anew, with :edit {entry.number}")
     swapped = f"{text[:first]}{text[begin:over]}{text[end:begin]}{text[first:end]}{text[over:]}"
-    return _checked(scene, entry, untied(scene, swapped), {one.skill.name for one in both})
+    return _checked(scene, entry, {one.skill.name for one in both}, untied(scene, swapped))
 
 
 def untied(scene: Scene, text: str) -> str:
@@ -167,14 +183,24 @@ def numbers_kept(scene: Scene, entry: Entry, text: str) -> tuple[int, ...]:
 
 
 def without_thing(scene: Scene, entry: Entry, names: frozenset[str]) -> str:
-    """Give an entry's words without one of several things that it is about; empty where it is about one."""
+    """Give an entry's words without one of several things that it is about; empty where it is about one.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the others do not stand together in its words: "gym for an hour and dinner".
+    """
     read = scene.language.read(entry.text, now=entry.given)
     for operation in (one.operation for one in read.instructions):
         said = "" if operation is None else operation.object or ""
         verb = frozenset() if operation is None else {operation.lemma}
         things = [thing for thing in BETWEEN.split(said) if thing]
         left = [thing for thing in things if content_words(thing) != names - verb]
-        if 0 < len(left) < len(things) and said in entry.text:
+        if 0 < len(left) < len(things):
+            if said not in entry.text:
+                raise FuzzytimeError(
+                    f"that is only part of {said!r}: say :drop {entry.number}, or say it anew"
+                )
             front = ", ".join(left[:-1])
             return entry.text.replace(said, f"{front} and {left[-1]}" if front else left[-1], 1)
     return ""
@@ -251,19 +277,23 @@ def _times(one: Instruction, given: datetime) -> list[tuple[object, ...]]:
     ]
 
 
-def _checked(scene: Scene, entry: Entry, text: str, changed: Collection[str]) -> str:
-    """Give words that ask for the same as before, at the same times but for what is changed.
+def _checked(scene: Scene, entry: Entry, changed: Collection[str], *texts: str) -> str:
+    """Give the first words that ask for the same as before, at the same times but for what is changed.
 
     Raises
     ------
     FuzzytimeError
-        If they ask for something else, or that would move others along.
+        If all ask for something else, or would move others along.
     """
-    before, anew = _asked_in(scene, entry.text, entry.given), _asked_in(scene, text, scene.now)
-    same = [_name(one) for one in before] == [_name(one) for one in anew]
-    others = [pair for pair in zip(before, anew, strict=False) if _name(pair[0]) not in changed]
-    if not same or any(_times(old, entry.given) != _times(new, scene.now) for old, new in others):
-        raise FuzzytimeError(
-            f"how to say that of {entry.text!r} is not clear: say it anew, with :edit {entry.number}"
-        )
-    return text
+
+    def asked(text: str, now: datetime) -> list[tuple[str, str]]:
+        named = [(_name(one), one) for one in _asked_in(scene, text, now)]
+        return sorted((name, "" if name in changed else repr(_times(one, now))) for name, one in named)
+
+    before = asked(entry.text, entry.given)
+    for text in texts:
+        if asked(text, scene.now) == before:
+            return text
+    raise FuzzytimeError(
+        f"how to say that of {entry.text!r} is not clear: say it anew, with :edit {entry.number}"
+    )

@@ -131,7 +131,8 @@ def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
         if 1 < len(named) < len(waiting(scene, meant[0].number)):
             raise FuzzytimeError(ONE_AT_A_TIME)
     part = first_part(scene, meant[0]) if about.upcoming else part_meant(scene, meant[0].number, about.names)
-    if len(meant) == 1 and part:
+    rest = without_thing(scene, meant[0], about.names) if len(meant) == 1 else ""
+    if len(meant) == 1 and part and not rest:
         # "Forget the roses", of "water the roses, then mow the lawn"; what is running is only ended
         names = (one.skill.name for one in scene.plan.everything if one.identifier == part)
         name = next(names, None)
@@ -139,9 +140,8 @@ def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
         return f":edit {numbers} {anew}" if anew else f":done {part}"
     left = {one.skill.name for entry in meant for _, one in waiting(scene, entry.number)}
     told = [name for name in left if about.names <= content_words(name)]
-    if len(meant) == 1 and not label_meant(scene, about.names) and 0 < len(told) < len(left):
+    if len(meant) == 1 and not (rest or label_meant(scene, about.names)) and 0 < len(told) < len(left):
         raise FuzzytimeError(f"which one: {' or '.join(sorted(told))}?")
-    rest = without_thing(scene, meant[0], about.names) if len(meant) == 1 else ""
     if len(meant) == 1 and not rest and not about.names <= words_of_entry(scene, meant[0]):
         # The eggs, of which nothing became, of "milk, eggs and bread"
         raise FuzzytimeError(f"that is only part of {meant[0].text!r}: say :drop {numbers}, or say it anew")

@@ -20,9 +20,9 @@ from fuzzytime.language import (
 )
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration
-from fuzzytime_cli.repl.naming import called, starts_of_entry
-from fuzzytime_cli.repl.parts import placed_at, untied, with_time_of_part
-from fuzzytime_cli.repl.scene import Scene, check_sole
+from fuzzytime_cli.repl.naming import called, part_meant, starts_of_entry, words_of_entry
+from fuzzytime_cli.repl.parts import in_a_part, placed_at, untied, with_time_of_part
+from fuzzytime_cli.repl.scene import Scene, check_sole, waiting
 from fuzzytime_cli.repl.which import entries_meant
 from fuzzytime_cli.session import Entry
 from fuzzytime_cli.told_states import tells_what_is
@@ -76,7 +76,15 @@ def wished_instead(scene: Scene, words: str) -> str | None:
     if told or not asked or asked[0].negated:
         # "Never mind, it works", "cancel the slides, Priya is doing them", "forget the soup, I've made some"
         return None
-    return f":edit {meant[0].number} {with_names(wish, next(iter(old), None), language.lexicon)}"
+    part = part_meant(scene, meant[0].number, about.names)
+    name = next((one.skill.name for _, one in waiting(scene) if one.identifier == part), "")
+    wish = with_names(wish, next(iter(old), None), language.lexicon)
+    if name:
+        wish = in_a_part(scene, meant[0], name, wish)
+    elif about.names and (len(old) > 1 or not about.names <= words_of_entry(scene, meant[0])):
+        # "The soup is off, make a salad", of which more was asked for than the soup
+        return None
+    return f":edit {meant[0].number} {wish}" if wish else None
 
 
 def with_time(
@@ -132,6 +140,13 @@ def with_time(
     if about.bare and times[0].constraint in BOUNDS and times[0].preposition and times[0].anchor is None:
         # "By seven", and then "make it eight", is by eight.
         time = AT.sub(rf"\1{times[0].preposition} ", time, count=1)
+    sure = [part for part in times if part.constraint is not Constraint.VAGUE]
+    if len(times) > 1 and len(sure) == 1 and part is None:
+        # "Today at some point", and then "after lunch"
+        text = entry.text
+        for first, end in sorted((one.span for one in times if one not in sure), reverse=True):
+            text = f"{text[:first].rstrip()}{text[end:]}"
+        return with_time(scene, replace(entry, text=text), about)
     if len(times) > 1 or repeated:
         raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
     text = untied(scene, "".join(placed_at(scene, entry.text, (first, end), time)))
@@ -160,8 +175,8 @@ def _length_lost(scene: Scene, entry: Entry, mine: Sequence[Interpreted], text: 
         return ""
     state = scene.conversation.state.with_changed(entry.number, text=text, given=scene.now)
     anew = scene.conversation.understood(scene.now, state).everything
-    instructions = (one.instruction for one in anew if one.wish.identifier == entry.identifier)
-    lost = all(one is None or one.duration is None for one in instructions)
+    instructions = [one.instruction for one in anew if one.wish.identifier == entry.identifier]
+    lost = bool(instructions) and all(one is None or one.duration is None for one in instructions)
     return f" for {format_duration(known.duration)}" if lost else ""
 
 

@@ -145,8 +145,8 @@ class Judge(Around):
     def _ends_order(self, piece: Piece, time: Offset | TimeWord) -> bool:
         """Whether "after" ends what is said: "call me ten minutes after"; but "after lunch call me"."""
         looks = self.around.before(piece) in self.beside.looking_after and isinstance(time, TimeWord)
-        # "Put the pie in ten minutes before", "turn the telly on five minutes before"; but "the night before"
-        behind_particle = self.around.before(piece) in {"in", "on"} and isinstance(time, Offset)
+        # "Put the pie in ten minutes before", "bring it in after"; but "the night before"
+        behind_particle = self.around.before(piece) in self.lexicon.particles
         apart = behind_particle or not self.around.timely(piece.start - 1)
         # "Mow the front before and the back after"; but "before and after lunch"
         behind = self.texts[piece.end : piece.end + 2]

@@ -101,6 +101,9 @@ def names_each(clause: Clause, anchors: Anchors) -> bool:
 
 def every_one(clause: Clause, anchors: Anchors) -> tuple[int, ...]:
     """Give the positions of all instructions that the name of an event means, as far as they are known."""
+    named_only = content_words(clause.object) - anchors.lexicon.closed.distributives
+    if named_only <= anchors.lexicon.closed.anaphors:
+        return _said_last(anchors)
     here = ((anchors.first + place, operation) for place, operation in enumerate(anchors.own))
     beside = ((place, operation) for place, operation in here if place != anchors.position)
     behind = anchors.first + len(anchors.own)
@@ -111,6 +114,19 @@ def every_one(clause: Clause, anchors: Anchors) -> tuple[int, ...]:
     others = ((place, anchors.mentions.operations[place]) for place in places)
     alike = all_alike(clause, chain(beside, others), anchors.lexicon)
     return tuple([place for place in alike if not _is_in_turns(place, anchors)] or alike)
+
+
+def _said_last(anchors: Anchors) -> tuple[int, ...]:
+    """Give what "each one" means: the instructions said last that share a word, as two interviews do."""
+    found: list[int] = []
+    shared = frozenset[str]()
+    for place, operation in anchors.just_before():
+        words = content_words(operation.name)
+        if found and not shared & words:
+            break
+        shared = shared & words if found else words
+        found.append(place)
+    return tuple(sorted(found)) if len(found) >= BOTH else ()
 
 
 def _is_in_turns(place: int, anchors: Anchors) -> bool:

@@ -76,20 +76,21 @@ def fronts_of(
     tries = [
         attempt
         for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True))
-        for attempt in (*_tries(place, one, tree), *_with_order(place, one, front))
+        for attempt in (*_tries(place, one, tree), *_with_order(place, one, tree, front))
     ]
     clauses = trees([_as_event(attempt) for attempt in tries])
     orders = trees([CARRIER + attempt.order for attempt in tries])
     led: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
         order = carried.without_carrier(CARRIER, attempt.order, 0)
-        asks = is_order(order) or bool(order.nodes and is_wish(order, 0))
+        wished = bool(order.nodes) and is_wish(order, 0)
+        asks = is_order(order) or wished
         # "If it rains | hoover the hall"
         governs = order.root == 0 and any(node.tag in DETERMINERS for node in order.nodes[1:2])
         governs = governs and bool(order.children(0, "dobj", "pobj"))
         beside = order.lexicon.places | order.lexicon.particles.keys()
         asks = asks or (governs and order.nodes[0].lower not in beside)
-        if attempt.one not in led and _is_clause(clause, attempt.kind) and asks:
+        if attempt.one not in led and _is_clause(clause, attempt.kind, wished=wished) and asks:
             led[attempt.one] = attempt.front
     return led
 
@@ -119,18 +120,23 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
         yield _Try(place, tree.lexicon.people, kind, Front(marker.start, start), clause, order)
 
 
-def _with_order(place: int, one: Waiting, front: Tree) -> Iterator[_Try]:
-    """Give the order in what stands before a comma: "after the meeting send the notes, book the room"."""
+def _with_order(place: int, one: Waiting, tree: Tree, front: Tree) -> Iterator[_Try]:
+    """Give the order in what stands before a comma: "after the meeting send the notes, book the room".
+
+    A wish is there if behind the comma stands no more than a time: "after lunch I'll mow it, 40 minutes".
+    """
     words, source = one.source.scanned.words, one.source
     marker = one.leading_marker()
     if marker is None or marker.end >= len(words):
         return
     first, end = words[marker.end].start, one.segment.span[1]
+    only_timed = one.timed(tree).issuperset(range(len(tree.nodes)))
     timed = {p for a, b in (phrase.span for phrase in source.phrases) for p in front.at(a, b)}
     for here, node in enumerate(front.nodes):
         start = node.start + one.segment.span[0]
         # "If the battery is low return to base, otherwise carry on": what is to be done is before the comma.
         sure = one.text.lower().startswith(tuple(front.lexicon.beside.contrary)) and _is_free(front, here)
+        sure = sure or (here > 0 and only_timed and is_wish(front, here))
         if start > first and here not in timed and (sure or _may_begin(front, here)):
             clause = source.sound[first:start].strip(" ,")
             # "If the pan is hot flip it, otherwise heat it": what is behind the comma goes its own way.
@@ -267,7 +273,7 @@ def binds(tree: Tree, place: int) -> bool:
     return helps or denies or subject or (node.tag in BINDING and not apart)
 
 
-def _is_clause(tree: Tree, kind: str) -> bool:
+def _is_clause(tree: Tree, kind: str, *, wished: bool) -> bool:
     """Whether words say all that a clause says: that something is so, or done, or an event."""
     lexicon = tree.lexicon
     if not tree.nodes or binds(tree, len(tree.nodes) - 1):
@@ -277,7 +283,8 @@ def _is_clause(tree: Tree, kind: str) -> bool:
     if tree.children(root, *SUBJECTS, "expl") and node.is_verb:
         # "When the timer goes"
         does = node.lemma not in lexicon.doing.being or node.lemma in lexicon.doing.being_or_doing
-        return does or bool(tree.children(root, *COMPLEMENTS))
+        # "When dad has been | I'll walk the dog"; but "once it has been cut"
+        return does or bool(tree.children(root, *COMPLEMENTS)) or (wished and node.tag == "VBN")
     if node.tag in {"VBG", "VBN", "JJ"}:
         return True
     if kind in EVENTFUL:

@@ -21,15 +21,18 @@ OF_EDGES = {
 """Prepositions that begin a clause before an edge of what goes on, and which kind."""
 
 
-BY = ("by",)
-
 LONGEST_EVENT = 5
 """Words of the name of an event, at most: "the knocking-off time"."""
 
 AS_LONG = ("as", "long", "as")
 
+BY = ("by",)
+
 INSTEAD = ("after  ", "by ")
 """What is said instead, as long as "between" and "and" are."""
+
+BARE = "b4 "
+"""The second of both before what has no article: "by swimming" would be how."""
 
 
 def edge_of(
@@ -79,15 +82,18 @@ def is_length(form: tuple[str, ...], words: Sequence[Word], place: int, lexicon:
 def said_apart(scanned: Scanned) -> str:
     """Give a text of the same length that says on which side of either end something is."""
     text = scanned.text
-    for first, joint in _betweens(scanned):
-        for (start, end), word in zip((first, joint), INSTEAD, strict=True):
+    for first, joint, before in _betweens(scanned):
+        for (start, end), word in zip((first, joint), (INSTEAD[0], before), strict=True):
             text = text[:start] + word + text[end:]
     return text
 
 
-def _betweens(scanned: Scanned) -> Iterator[tuple[tuple[int, int], tuple[int, int]]]:
-    """Give the places of "between" and its "and", where one of them is an event and both have a time."""
-    words = scanned.words
+def _betweens(scanned: Scanned) -> Iterator[tuple[tuple[int, int], tuple[int, int], str]]:
+    """Give the places of "between" and its "and", where one of them is an event and both have a time.
+
+    With them stands what is said instead of the "and".
+    """
+    words, lexicon = scanned.words, scanned.lexicon
     for place, word in enumerate(words):
         if word.text != "between":
             continue
@@ -96,16 +102,29 @@ def _betweens(scanned: Scanned) -> Iterator[tuple[tuple[int, int], tuple[int, in
         if joint is None:
             continue
         ends = range(joint + 2, min(joint + 2 + LONGEST_EVENT, len(words) + 1))
-        event = is_event(words, place + 1, joint, frozenset(), scanned.lexicon)
+        event = is_event(words, place + 1, joint, frozenset(), lexicon)
         # "Between two and four call mum": what a clock time or a day begins is no event.
-        other = any(is_event(words, joint + 1, end, frozenset(), scanned.lexicon) for end in ends)
+        other = any(is_event(words, joint + 1, end, frozenset(), lexicon) for end in ends)
         own = [p for p in scanned.pieces("wall") if _is_own(p)] + scanned.pieces("minutes past")
         other = other and not any(piece.start == joint + 1 for piece in own)
-        walls = {(piece.start, piece.end) for piece in scanned.pieces("wall")} if event or other else set()
-        first = event or (place + 1, joint) in walls or (place + 2, joint) in walls
-        last = other or any(start == joint + 1 for start, _ in walls)
-        if (event or other) and first and last:
-            yield (word.start, word.end), (words[joint].start, words[joint].end)
+        bare = _is_bare(words, joint + 1, lexicon)
+        known = event or other or bare
+        walls = {(piece.start, piece.end) for piece in scanned.pieces("wall")} if known else set()
+        timed = (place + 1, joint) in walls, any(start == joint + 1 for start, _ in walls)
+        if not (all(timed) or (place and words[place - 1].text in lexicon.measure_verbs)):
+            # "Between soundcheck and doors"; but "choose between football and swimming"
+            event = event or (joint == place + 2 and _is_bare(words, place + 1, lexicon))
+        first = event or timed[0] or (place + 2, joint) in walls
+        if (event or other) and first and (other or timed[1] or bare):
+            spans = (word.start, word.end), (words[joint].start, words[joint].end)
+            yield *spans, INSTEAD[1] if other or timed[1] else BARE
+
+
+def _is_bare(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether what has a time stands there in one word: "yoga", "doors"."""
+    apart = place + 1 >= len(words) or not words[place + 1].is_letters or words[place + 1].glued
+    apart = apart or words[place + 1].text in lexicon.function_words
+    return apart and words[place].text in (lexicon.happening | lexicon.taken) - lexicon.travelling
 
 
 def _is_own(piece: Piece) -> bool:

@@ -176,6 +176,9 @@ def _is_wanted_too(tree: Tree, place: int, root: int) -> bool:
         return any(tree.nodes[p].head == over and p < place for p in meant - {root})
     while tree.nodes[over].relation in {"conj", "dep"} and over not in meant:
         over = tree.nodes[over].head
+    if tree.nodes[over].relation == "advcl" and tree.nodes[over].tag in FINITE:
+        # "I need to feed her before I go out and let her in at six"
+        over = tree.nodes[over].head
     return over in meant - {root} and gone_to_do(tree, over) != place
 
 

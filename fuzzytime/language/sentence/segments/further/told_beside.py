@@ -90,7 +90,8 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
         if here in timed or not (joined or (may_begin and _is_parted(tree, here, timed))):
             continue
         before = {*source.places(one.main, start)} - source.covered
-        if any(longest_match(source.scanned.words, word, lexicon.clauses) for word in before):
+        led = any(longest_match(source.scanned.words, word, lexicon.clauses) for word in before)
+        if led and not (joint == "," and _names_again(tree, here)):
             # "Serve once the rice is done and the beans are done"
             return
         first = sound[one.main : one.end_before(start)].strip()
@@ -102,6 +103,12 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
             yield _Try(place, start, one.main, second, first)
         if joint == "so" and is_wish(tree, here):
             yield _Try(place, start, one.main, second, first, wishes=True)
+
+
+def _names_again(tree: Tree, place: int) -> bool:
+    """Whether what was named before begins there: "do it before the gig, | the gig is at six"."""
+    named = tree.nodes[place + (tree.nodes[place].tag in DETERMINERS)]
+    return named.tag in NOUNS and any(named.lower == node.lower for node in tree.nodes[:place])
 
 
 def _is_parted(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:

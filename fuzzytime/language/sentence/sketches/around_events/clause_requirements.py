@@ -43,6 +43,9 @@ def of_clause(
         # "Boil the pasta. Drain it when it is done": when it is boiled.
         named = _named(said, _meant_by_pronoun(clause, anchors, sketch), anchors.lexicon)
         target = anchors.target_of(replace(clause, condition=named))
+    each = every_one(clause, anchors) if names_each(clause, anchors) else ()
+    # "After each one", of what was said last
+    target = next(iter(each), None) if target is None else target
     target = meal_of(clause, anchors) if target is None else target
     target = _begun(clause, anchors, sketch) if target is None else target
     if target is None and (target := left_inside(clause, anchors)) is not None:
@@ -64,10 +67,8 @@ def of_clause(
     requirement = anchors.of_clause(counted, text, what, target)
     if clause.reference is Reference.FINISH and target is not None:
         requirement = _ending(requirement, clause, anchors)
-    if target is not None and requirement.anchor is not None and names_each(clause, anchors):
-        requirement = replace(
-            requirement, anchor=replace(requirement.anchor, each=every_one(clause, anchors))
-        )
+    if target is not None and requirement.anchor is not None and each:
+        requirement = replace(requirement, anchor=replace(requirement.anchor, each=each))
     if target is None and requirement.anchor is not None:
         requirement = replace(requirement, anchor=replace(requirement.anchor, comparisons=numbers))
     return referred(requirement, sketch.reference), remarks

@@ -19,6 +19,8 @@ OR_ELAPSED = "elapsed.or_elapsed"
 LONGEST_STATE = 2
 """Words of what something becomes at most: "until golden brown"."""
 
+BEFORE = "before"
+
 ASKED = 4
 """Words from "ask" on, before "if", at most: who is asked is one of them."""
 
@@ -48,6 +50,9 @@ class ClauseEnds:
             return False
         if any(phrase.first == place and phrase.rule == OR_ELAPSED for phrase in self.phrases):
             # "Until it browns or ten minutes have passed"
+            return True
+        if place == first + 1 and text == BEFORE and place not in self.covered:
+            # "After soundcheck before doors", as "between" and "and" are read
             return True
         if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text in ENDS

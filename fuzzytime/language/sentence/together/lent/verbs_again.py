@@ -20,6 +20,9 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
     part = sketch.part
     spans = list(map(part.span, part.tree.nodes))
     said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
+    while said and text[slice(*said[-1])] == ",":
+        # "… and with Dominic at eleven, 45 minutes each"
+        said.pop()
     rest = text[said[0][0] : said[-1][1]] if said else ""
     shortly = _said_shortly(before, rest, lexicon) if sketch.heard else None
     if shortly is not None:
@@ -37,8 +40,11 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
     counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
     if (then or part.segment.verbless) and counted is not None:
         return counted
-    if then and sketch.phrases and (not rest or any(_goes_on(phrase.said) for phrase in sketch.phrases)):
-        # "Feed the cat at nine, then at five", "then for five minutes on high"
+    goes_on = any(_goes_on(phrase.said) for phrase in sketch.phrases)
+    opener = rest.partition(" ")[0]
+    thing = opener.lower() in closed.noun_openers or f" {opener} " in (before.object or "")
+    if then and sketch.phrases and (not rest or (goes_on and not thing)):
+        # "Feed the cat at nine, then at five", "then for five minutes on high"; but "then the dog for ten"
         return replace(before, place=rest or before.place)
     if rest and part.segment.verbless:
         placed = _placed_again(before, rest, lexicon)
@@ -55,7 +61,10 @@ def _with_another_thing(
 ) -> Operation | None:
     """Give the operation before with another thing, which begins so: "dust the hall, then the stairs"."""
     then, verbless = sketch.part.segment.connective == "then", sketch.part.segment.verbless
+    # "Interview with Priya at ten, then with Dominic at eleven"
+    head, joint, _ = old.partition(f" {first} ")
     thing = first.lower() in sketch.lexicon.closed.noun_openers or _is_next_numbered(before, sketch)
+    thing = thing or bool(joint)
     # "Call Ann at ten, then Bob"
     called = then and first[:1].isupper() and old[:1].isupper()
     if not ((thing or verbless) if sketch.phrases else ((thing or called) and then)):
@@ -63,6 +72,8 @@ def _with_another_thing(
     if not takes_verb(before.lemma, old, rest, sketch.lexicon):
         # "Ring Bob, then a nap"
         return None
+    if joint:
+        rest = f"{head} {rest}"
     # "Hand me the wrench, then the pliers"
     whom, more, _ = old.partition(" ")
     given = [whom] if more and whom.lower() in sketch.lexicon.closed.indirect_objects else []
