@@ -45,12 +45,13 @@ def is_named_itself(scene: Scene, names: frozenset[str]) -> bool:
     if entry is None or label_meant(scene, names):
         return entry is not None
     operations = [one.operation for one in scene.plan.everything if one.wish.identifier == entry.identifier]
+    timed = not names.isdisjoint(scene.lexicon.happening | scene.lexicon.events | scene.lexicon.taken)
     return any(
         operation is not None
         and names <= words_of_entry(scene, entry)
         and not names.isdisjoint(
             content_words(operation.object)
-            if operation.stated or operation.lemma in scene.lexicon.doing.spending
+            if operation.stated or (timed and operation.lemma in scene.lexicon.doing.spending)
             else content_words(operation.verb) | _words_of_verb(scene, operation.lemma)
         )
         for operation in operations
