@@ -39,6 +39,7 @@ def planned(talk: Talk) -> dict[str, tuple[str, float]]:
         ("the lamb can't go in before half past four", "s3", ("16:30", 120.0)),
         ("Olga won't be in till three", "s4", ("15:00", 10.0)),
         ("the call has slipped to quarter to twelve", "s1", ("11:45", 30.0)),
+        ("the leak needs to be pushed to half past two", "s2", ("14:30", 60.0)),
         ("the call slipped by half an hour", "s1", ("11:30", 30.0)),
         ("Ann wants to talk at noon instead", "s1", ("12:00", 30.0)),
         ("Ann asked whether we could make it noon", "s1", ("12:00", 30.0)),
