@@ -13,6 +13,9 @@ NAMING = ("N", "D", "PRP", "J", "CD", "R", "IN")
 STATES = frozenset({"JJ", "RB"})
 """Tags of how something is."""
 
+MUST, MUST_BE, HAVE = "must", "must be", "have"
+"""What stands before what somebody has to do, or what is to be done; and before what was."""
+
 NO = "no"
 """What stands before a thing that is not there."""
 
@@ -69,16 +72,16 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
     if passed or (operation.lemma == "have" and any(one.text.lower() == NO for one in reading.tokens)):
         # "The film got cancelled", "Theo has no homework today"
         return True
+    owed = any(token.text.lower() in lexicon.closed.verbs_of_obligation for token in reading.tokens)
     if operation.due is not None:
-        # "Mum called"
-        calls = operation.lemma in lexicon.addressing and not reading.instructions[0].requirements
+        # "Mum called"; but "Gareth needs to be called"
+        calls = operation.lemma in lexicon.addressing and not (owed or reading.instructions[0].requirements)
         return calls or (operation.object or "").endswith(("'s", "\u2019s"))
     first = reading.tokens[0].text.lower() if reading.tokens else ""
     if operation.negated or reading.instructions[0].requirements:
         return False
     verb = operation.verb.lower()
     past = verb != operation.lemma or any(verb in forms for forms in lexicon.past.values())
-    owed = any(token.text.lower() in lexicon.closed.verbs_of_obligation for token in reading.tokens)
     closed = lexicon.closed
     if first in closed.first_person | closed.second_person:
         # "I've got some"; but "I've fed the cat" tells what was done
@@ -86,6 +89,30 @@ def tells_what_is(reading: Reading, lexicon: Lexicon) -> bool:
         return past and spoken and reported(reading, lexicon) is None
     # No order begins with "she", "they" or "that".
     return first in closed.third_person | closed.singular_anaphors and not owed
+
+
+def told_of_whom(reading: Reading, lexicon: Lexicon) -> str:
+    """Give whom words tell something of that is no order, though it reads like one; else empty.
+
+    Of "serving has slipped to six" it is serving, and of "Ann can't help before two" Ann.
+    """
+    operation = reading.instructions[0].operation if len(reading.instructions) == 1 else None
+    if operation is None or reading.text.rstrip().endswith("?"):
+        return ""
+    tokens = reading.tokens
+    place = next((n for n, token in enumerate(tokens) if token.relation == "root"), 0)
+    own = [token for token in tokens[:place] if token.head == place]
+    subject = next((token for token in own if token.relation == "nsubj"), None)
+    if subject is None or subject.text.lower() in lexicon.closed.first_person | lexicon.closed.second_person:
+        return ""
+    obliges = any(token.lemma in lexicon.closed.verbs_of_obligation for token in own if token.lemma != HAVE)
+    happened = operation.due == MUST_BE and tokens[place].tag in {"VBN", "VBD"} and not obliges
+    denied = any(token.text.lower() in lexicon.closed.negators for token in own)
+    able = denied and operation.due == MUST and not operation.negated and not obliges
+    # "Mum says it can't be before one"; but "Mum says dinner at six"
+    not_so = any(token.text.lower() in lexicon.closed.negators for token in tokens[place:])
+    says = operation.stated and operation.lemma in lexicon.doing.learning and not_so
+    return (operation.object or subject.text) if happened or able or says else ""
 
 
 def _is_remark(reading: Reading, operation: Operation, lexicon: Lexicon) -> bool:
@@ -158,4 +185,6 @@ def _is_short_for_is(reading: Reading) -> bool:
         return False
     following = tokens[place + 1]
     closes = tokens[place + 2 :] == () and following.tag == "JJ"
-    return closes or following.tag in {"IN", "RP"}
+    # "Gareth's got a cold"; but "buy Mum's baked beans"
+    has = following.tag in {"VBD", "VBN"} and not any(one.tag.startswith("V") for one in tokens[:place])
+    return closes or has or following.tag in {"IN", "RP"}

@@ -20,6 +20,8 @@ NOW = datetime(2026, 3, 4, 15)  # noqa: DTZ001 - the tests' moment is of no zone
         ("sorry, in ten minutes", "in ten minutes"),
         ("move it to 7", "at 7"),
         ("postpone the call until six", "at six"),
+        ("move the call to ten to six", "at ten to six"),
+        ("he says he can come at four", "at four"),
         ("push the meeting back to four", "at four"),
     ],
 )
@@ -67,6 +69,8 @@ def test_a_number_alone_counts_what_was_counted(wish: str, line: str, anew: str)
     [
         "wait ten minutes",
         "make the bed at six",
+        "put the soup on",
+        "ask Bob if he can come before six",
         "put the soup on at 4",
         "set the table at six",
         "move the crate to station 4",

@@ -39,18 +39,19 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
 def is_named_itself(scene: Scene, names: frozenset[str]) -> bool:
     """Whether words name what is to be done, or its label, and no thing that something is done with.
 
-    "Lunch" is itself what is planned in "lunch with Ann at one", and no more than a thing in "buy lunch".
+    "Lunch" is itself what is planned in "have lunch with Ann", and no more than a thing in "buy lunch".
     """
     entry = entry_of(scene, names)
     if entry is None or label_meant(scene, names):
         return entry is not None
     operations = [one.operation for one in scene.plan.everything if one.wish.identifier == entry.identifier]
+    timed = not names.isdisjoint(scene.lexicon.happening | scene.lexicon.events | scene.lexicon.taken)
     return any(
         operation is not None
         and names <= words_of_entry(scene, entry)
         and not names.isdisjoint(
             content_words(operation.object)
-            if operation.stated
+            if operation.stated or (timed and operation.lemma in scene.lexicon.doing.spending)
             else content_words(operation.verb) | _words_of_verb(scene, operation.lemma)
         )
         for operation in operations

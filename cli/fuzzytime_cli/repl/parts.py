@@ -10,6 +10,7 @@ from fuzzytime.language import Instruction, Said, content_words, find_times, mer
 from fuzzytime.language.instruction import Span
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import format_duration, instant_after
+from fuzzytime_cli.repl.bounds import bound_in
 from fuzzytime_cli.repl.scene import FIRST, Scene, begun_parts, waiting
 from fuzzytime_cli.repl.typed import number_of
 from fuzzytime_cli.session import Entry
@@ -28,7 +29,8 @@ def with_time_of_part(scene: Scene, entry: Entry, time: str, part: str) -> str:
     """
     one = _one_of(scene, part)
     length = time.lower().startswith("for ")
-    first, end = _time_of(one, length=length)
+    bound = bound_in(scene, time) is not None
+    first, end = _time_of(one, length=length, bound=bound)
     if first < end and not length:
         # "Move the lawn to sunday", which was to be mown at ten, leaves it at ten.
         lexicon = scene.lexicon
@@ -41,6 +43,10 @@ def with_time_of_part(scene: Scene, entry: Entry, time: str, part: str) -> str:
     # "On friday" would be of the next one, too.
     then = _on_its_day(scene, entry, others, len(entry.text) - len(behind))
     texts = [untied(scene, front + behind), untied(scene, front + then)]
+    if any((part.t_spec or 0.0) > 0.0 for part in find_times(time, scene.now, scene.lexicon).requirements):
+        # What comes behind another may at a time of its own.
+        end = one.instruction.span[1] if one.instruction is not None else 0
+        texts.append(f"{entry.text[:end].rstrip()} {time}{entry.text[end:]}")
     if not length:
         texts.append(_apart(scene, entry, one, time))
     return _checked(scene, entry, {one.skill.name}, *texts)
@@ -129,7 +135,11 @@ def untied(scene: Scene, text: str) -> str:
     What was moved behind them would else take them along.
     """
     for one in reversed(_asked_in(scene, text, scene.now)):
-        timed = any(part.t_spec is not None and part.anchor is None for part in one.requirements)
+        # What is only not before a time goes on behind the others.
+        timed = any(
+            part.t_spec is not None and part.anchor is None and part.constraint is not Constraint.AFTER
+            for part in one.requirements
+        )
         for part in one.requirements if timed else ():
             if part.anchor is not None and tuple(part.text.lower().split()) in scene.lexicon.connectives:
                 first, end = part.span
@@ -241,12 +251,15 @@ def _one_of(scene: Scene, part: str) -> Interpreted:
     return one
 
 
-def _time_of(one: Interpreted, *, length: bool) -> tuple[int, int]:
-    """Give where the time of a thing, or how long it takes, stands; where it has none, where one would."""
+def _time_of(one: Interpreted, *, length: bool, bound: bool = False) -> tuple[int, int]:
+    """Give where the time of a thing, or how long it takes, stands; where it has none, where one would.
+
+    A ``bound`` leaves what comes behind another there: "then knots", which are not before seven.
+    """
     if one.instruction is None:
         return 0, 0
     told = [part for part in one.instruction.requirements if (part.constraint is Constraint.FOR) is length]
-    own = [part for part in told if part.anchor is None] or told
+    own = [part for part in told if part.anchor is None] or ([] if bound else told)
     return own[-1].span if own else (one.instruction.span[1],) * 2
 
 

@@ -243,8 +243,8 @@ class Said:
         if len(found) > 1 and _lacks_preposition(found[0][1]):
             found = found[1:]
         # "Make it four to six"
-        stretch = FROM + bare if self._as_one_time(FROM + bare) and not found else ""
-        return found[0][0] if found else stretch
+        ends = any(part.constraint is not Constraint.AFTER for part in self._as_one_time(FROM + bare))
+        return found[0][0] if found else FROM + bare if ends else ""
 
     def is_bare(self, time: str) -> bool:
         """Whether it has no preposition of its own where it is a new time: "seven", "to half past"."""

@@ -7,6 +7,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import AT_FIRST, AT_ONCE, About, AboutKind, content_words
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
+from fuzzytime_cli.repl.bounds import check_bound
 from fuzzytime_cli.repl.conversation import exactly
 from fuzzytime_cli.repl.naming import (
     called,
@@ -95,6 +96,7 @@ def _changing(scene: Scene, about: About) -> str | None:
             return f":edit {numbers} {days_on(scene, meant[0], about.days)}"
         case _ if len(meant) == 1:
             part = part_meant(scene, meant[0].number, about.names)
+            check_bound(scene, meant[0], about.time, part)
             return f":edit {numbers} {with_time(scene, meant[0], about, part=part)}"
     raise FuzzytimeError(ONE_AT_A_TIME)
 

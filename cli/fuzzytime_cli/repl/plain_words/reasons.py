@@ -20,7 +20,7 @@ from fuzzytime_cli.repl.plain_words.leaving_out import Taken
 from fuzzytime_cli.repl.plain_words.telling import is_news
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.repl.which import entries_meant
-from fuzzytime_cli.told_states import tells_what_is
+from fuzzytime_cli.told_states import tells_what_is, told_of_whom
 
 CHANGING = frozenset(
     {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE, AboutKind.EXCEPT}
@@ -86,7 +86,8 @@ def _asks(scene: Scene, reading: Reading) -> bool:
     """Whether words ask for something, or say a time."""
     asked = any(one.operation is not None and one.operation.is_asked for one in reading.instructions)
     lexicon = scene.lexicon
-    asked = asked and not tells_what_is(reading, lexicon) and reported(reading, lexicon) is None
+    told = tells_what_is(reading, lexicon) or bool(told_of_whom(reading, lexicon))
+    asked = asked and not told and reported(reading, lexicon) is None
     # "They rang to say monday" says when nothing is to be done.
     told = tells_of_somebody(reading.tokens)
     return asked or (not told and any(one.requirements for one in reading.instructions))

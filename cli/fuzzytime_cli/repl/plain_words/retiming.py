@@ -20,6 +20,7 @@ from fuzzytime.language import (
 )
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration
+from fuzzytime_cli.repl.bounds import bound_in
 from fuzzytime_cli.repl.naming import called, part_meant, starts_of_entry, words_of_entry
 from fuzzytime_cli.repl.parts import in_a_part, placed_at, untied, with_time_of_part
 from fuzzytime_cli.repl.scene import Scene, check_sole, waiting
@@ -128,6 +129,9 @@ def with_time(
     times = [part for part in parts if (part.constraint is Constraint.FOR) is length]
     # "If it rains, close the window at six": the condition stays.
     times = [part for part in times if part.constraint is not Constraint.WHEN] or times
+    if bound_in(scene, about.time) is not None:
+        # What is to be done by four, and not before two
+        times = [part for part in times if part.constraint is not Constraint.BEFORE]
     if not times:
         # How long it is to be watered says nothing of for how long it is dry, in "water it if it's dry".
         clauses = [p.span[0] for p in parts if p.condition is not None or p.anchor is not None]

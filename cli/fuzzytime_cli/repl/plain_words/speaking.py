@@ -52,7 +52,7 @@ from fuzzytime_cli.repl.plain_words.telling import (
 from fuzzytime_cli.repl.questions import answering, gaps
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.repl.which import which_one
-from fuzzytime_cli.told_states import tells_what_is
+from fuzzytime_cli.told_states import tells_what_is, told_of_whom
 
 OF_ITSELF = frozenset({AboutKind.DROP, AboutKind.MOVE, AboutKind.EXCEPT})
 """What is told of a thing, and is of no wish that only has to do with it: "lunch is off", of buying lunch."""
@@ -114,7 +114,7 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
         )
     if about.kind in ANSWERS:
         return ANSWERS[about.kind](scene, about)
-    return _taken(scene, about) or _told(scene, words)
+    return _taken(scene, about) or behind_a_fact(scene, words, _reply_about) or _told(scene, words)
 
 
 def _told(scene: Scene, words: str) -> Reply | None:
@@ -200,6 +200,15 @@ def _check_told(scene: Scene, words: str, reading: Reading) -> None:
         If it does.
     """
     operations = [one.operation for one in reading.instructions]
+    if (who := told_of_whom(reading, scene.lexicon)) and not is_news(scene, words):
+        if any(entry_of(scene, frozenset({word})) for word in content_words(who)):
+            raise FuzzytimeError(
+                f"{words!r} says something of {who} that is not understood, and nothing is changed: "
+                "say: move it to six, push it back by ten minutes, drop it"
+            )
+        raise FuzzytimeError(
+            f"{words!r} tells something that nothing planned is about, and says nothing to do"
+        )
     told = all(one is not None and one.stated and one.lemma == BE for one in operations)
     if not told or len(operations) != 1 or is_news(scene, words):
         return

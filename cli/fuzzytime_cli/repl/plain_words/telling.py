@@ -7,9 +7,11 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import (
+    AT_ONCE,
     About,
     AboutKind,
     Reading,
+    about_wishes,
     behind_what_is_told,
     content_words,
     news_in,
@@ -22,6 +24,8 @@ from fuzzytime_cli.repl.commands.changing import ctx
 from fuzzytime_cli.repl.conversation import context_of
 from fuzzytime_cli.repl.plain_words.leaving_out import Taken
 from fuzzytime_cli.repl.plain_words.retiming import IDLE
+from fuzzytime_cli.repl.plain_words.said_again import same_anew
+from fuzzytime_cli.repl.plain_words.taking import run
 from fuzzytime_cli.repl.scene import Reply, Scene, refused, waiting
 from fuzzytime_cli.told_states import as_news, is_waited_for, tells_a_state, tells_what_is, told_of
 
@@ -93,7 +97,7 @@ def behind_a_fact(scene: Scene, words: str, answered: Callable[[Scene, str], Rep
     """Take what is asked for behind what tells how something is: "Tom's out, call Bob at two"; else None."""
     told, mark, rest = words.partition(",")
     reading = scene.language.read(told, now=scene.now) if mark and rest.strip() else None
-    done = reading is not None and reported(reading, scene.lexicon) is not None
+    done = reading is not None and _tells_done(told, reading, scene)
     if reading is None or not (done or tells_what_is(reading, scene.lexicon)) or is_news(scene, told):
         return None
     asked = scene.language.read(rest, now=scene.now).instructions
@@ -104,11 +108,21 @@ def behind_a_fact(scene: Scene, words: str, answered: Callable[[Scene, str], Rep
         state = answered(scene, told) if done else told_state(scene, told, reading)
     except FuzzytimeError as error:
         state = refused(str(error))
-    reply = answered(scene, rest.strip())
+    untimed = not any(one.requirements for one in asked)
+    again = same_anew(scene, f"{rest.strip()} {AT_ONCE}") if done and untimed else None
+    # "The onions are done, put the soup on", which was to be put on later
+    reply = answered(scene, rest.strip()) if again is None else run(scene, About(kind=AboutKind.MOVE), again)
     lines = (Text(plain(f"{told!r} changes nothing")),) if state is None else state.lines
     if reply is None:
         return Reply(lines, anew=rest.strip())
     return replace(reply, lines=(*lines, *reply.lines))
+
+
+def _tells_done(told: str, reading: Reading, scene: Scene) -> bool:
+    """Whether it is told that something was done, or is: "I've fed the cat", "the onions are done"."""
+    about = about_wishes(told, scene.now, scene.lexicon)
+    done = about is not None and about.kind is AboutKind.DONE and bool(about.names)
+    return done or reported(reading, scene.lexicon) is not None
 
 
 def told_anew(scene: Scene, about: About, words: str, taken: Taken) -> Reply | None:

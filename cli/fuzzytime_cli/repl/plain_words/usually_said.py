@@ -13,17 +13,17 @@ from fuzzytime.language import (
 )
 from fuzzytime_cli.repl.naming import entry_of, may_be_told_of, words_of_entry
 from fuzzytime_cli.repl.plain_words.telling import is_news
-from fuzzytime_cli.repl.plain_words.ways import in_usual_words
+from fuzzytime_cli.repl.plain_words.ways import in_usual_words, of_whom
 from fuzzytime_cli.repl.scene import Scene
 from fuzzytime_cli.repl.which import with_label, with_labels_of_places
 
 JOINTS = re.compile(r"(,\s+|;\s+|\s+[-\u2013\u2014]+\s+|\s+(?:because|since)\s+)", re.IGNORECASE)
 """What stands between what is asked for and what is told beside it."""
 
-PRONOUN = re.compile(r"\w+")
-"""Who a clause is of, without what is short for "is", or "will"."""
+OWNER = re.compile(r"['\u2019]s$")
+"""What tells whose something is."""
 
-COMMA = ", "
+COMMA, TO = ", ", "to"
 
 LONGEST = 40
 """Words of a line that is about what was asked for, at most."""
@@ -61,10 +61,20 @@ def _of_who_rang(scene: Scene, told: str, clause: str) -> str:
         return clause
     if behind.opens_with("absent"):
         return f"{who.text} {behind.text}"
-    pronoun = PRONOUN.match(behind.text) if behind.opens_with("they") else None
-    return (
-        clause if pronoun is None else f"{who.text}{behind.text[pronoun.end() :]}".replace("'ll ", " will ")
-    )
+    return of_whom(who, behind).text
+
+
+def _of_whose(scene: Scene, clause: str) -> str:
+    """Give a clause with what it tells of those that belong to something told of that: "Rolo's owner"."""
+    said = Said.of(clause, scene.now, scene.lexicon)
+    for place in (n for n, form in enumerate(said.forms[1:-1], 1) if (form,) in said.table("belonging")):
+        whole, who = (
+            said.until(place + 1),
+            Said(OWNER.sub("", said.until(place).text), said.now, said.lexicon),
+        )
+        if entry_of(scene, whole.names) is None and who.words and _is_known(scene, who, told=True):
+            return f"{who.text} {said.behind(place + 1).text}"
+    return clause
 
 
 def _with_labels(scene: Scene, words: str) -> str:
@@ -82,6 +92,7 @@ def _usual(scene: Scene, clause: str) -> str | None:
     """Give a clause as it is usually said; None where it says nothing about wishes, or does so already."""
     if not clause.strip() or is_news(scene, clause):
         return None
+    clause = _of_whose(scene, clause)
     about = about_wishes(clause, scene.now, scene.lexicon)
     # "Leave it" is said of what was changed.
     sure = about is not None and about.certain
@@ -93,6 +104,10 @@ def _usual(scene: Scene, clause: str) -> str | None:
     if usual is not None and about_wishes(usual, scene.now, scene.lexicon) is not None:
         return usual
     whole = Said.of(clause, scene.now, scene.lexicon)
+    closed, then = scene.lexicon.closed, whole.after("following")
+    if then is not None and not (closed.told_auxiliaries | closed.third_person_be).isdisjoint(then.forms[1:]):
+        # "Then the choir can start at seven"
+        return _usual(scene, then.text)
     plain = bare(whole)
     if plain.text == whole.text or about is not None:
         return None
@@ -107,6 +122,10 @@ def _is_known(scene: Scene, thing: Said, told: bool) -> bool:  # noqa: FBT001 - 
         return True
     if thing.is_in("last"):
         return bool(scene.conversation.state.entries) and not told
+    if thing.forms[0] == TO:
+        # "To prove", of what is left to
+        verb = thing.behind(1)
+        return len(verb.words) == 1 and bool(verb.names) and entry_of(scene, verb.names) is not None
     names, openers = thing.names, scene.lexicon.closed.noun_openers
     # "The call", "Ann's call", "that call"
     opened = thing.forms[0] in openers or thing.forms[:1] in thing.table("last")
@@ -115,8 +134,10 @@ def _is_known(scene: Scene, thing: Said, told: bool) -> bool:  # noqa: FBT001 - 
     entry = entry_of(scene, names) if names and thing.is_one and not thing.has_time else None
     if entry is None or not names <= words_of_entry(scene, entry):
         return False
-    if thing.forms[0] in _verbs_of(scene, names) and not is_participle(thing.forms[0]):
-        # "Feed the dog" may be done twice, but "feeding the dog" is what was asked for.
+    timed = scene.lexicon.happening | scene.lexicon.taken
+    noun = is_participle(thing.forms[0]) or (len(thing.words) == 1 and names <= timed)
+    if thing.forms[0] in _verbs_of(scene, names) and not noun:
+        # "Feed the dog" may be done twice, but "feeding the dog", and a call, is what was asked for.
         return False
     return not told or may_be_told_of(scene, names)
 

@@ -1,5 +1,6 @@
 """What is said of wishes in usual words: "allow an hour for the call" is "make the call an hour"."""
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from datetime import datetime
 
@@ -12,9 +13,10 @@ SLOT = "<"
 
 TIMES = frozenset({"<time>", "<old>"})
 LENGTH, MORE = "<length>", "<more>"
-DOING, THING = "<doing>", "<thing>"
+DOING, PURPOSE, THING = "<doing>", "<purpose>", "<thing>"
 ANY = "<any>"
-OPEN = frozenset({ANY, "<somebody>"})
+SOMEBODY = "<somebody>"
+OPEN = frozenset({ANY, SOMEBODY})
 """Where a time is left open, a length of time, what one is at, and anything; else what was asked for."""
 
 OF_ITSELF = ("cancel", "move")
@@ -23,12 +25,15 @@ OF_ITSELF = ("cancel", "move")
 SHIFTING = ("push", "bring")
 """How what is only later or earlier is said."""
 
+PRONOUN = re.compile(r"\w+")
+"""Who a clause is of, without what is short for "is", or "will"."""
+
 LONGEST = 24
 """Words of a line that is read so."""
 
 
 AT, FOR = "at ", "for "
-THE = "the"
+THE, TO = "the", "to "
 
 Slots = Mapping[str, Said]
 Way = Sequence[frozenset[str]]
@@ -60,10 +65,21 @@ def in_usual_words(
                 continue
             if usual != ANY:
                 return _with_slots(usual, slots)
-            # "Ann says the call can wait till six"
-            if (behind := in_usual_words(slots[ANY].text, now, lexicon, is_known)) is not None:
+            # "Ann says the call can wait till six", "Ann says she can't come before six"
+            who, told = slots.get(SOMEBODY), slots[ANY]
+            told = told if who is None or not is_known(who, who.is_one) else of_whom(who, told)
+            if (behind := in_usual_words(told.text, now, lexicon, is_known)) is not None:
                 return behind
     return None
+
+
+def of_whom(who: Said, told: Said) -> Said:
+    """Give what is told of "he", or "they", as what is told of who that is."""
+    pronoun = PRONOUN.match(told.text) if told.words and told.opens_with("they") else None
+    if pronoun is None:
+        return told
+    text = f"{who.text}{told.text[pronoun.end() :]}".replace("'ll ", " will ")
+    return Said(text, told.now, told.lexicon)
 
 
 def _fitting(said: Said) -> Iterator[tuple[str, Way, Slots]]:
@@ -136,6 +152,7 @@ def _counted(said: Said) -> Said:
 def _with_slots(usual: str, slots: Slots) -> str:
     for name, said in slots.items():
         text = _time(said).removeprefix(AT) if name in TIMES else said.text
+        text = text.removeprefix(TO) if name == PURPOSE else text
         text = said.label if name == THING and said.label else text
         if name == THING and len(said.words) > 1 and said.forms[:1] in said.table("last"):
             # "That call"

@@ -1,5 +1,6 @@
 """Wishes that get another time: "push everything back by ten minutes", "move the call to six"."""
 
+import re
 from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
@@ -79,7 +80,10 @@ def moved(said: Said) -> About | None:
         if delaying is not None:
             return _moved_at(said, behind)
         return _moved_somewhen(said)
-    place = f" {behind.lower()}".rfind(f" {joint}")
+    places = [found.start() for found in re.finditer(f" {joint}", f" {behind.lower()}")]
+    # "To quarter to six" is one time.
+    times = (place for place in places if Said(behind[place:].strip(), said.now, said.lexicon).as_time())
+    place = next(times, places[-1])
     thing = Said(behind[:place].rstrip(), said.now, said.lexicon)
     # "Move s2 up to nine"
     thing = thing.without_end(said.table("later") | said.table("earlier"))
@@ -108,7 +112,12 @@ def _able(said: Said) -> About | None:
         rest = told or said.behind(place).after("able at")
         time = rest.as_time() if rest is not None and rest.words else ""
         # "Well she can make it at one"
-        last = who.behind(len(who.words) - 1).is_in("they") or who.is_in("speaker")
+        front, they = who.until(len(who.words) - 1), who.behind(len(who.words) - 1).is_in("they")
+        # "Well she can make it at one"; but "ask Bob if he can come at one"
+        last = who.without_exclamations().is_in("they") or (they and front.ends_with("saying") > 0)
+        last = last or who.is_in("speaker")
+        if they and not last:
+            continue
         if rest is not None and time and (last or who.names):
             names, sure = frozenset() if last else who.names, last or told is None
             return About(kind=AboutKind.MOVE, names=names, time=time, bare=rest.is_bare(time), certain=sure)
@@ -119,6 +128,8 @@ def _moved_somewhen(said: Said) -> About | None:
     """Read what is to be moved, where when to is not said: "move the gym"."""
     thing = said.behind(1)
     known = said.forms[0] in said.lexicon.moving and thing.is_one and thing.names and not thing.has_time
+    # "Put the soup on"
+    known = known and thing.forms[-1] not in said.lexicon.particles
     return replace(about_thing(AboutKind.UNABLE, thing), told=True) if known else None
 
 

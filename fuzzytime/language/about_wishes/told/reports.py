@@ -153,18 +153,7 @@ def _protest(said: Said) -> About | None:
         if rest is not None and who.names and rest.words and rest.as_time():
             # "Jo can't do two"
             return About(kind=AboutKind.UNABLE, names=who.names)
-    return _able_then(said)
-
-
-def _able_then(said: Said) -> About | None:
-    """Read when somebody can who could not before: "Jo can't do two, she'll come at three"."""
-    joint = said.forms.index(",") if said.forms.count(",") == 1 else 0
-    front, behind = said.until(joint), said.behind(joint + 1)
-    unable = _protest(front) if joint and behind.opens_with("they") else None
-    if unable is None or unable.kind is not AboutKind.UNABLE or not unable.names:
-        return None
-    _, time = behind.parted()
-    return replace(unable, kind=AboutKind.MOVE, time=time, certain=True) if time else None
+    return None
 
 
 def _finished(said: Said) -> About | None:

@@ -9,6 +9,7 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.tags import PAST
 
 SUBJECTS = frozenset({"nsubj", "nsubjpass", "nsubj:pass", "csubj", "expl"})
+TO = "TO"
 PARTICLES = frozenset({"RB", "RP", "IN"})
 BEING = frozenset({"be", "have"})
 """What helps a verb to say how something is."""
@@ -36,6 +37,9 @@ def _told_of(reading: Reading, lexicon: Lexicon) -> tuple[Operation, bool] | Non
         return None
     place = next((n for n, token in enumerate(reading.tokens) if token.span == operation.span), None)
     if place is None or reading.tokens[place].tag not in PAST:
+        return None
+    if any(token.tag == TO and token.head == place for token in reading.tokens):
+        # "Gareth needs to be called"
         return None
     verb = operation.verb.lower()
     has_done = any(token.head == place and token.lemma == "have" for token in reading.tokens[:place])
