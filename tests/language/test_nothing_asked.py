@@ -272,3 +272,9 @@ def test_how_things_are_is_told_and_not_to_be_done(text: str, why: str) -> None:
 def test_what_is_so_at_its_own_time_happens_then(text: str) -> None:
     instructions = language().read(text, now=NOW).instructions
     assert sorted(one.operation is not None and one.operation.stated for one in instructions) == [False, True]
+
+
+def test_what_is_somebodys_in_a_condition_of_nothing_asked_is_read() -> None:
+    (one,) = language().read("If her dog barks, that is a mistake.", now=NOW).instructions
+    assert one.operation is not None
+    assert one.operation.stated
