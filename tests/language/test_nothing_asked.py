@@ -281,3 +281,9 @@ def test_what_is_only_polite_is_told(text: str) -> None:
     reading = language().read(text, now=NOW)
     assert [remark.kind for remark in reading.remarks] == [RemarkKind.TOLD]
     assert all(one.operation is None for one in reading.instructions)
+
+
+def test_what_is_somebodys_in_a_condition_of_nothing_asked_is_read() -> None:
+    (one,) = language().read("If her dog barks, that is a mistake.", now=NOW).instructions
+    assert one.operation is not None
+    assert one.operation.stated

@@ -221,7 +221,7 @@ def running_one(scene: Scene, names: frozenset[str]) -> Started | None:
             (one for one in running if label in {one.identifier, f"s{number_of(one.identifier)}"}), None
         )
     if names:
-        return next((one for one in reversed(running) if names <= _words(scene, one)), None)
+        return next((one for one in reversed(running) if names <= words_begun(scene, one)), None)
     if len(running) > 1:
         spoken_of = next((one for one in running if number_of(one.identifier) == scene.focus), None)
         # Who has their hands free again means what they were at.
@@ -259,12 +259,17 @@ def all_called(scene: Scene, names: frozenset[str]) -> list[Started]:
     known = {entry.identifier for entry in scene.conversation.state.entries}
     begun = scene.conversation.store.started(scene.conversation.name)
     return sorted(
-        (one for one in begun if one.identifier.partition(".")[0] in known and names <= _words(scene, one)),
+        (
+            one
+            for one in begun
+            if one.identifier.partition(".")[0] in known and names <= words_begun(scene, one)
+        ),
         key=lambda one: one.done,
     )
 
 
-def _words(scene: Scene, one: Started) -> frozenset[str]:
+def words_begun(scene: Scene, one: Started) -> frozenset[str]:
+    """Give the words that name what has started: those of its name, its verb, and its number."""
     number = number_of(one.identifier)
     # The car is not what is mown of "wash the car, mow the lawn".
     whole = len(asked_by(scene, number)) == 1

@@ -25,13 +25,25 @@ FIRST = 1
 
 
 @dataclass(frozen=True, slots=True)
+class Offer:
+    """What an answer said that there is room for, or only when: "a walk", "before the call".
+
+    Who takes it says no more than "pop that in", or "have lunch then".
+    """
+
+    thing: str = ""
+    time: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Reply:
     """What a command answers: lines to show, and what happens next.
 
     ``changed`` asks for the schedule to be drawn again, ``edit`` puts words on the next prompt,
     ``over`` ends the conversation, ``focus`` is the instruction that was spoken of: what "it" is next.
     ``taken`` is what was understood of words that changed something, ``asked`` what is to be asked back
-    about, and ``anew`` an instruction that words which lean on another mean.
+    about, ``offer`` what may be taken next, and ``anew`` an instruction that words which lean on another
+    mean.
     """
 
     lines: tuple[Text | str, ...] = ()
@@ -41,6 +53,7 @@ class Reply:
     focus: int | None = None
     taken: About | None = None
     asked: About | None = None
+    offer: Offer | None = None
     anew: str = ""
 
 
@@ -50,7 +63,8 @@ class Scene:
 
     Where ``tried`` is given, steps are not taken: what they would lead to is put there. ``focus`` is the
     instruction that was spoken of last, ``told_last`` the one that was told or changed last, ``taken`` what
-    was understood of the words that changed something last, and ``asked`` what the last answer asked about.
+    was understood of the words that changed something last, ``asked`` what the last answer asked about, and
+    ``offer`` what it said that there is room for.
     """
 
     conversation: Conversation
@@ -63,6 +77,7 @@ class Scene:
     told_last: int | None = None
     taken: About | None = None
     asked: About | None = None
+    offer: Offer | None = None
 
     @property
     def language(self) -> Language:

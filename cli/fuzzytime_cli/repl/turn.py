@@ -26,12 +26,14 @@ from fuzzytime_cli.repl.commands.looking import move_lines, start_line
 from fuzzytime_cli.repl.compared import lengths_of, news_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.pending import Pending, asked_late, question_lines, question_of, untold_notes
+from fuzzytime_cli.repl.plain_words.offered import question_with_aside
 from fuzzytime_cli.repl.plain_words.perhaps import second_lines
 from fuzzytime_cli.repl.plain_words.speaking import reply_about
 from fuzzytime_cli.repl.plain_words.usually_said import as_usually_said
 from fuzzytime_cli.repl.scene import (
     UNREAD,
     AskedBackError,
+    Offer,
     Reply,
     Scene,
     problem_lines,
@@ -52,7 +54,8 @@ class Turns:
 
     ``asks`` says that somebody is there to answer: then an ambiguous time is asked about, once. ``focus`` is
     the instruction that was spoken of last, ``told_last`` the one that who types spoke of, and no answer.
-    ``taken`` is what was understood of the last line that changed something, ``asked`` what was asked back.
+    ``taken`` is what was understood of the last line that changed something, ``asked`` what was asked back,
+    and ``offer`` what there was said to be room for.
     """
 
     conversation: Conversation
@@ -68,6 +71,7 @@ class Turns:
     told_last: int | None = None
     taken: About | None = None
     asked: About | None = None
+    offer: Offer | None = None
 
     @property
     def lexicon(self) -> Lexicon:
@@ -110,7 +114,7 @@ class Turns:
         """Give an answer, with the schedule where that changed; every error is an answer too."""
         try:
             reply = answer()
-            self.asked = reply.asked
+            self.asked, self.offer = reply.asked, reply.offer
             self.taken = reply.taken if reply.changed else self.taken
             self.focus = reply.focus if reply.focus is not None else self.focus
             if reply.changed:
@@ -120,11 +124,8 @@ class Turns:
             if self.pending is not None:
                 asked = question_lines(self.pending.question, self.width)
                 reply = replace(reply, lines=(*reply.lines, *asked))
-        except AskedBackError as error:
-            self.asked = error.about
-            return refused(str(error))
         except FuzzytimeError as error:
-            self.asked = None
+            self.asked, self.offer = error.about if isinstance(error, AskedBackError) else None, None
             return refused(str(error))
         except NotKeptError:
             raise  # whether to go on without a memory is not decided here
@@ -143,6 +144,8 @@ class Turns:
             command, rest = command_of(words)
             return command.run(self._scene(now), rest)
         usual = as_usually_said(self._scene(now), behind_an_answer(words, now, self.lexicon))
+        if (answer := question_with_aside(self._scene(now), usual, reply_about)) is not None:
+            return answer
         parts = said_apart(usual, now, self.lexicon)
         return self._one_by_one(parts, now) if len(parts) > 1 else self._said(parts[0], now)
 
@@ -207,6 +210,7 @@ class Turns:
             told_last=self.told_last,
             taken=self.taken,
             asked=self.asked,
+            offer=self.offer,
         )
 
     def _refresh(self, now: datetime) -> Plan:

@@ -216,9 +216,16 @@ def with_labels_of_places(scene: Scene, words: str) -> str:
     if len(left) == 1:
         left = list(dict.fromkeys(one.identifier for _, one in waiting(scene)))
     said = Said(words, scene.now, scene.lexicon)
+    asks = bool(said.opens_with("what"))
     for first in range(len(said.words) - 2, -1, -1):
         one = said.until(first + 3).behind(first)
-        known = len(one.words) > 2 and len(one.places) == 1 and -len(left) <= one.places[0] <= len(left)
+        # "What's the last thing I do?" is of the plan's.
+        known = (
+            not (asks and said.behind(first + 3).names)
+            and len(one.words) > 2
+            and len(one.places) == 1
+            and -len(left) <= one.places[0] <= len(left)
+        )
         if known and one.forms[0] in scene.lexicon.closed.noun_openers:
             label = left[one.places[0] - (one.places[0] > 0)]
             words = f"{words[: said.words[first].start]}{label}{words[said.words[first + 2].end :]}"

@@ -89,7 +89,8 @@ class About:
         Seconds: by how much later, earlier (below 0), or longer; None where that is not said.
     text
         What is supposed: "what if I call mum at six" has "call mum at six"; how much later, where that is
-        vague: "a bit later"; the kind of what somebody asks how to say; or what one may be that is not free.
+        vague: "a bit later"; the kind of what somebody asks how to say; what one may be that is not free; or
+        what there is to be room beside: "before the call".
     thing
         What stands in the place of something that was asked for, or is wished beside it: "the roses" of "same
         for the roses", "dad" of "no, dad".

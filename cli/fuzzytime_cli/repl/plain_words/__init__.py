@@ -3,7 +3,8 @@
 They are taken as ``usually_said``, by a table of ``ways``.
 
 The command that is ``meant``, of one or of several things: ``retiming``, what is ``said_again``,
-``leaving_out``, ``progress``, and what is ``leaning`` on what was said before, or said beside ``reasons``.
+``leaving_out``, ``progress``, and what is ``leaning`` on what was said before, or ``offered``, or said beside
+``reasons``.
 News: ``telling`` how things are, what ``happened``, what one ``has_done``. What ``perhaps`` means something
 else.
 """

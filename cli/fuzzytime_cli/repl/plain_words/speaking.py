@@ -37,6 +37,7 @@ from fuzzytime_cli.repl.plain_words.has_done import done, perhaps_done
 from fuzzytime_cli.repl.plain_words.leaning import leaning, the_other
 from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, next_left_out
 from fuzzytime_cli.repl.plain_words.meant import command_meant
+from fuzzytime_cli.repl.plain_words.offered import beside_what_is_meant, declines, offer_taken
 from fuzzytime_cli.repl.plain_words.perhaps import cancelled_elsewhere, check_who
 from fuzzytime_cli.repl.plain_words.reasons import CHANGING, behind_what_tells, with_reason
 from fuzzytime_cli.repl.plain_words.retiming import wished_instead
@@ -49,8 +50,9 @@ from fuzzytime_cli.repl.plain_words.telling import (
     told_anew,
     told_state,
 )
-from fuzzytime_cli.repl.questions import answering, gaps
-from fuzzytime_cli.repl.scene import Reply, Scene
+from fuzzytime_cli.repl.plain_words.usually_said import asks_how_it_is
+from fuzzytime_cli.repl.questions import answering, ends, gaps, rooms
+from fuzzytime_cli.repl.scene import Reply, Scene, refused
 from fuzzytime_cli.repl.which import which_one
 from fuzzytime_cli.told_states import tells_what_is, told_of_whom
 
@@ -91,21 +93,30 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
         answer := by_how_much(words, asked, scene.now, scene.lexicon) or which_one(scene, words, asked)
     ):
         return _taken(scene, answer)
-    if asked is not None and lets_be(words, scene.now, scene.lexicon):
+    let_be = lets_be(words, scene.now, scene.lexicon)
+    if (asked is not None and let_be) or (scene.offer is not None and (let_be or declines(scene, words))):
         return Reply(("nothing is changed",))
+    wish = offer_taken(scene, words) or beside_what_is_meant(scene, words)
+    if wish is not None:
+        return Reply((Text(plain(f"taken as: {wish}")),), anew=wish)
     if waited := happened(scene, words):
         reading = scene.language.read(words, now=scene.now)
         return told_state(scene, words, reading) or run_each(scene, waited)
-    instead = wished_instead(scene, words)
+    asks = asks_how_it_is(scene, words)
+    instead = None if asks else wished_instead(scene, words)
     if instead is not None:
         return run(scene, About(kind=AboutKind.MOVE), instead)
     if (reply := with_reason(scene, words, _taken)) is not None:
         return reply
     about = about_wishes(words, scene.now, scene.lexicon) or behind_what_tells(scene, words)
-    asks = about is not None and about.kind is AboutKind.DELAY and about.by is None and not about.text
+    asked_back = about is not None and about.kind is AboutKind.DELAY and about.by is None and not about.text
+    if asks and (about is None or about.kind not in ANSWERS):
+        # "Is the gym cancelled?" cancels nothing.
+        changing = None if about is None else refused(f"{words!r} asks, and nothing is changed")
+        return answering.asked_of(scene, words) or gaps.then_of(scene, words) or changing
     if about is not None and about.told and (reply := told_anew(scene, about, words, _taken)) is not None:
         return reply
-    if about is None or (not about.certain and not asks and is_news(scene, words)):
+    if about is None or (not about.certain and not asked_back and is_news(scene, words)):
         check_who(scene, words)
         return (
             behind_how_a_day_is(scene, words, _taken)
@@ -141,8 +152,6 @@ def _told(scene: Scene, words: str) -> Reply | None:
             raise FuzzytimeError(f"{words!r} tells what is, and says nothing to do: say what you want done")
         if means is None or not (means.certain and means.names):
             _check_labels(scene, reading)
-        if _asks_how_it_is(scene, words) and (answer := answering.asked_of(scene, words)) is not None:
-            return answer
         # "Dinner at six" is a wish, and no time of another.
         wish = any(one.operation is not None for one in reading.instructions)
         added = added_time(words, scene.now, language.lexicon, wish=wish)
@@ -155,20 +164,15 @@ def _told(scene: Scene, words: str) -> Reply | None:
         if leant is None:
             _check_told(scene, words, reading)
         # What asks for something is no question: "could you feed the cat?"
-        return leant if leant is not None or wish else answering.asked_of(scene, words)
+        if leant is not None or wish:
+            return leant
+        return answering.asked_of(scene, words) or gaps.then_of(scene, words)
     reply = done(scene, operation, _taken)
     if reply is None:
         raise FuzzytimeError(
             f"{words!r} tells what was done, and nothing like it is planned (:list shows what is)"
         )
     return reply
-
-
-def _asks_how_it_is(scene: Scene, words: str) -> bool:
-    """Whether a line asks how something is, and for nothing to be done: "is gym before lunch?"."""
-    said = tuple(words.lower().split())
-    stating = any(said[: len(form)] == form for form in scene.lexicon.questions["stating"])
-    return words.rstrip().endswith("?") and stating
 
 
 def _check_labels(scene: Scene, reading: Reading) -> None:
@@ -266,8 +270,8 @@ def _supposable(scene: Scene, about: About) -> str | None:
 
 
 ANSWERS: Mapping[AboutKind, Callable[[Scene, About], Reply]] = {
-    AboutKind.NEXT: lambda scene, _: answering.coming(scene),
-    AboutKind.ANSWER: lambda scene, _: answering.coming(scene),
+    AboutKind.NEXT: answering.coming,
+    AboutKind.ANSWER: answering.coming,
     AboutKind.ALL: lambda scene, _: looking.show_list(scene, ""),
     AboutKind.CLOCK: lambda scene, _: looking.now(scene, ""),
     AboutKind.WHEN: answering.when,
@@ -276,9 +280,9 @@ ANSWERS: Mapping[AboutKind, Callable[[Scene, About], Reply]] = {
     AboutKind.DID: answering.did,
     AboutKind.BESIDE: answering.beside,
     AboutKind.FREE: gaps.free,
-    AboutKind.ROOM: gaps.room,
+    AboutKind.ROOM: rooms.room,
     AboutKind.DURING: gaps.during,
-    AboutKind.ON_TIME: lambda scene, _: answering.on_time(scene),
+    AboutKind.ON_TIME: ends.on_time,
     AboutKind.SUPPOSE: lambda scene, about: _supposed(scene, about.text),
     AboutKind.HOW: lambda scene, about: how_to(scene, about.text),
 }

@@ -37,6 +37,8 @@ def as_usually_said(scene: Scene, words: str) -> str:
     if len(words.split()) > LONGEST:
         return words
     words = _with_labels(scene, words)
+    if asks_how_it_is(scene, words):
+        return words
     if (whole := _usual(scene, words)) is not None:
         return whole
     parts = JOINTS.split(words)
@@ -50,6 +52,17 @@ def as_usually_said(scene: Scene, words: str) -> str:
         joints[place] = COMMA if known else joint
     said = [one or clause for one, clause in zip(usual, clauses, strict=True)]
     return "".join(part for pair in zip(said, [*joints, ""], strict=True) for part in pair)
+
+
+def asks_how_it_is(scene: Scene, words: str) -> bool:
+    """Whether a line asks how something is, and for nothing to be done: "is gym before lunch?"."""
+    said, questions = tuple(words.lower().split()), scene.lexicon.questions
+
+    def opens(name: str) -> bool:
+        return any(said[: len(form)] == form for form in questions[name])
+
+    asks = words.rstrip().endswith("?") and opens("stating")
+    return asks and not (opens("requesting") or opens("suggesting"))
 
 
 def _of_who_rang(scene: Scene, told: str, clause: str) -> str:

@@ -10,15 +10,21 @@ from fuzzytime.language import About, AboutKind, content_words, verb_forms
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
-from fuzzytime_cli.repl.naming import FEW, LABEL, all_called, entry_of, occasion_words, running_one
+from fuzzytime_cli.repl.naming import (
+    FEW,
+    LABEL,
+    all_called,
+    entry_of,
+    occasion_words,
+    running_one,
+    words_begun,
+)
+from fuzzytime_cli.repl.questions.ends import all_over, how_long_until
 from fuzzytime_cli.repl.scene import Reply, Scene, position_of, running_lines, said, waiting
 from fuzzytime_cli.repl.typed import number_of
 
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
-
-SOON = 90.0
-"""Seconds below which it is said to the second how long it is until a start."""
 
 NOTHING = "nothing is planned: say what you want done, and when"
 
@@ -26,52 +32,59 @@ MOST = 5
 """How many occurrences a question is answered with."""
 
 
-def coming(scene: Scene) -> Reply:
-    """Say what is going on, and what comes next."""
+def coming(scene: Scene, about: About) -> Reply:
+    """Say what is going on, and what comes next; or what comes last of all."""
     running = scene.conversation.running(scene.now)
     lines = running_lines(scene.conversation, scene.now)
     schedule = scene.plan.schedule
     left = (place for place, _ in waiting(scene) if scene.plan.has_time(place))
-    planned = sorted(left, key=lambda place: (schedule.start_times[place], place))[:1]
+    planned = sorted(left, key=lambda place: (schedule.start_times[place], place))
+    last = about.places == (-1,)
+    planned = planned[-1:] if last else planned[:1]
+    lines, running = ([], []) if last and planned else (lines, running)
     lines += [_start(scene, position) for position in planned]
     meant = [scene.plan.everything[position].identifier for position in planned]
     meant += [one.identifier for one in running]
     return Reply(tuple(lines), focus=number_of(meant[0])) if lines else said(NOTHING)
 
 
-def on_time(scene: Scene) -> Reply:
-    """Say whether all that is left has its time, and else what has not."""
-    from fuzzytime_cli.formats.reasons import loss_lines
-
-    left = {place for place, _ in waiting(scene)}
-    told = loss_lines(scene.plan)
-    late = [(place, words) for place, words in told if place is not None and place in left]
-    over = _over(scene)
-    if not late:
-        return replace(over, lines=(Text("yes: everything that is planned has its time"), *over.lines))
-    said_of = [f"  {scene.plan.everything[place].identifier} {plain(words)}" for place, words in late[:MOST]]
-    lines = [line for words in said_of for line in wrapped(words, scene.width, 6)]
-    focus = _focus(scene, [place for place, _ in late])
-    return Reply((Text("not all of it:"), *lines, *over.lines), focus=focus)
-
-
 def when(scene: Scene, about: About) -> Reply:
     """Say when that is planned which all of some words name, or when all is over."""
     if about.everything:
-        return _over(scene)
-    lexicon = scene.lexicon
-    small = lexicon.particles.keys() | lexicon.doing.leaving
-    # "When's the roast out?", "when do I leave for the shop?"
-    positions = _positions(scene, about.names) or _positions(scene, about.names - small or about.names)
+        return all_over(scene)
+    positions, told = _as_named(scene, about.names)
     schedule = scene.plan.schedule
     timed = [position for position in positions if scene.plan.has_time(position)]
     timed.sort(key=lambda position: schedule.start_times[position])
     positions = [*timed, *(position for position in positions if position not in timed)]
-    lines = _going_on(scene, about)
+    if about.upcoming:
+        positions = positions[:1]
+    elif about.text and len({scene.plan.everything[place].wish.identifier for place in positions}) == 1:
+        # "When will the dough be done?" is of the last that is done with it.
+        positions = positions[-1:]
+    lines = [] if about.text and positions else _going_on(scene, about)
     lines += [_start(scene, position) for position in positions[:MOST]]
     if len(positions) > MOST:
         lines.append(Text(f"and {len(positions) - MOST} more times"))
-    return _reply(scene, about, lines, positions)
+    reply = _reply(scene, about, [*told, *lines] if lines else lines, positions)
+    # "When will the bread be out?", of which nothing is said in the plan
+    over = all_over(scene).lines if about.text and not lines else ()
+    return replace(reply, lines=(*reply.lines, *over))
+
+
+def _as_named(scene: Scene, names: frozenset[str]) -> tuple[list[int], list[Text]]:
+    """Give what some words name, or those of them that name anything; and what is said of the others."""
+    lexicon = scene.lexicon
+    small = lexicon.particles.keys() | lexicon.doing.leaving
+    # "When's the roast out?", "when do I leave for the shop?"
+    positions = _positions(scene, names) or _positions(scene, names - small or names)
+    if positions or _going_on(scene, About(kind=AboutKind.WHEN, names=names)):
+        return positions, []
+    known = names.intersection(frozenset[str]().union(*(_words_of(scene, one) for _, one in waiting(scene))))
+    positions = _positions(scene, known) if known else []
+    small = small | lexicon.function_words | lexicon.closed.third_person | lexicon.closed.anaphors
+    unknown = " ".join(sorted(names - known - small))
+    return positions, [Text(plain(f"nothing is planned about {unknown}; but there is:"))] if unknown else []
 
 
 def asked_of(scene: Scene, words: str) -> Reply | None:
@@ -80,7 +93,8 @@ def asked_of(scene: Scene, words: str) -> Reply | None:
     asking = {word for table in tables for form in scene.lexicon.questions[table] for word in form}
     filling = {word for form in scene.lexicon.conversation["filling"] for word in form}
     labels = frozenset(filter(LABEL.fullmatch, words.lower().rstrip("?").split()))
-    names = labels or content_words(words) - asking - filling
+    small = filling | scene.lexicon.function_words | content_words(" ".join(asking))
+    names = labels or content_words(words) - asking - small
     asks = words.rstrip().endswith("?") or not asking.isdisjoint(words.lower().split()[:1])
     # "Is gym before lunch?" is of the gym.
     named = (content_words(word) & names for word in words.split())
@@ -164,7 +178,7 @@ def _going_on(scene: Scene, about: About) -> list[Text]:
     return [
         Text(f"{plain(one.identifier)} {plain(one.name)}: running, until {clock.at(one.done)}")
         for one in scene.conversation.running(scene.now)
-        if names and names <= content_words(one.name) | {f"s{number_of(one.identifier)}", one.identifier}
+        if names and names <= words_begun(scene, one) | {one.identifier}
     ]
 
 
@@ -227,20 +241,6 @@ def _words_of(scene: Scene, one: Interpreted) -> frozenset[str]:
     return content_words(one.skill.name) | verb | occasion_words(scene, one)
 
 
-def _over(scene: Scene) -> Reply:
-    """Say when the last of all is done."""
-    schedule = scene.plan.schedule
-    ends = [
-        scene.plan.instant(one.done)
-        for position, one in enumerate(schedule.skills)
-        if scene.plan.has_time(position)
-    ]
-    ends += [one.done for one in scene.conversation.running(scene.now)]
-    if not ends:
-        return said("nothing is planned")
-    return said(f"all is done at {_at(scene, max(ends))}, in {_until(scene, max(ends))}")
-
-
 def _start(scene: Scene, position: int) -> Text:
     interpreted, schedule = scene.plan.everything[position], scene.plan.schedule
     name = f"{plain(interpreted.identifier)} {plain(interpreted.skill.name)}"
@@ -253,13 +253,7 @@ def _start(scene: Scene, position: int) -> Text:
         scene.plan.instant(schedule.skills[position].done),
     )
     over = f", done at {_at(scene, done)}" if interpreted.skill.time_until_done >= LONG else ""
-    return Text(f"{name}: at {_at(scene, instant)}, in {_until(scene, instant)}{over}")
-
-
-def _until(scene: Scene, instant: datetime) -> str:
-    """Give how long it is until then; in whole minutes, as clock times are, where it is some."""
-    left = max(0.0, seconds_between(scene.now, instant))
-    return format_duration(60.0 * round(left / 60.0) if left >= SOON else left)
+    return Text(f"{name}: at {_at(scene, instant)}, in {how_long_until(scene, instant)}{over}")
 
 
 def _at(scene: Scene, instant: datetime) -> str:

@@ -1,11 +1,18 @@
 """Questions about when one is free, what was done, and what there is: "am I free at six?"."""
 
+from dataclasses import replace
+
 from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.asked.about_the_plan import helping
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.requirement import Constraint
 
-BESIDE = {"before": "before", "by": "before", "until": "before", "till": "before", "at": "", "after": "after"}
+BETWEEN = "between"
+BY = ("by", "before")
+BESIDE = {**dict.fromkeys((*BY, "until", "till"), "before"), "at": "", "after": "after", BETWEEN: BETWEEN}
+NONE = frozenset[str]()
+ROOM = About(kind=AboutKind.ROOM, certain=True)
 THE = ("the", "my", "our", "that", "this", "his", "her", "their")
 
 
@@ -13,11 +20,13 @@ def asked(said: Said) -> About | None:
     """Read a question about gaps, what was done, a thing or a day; None where it is none."""
     return (
         _about_last(said)
-        or _is_then(said)
+        or _over_by(said)
         or _room(said)
         or _free(said)
-        or _done(said)
+        or _gap(said)
+        or _is_then(said)
         or _during(said)
+        or _done(said)
         or _beside(said)
         or _about(said)
         or _turned(said)
@@ -43,22 +52,29 @@ def _is_then(said: Said) -> About | None:
     if said.forms[:1] not in {("is",), ("are",), ("was",), ("were",)} or len(said.words) < 2:
         return None
     thing, time = said.behind(1).parted()
-    named = Said(thing, said.now, said.lexicon)
+    named = Said(thing, said.now, said.lexicon).without("yet")[0]
     known = named.is_in("last") or named.forms[:1] == ("the",)
     return About(kind=AboutKind.WHEN, names=_named(named), certain=True) if time and known else None
 
 
 def _free(said: Said) -> About | None:
+    """Read whether somebody is free, or busy, at a time: "am I free at six?", "is she free at two?"."""
     when = said.after("when") if said.forms[:1] != ("how",) else None
-    rest = (when or said).after("free")
+    asks = when or said
+    rest = asks.after("free") or asks.after("busy") or _of_somebody(asks)
     if rest is not None:
-        time = rest.as_time() if rest.words else ""
+        thing, time = rest.parted() if rest.words else ("", "")
+        time = rest.as_time() or (time if rest.text.startswith(time) and rest is not said else "")
         known = not rest.words or bool(time)
-        if not known and (beside := rest.beside()) is not None and (names := beside[1].names):
+        if (beside := rest.beside()) is not None and (names := beside[1].names):
             # "Have I got time before the call?"
             way = BESIDE.get(rest.forms[0], "after")
-            return About(kind=AboutKind.ROOM, names=names, joint=way, certain=True)
-        busy = "busy" if (when or said).opens_with("busy") else ""
+            return replace(ROOM, names=names, joint=way, text=rest.text, time=time)
+        nouns = asks.table("gaps") - asks.table("at leisure")
+        if time and not time.startswith("at ") and any((word,) in nouns for word in asks.forms):
+            # "Is there a gap this afternoon?"
+            return replace(ROOM, time=time, text=time)
+        busy = "busy" if asks.opens_with("busy") or "busy" in asks.forms else ""
         return About(kind=AboutKind.FREE, time=time, text=busy, certain=True) if known else None
     rest = said.after("may do")
     if rest is None or not rest.words:
@@ -68,25 +84,76 @@ def _free(said: Said) -> About | None:
     return About(kind=AboutKind.FREE, thing=thing, time=time, certain=True) if time else None
 
 
+def _of_somebody(said: Said) -> Said | None:
+    """Give what stands behind "free" in a question of anybody: "is Ann free at two for a chat?"."""
+    place = next((n for n, word in enumerate(said.forms) if (word,) in said.table("at leisure")), 0)
+    asks = place > 1 and said.forms[0] in helping(said) and said.until(place).length() is None
+    return said.behind(place + 1) if asks else None
+
+
 def _room(said: Said) -> About | None:
     """Read whether there is time for something, before a time or something else."""
-    rest = said.after("having time")
+    rest = (said.after("when") or said).after("having time")
     if rest is None or not rest.words:
         return None
     rest = rest.without_end(said.table("closing"))
-    for place in range(len(rest.words) - 1, 0, -1):
-        way = BESIDE.get(rest.forms[place])
+    room = _beside_what(rest)
+    if room is None:
+        thing, time = rest.parted()
+        room = replace(ROOM, thing=thing, time=time, text=time)
+    return room if room.thing else None
+
+
+def _gap(said: Said) -> About | None:
+    """Read whether there is a gap, perhaps of some length: "have I an hour free before lunch?"."""
+    place = next((n for n, word in enumerate(said.forms) if (word,) in said.table("gaps")), 0)
+    if not place or said.forms[0] not in helping(said) or said.forms[place - 1] == "the":
+        return None
+    room = _beside_what(said)
+    front = Said(said.text if room is None else room.thing, said.now, said.lexicon).without("gaps")[0]
+    length = front.length()
+    others = (front if length is None else length.rest).without("speaker", "filling", "having left")[0]
+    if others.names or (room is None and length is None):
+        return None
+    return replace(room or ROOM, thing="", by=None if length is None else length.seconds)
+
+
+def _beside_what(said: Said) -> About | None:
+    """Read beside what there is to be room for a thing: "a walk before the call", "lunch at two"."""
+    for place in range(len(said.words) - 1, 0, -1):
+        way = BESIDE.get(said.forms[place])
         if way is None:
             continue
-        behind = rest.behind(place)
-        thing = rest.until(place).text
-        if behind.one_time() is not None:
-            return About(kind=AboutKind.ROOM, thing=thing, time=behind.text, certain=True)
-        names = rest.behind(place + 1).names
-        if way and names:
-            return About(kind=AboutKind.ROOM, thing=thing, names=names, joint=way, certain=True)
-    thing, time = rest.parted()
-    return About(kind=AboutKind.ROOM, thing=thing, time=time, certain=True) if thing else None
+        behind, rest = said.behind(place), said.behind(place + 1)
+        # "Before lunch" is before that which is planned, or else before noon.
+        time = behind.text if behind.one_time() is not None else ""
+        names, others = _ends_between(rest) if way == BETWEEN else (rest.names if way else NONE, NONE)
+        if time or names:
+            thing = said.until(place).text
+            return replace(
+                ROOM, thing=thing, text=behind.text, time=time, names=names, others=others, joint=way
+            )
+    return None
+
+
+def _ends_between(said: Said) -> tuple[frozenset[str], frozenset[str]]:
+    """Give what names the one and the other that something is between: "lunch and the call"; or nothing."""
+    joint = said.forms.index("and") if "and" in said.forms else 0
+    ends = said.until(joint).names, said.behind(joint + 1).names
+    return ends if joint and all(ends) else (NONE, NONE)
+
+
+def _over_by(said: Said) -> About | None:
+    """Read whether all is over by a time: "will I be home by five?"."""
+    place = next(
+        (n for n in range(2, len(said.words)) if said.forms[n] in BY and said.behind(n).one_time()), 0
+    )
+    if not place or said.forms[0] not in helping(said):
+        return None
+    rest, found = said.until(place).behind(1).without("finished", "present", "speaker", "everything")
+    over = bool(found & {"finished", "present"}) and bool(found & {"speaker", "everything"})
+    time = said.behind(place).text
+    return About(kind=AboutKind.ON_TIME, time=time, certain=True) if over and not rest.words else None
 
 
 def _done(said: Said) -> About | None:
@@ -112,9 +179,14 @@ def _named(said: Said) -> frozenset[str]:
 
 def _during(said: Said) -> About | None:
     """Read what there is at some time: "what's on friday?", "what am I doing at nine?"."""
-    rest = said.after("holding")
+    rest = said.after("holding") or said.after("busy") or _doing(said)
     if rest is None or not rest.words:
         return None
+    names, others = _ends_between(rest.behind(1)) if rest.forms[0] == BETWEEN else (NONE, NONE)
+    if names:
+        time = rest.text if rest.one_time() is not None else ""
+        between = About(kind=AboutKind.DURING, time=time, names=names, others=others, certain=True)
+        return replace(between, thing=rest.text)
     again = rest.after("holding") or rest
     for one in (said.behind(len(said.words) - len(rest.words) - 1), again):
         # "What's on friday": "on" may belong to the question, or to the time
@@ -128,6 +200,13 @@ def _during(said: Said) -> About | None:
         # "What about lunch then?"
         time = time if " " not in verb and (time.lower(),) not in said.table("instead") else ""
     return About(kind=AboutKind.DURING, time=time, certain=True) if time else None
+
+
+def _doing(said: Said) -> Said | None:
+    """Give what stands behind what somebody does: "what's Ann doing at three?"."""
+    rest = said.after("what")
+    place = rest.forms.index("doing") if rest is not None and "doing" in rest.forms else 0
+    return rest.behind(place + 1) if rest is not None and place else None
 
 
 def _beside(said: Said) -> About | None:

@@ -60,21 +60,26 @@ def _when(said: Said) -> About | None:
     rest = said.after("when")
     if rest is None or not rest.words:
         return None
-    if said.forms[0] == "when" and rest.forms[0] not in _helping(said):
+    if said.forms[0] == "when" and rest.forms[0] not in helping(said):
         # "When the rice is done, stir" is a clause.
         return None
     if rest.ends_with("everything") or _is_over(rest):
         return About(kind=AboutKind.WHEN, everything=True, certain=True)
     if rest.is_in("moment") and said.forms[0] != "when":
         return About(kind=AboutKind.CLOCK, certain=True)
+    rest, found = rest.without("next of all", "yet")
     names = _names(rest)
     # "What time do I start then?"
     about_it = not names and any((word,) in said.table("last") for word in rest.forms)
     about_it |= not names and rest.forms[:2] in said.table("done next")
-    return About(kind=AboutKind.WHEN, names=names, certain=True) if names or about_it else None
+    out = "be" in rest.forms and rest.forms[-1] in said.lexicon.particles
+    over = "over" if out or rest.ends_with("finished") or rest.ends_with("present") else ""
+    asked = About(kind=AboutKind.WHEN, names=names, text=over, upcoming="next of all" in found, certain=True)
+    return asked if names or about_it else None
 
 
-def _helping(said: Said) -> frozenset[str]:
+def helping(said: Said) -> frozenset[str]:
+    """Give the helping words that a question may begin with: "is", "will"."""
     questions = said.lexicon.questions
     return frozenset(form[0] for form in questions["helping"] | questions["stating"])
 
@@ -96,7 +101,7 @@ def _lasting(said: Said) -> About | None:
         return About(kind=AboutKind.NEXT, certain=True)
     # "Tell me how long that takes"
     told = rest.forms[-1:] in said.table("needing") and len(rest.words) > 1
-    if rest.forms[0] not in _helping(said) and not told:
+    if rest.forms[0] not in helping(said) and not told:
         return None
     rest = rest.until(len(rest.words) - 1) if told else rest
     left = rest.names & _words(said, "plan")
@@ -111,10 +116,14 @@ def _open(said: Said) -> About | None:
     if asking is None:
         return None
     rest = asking.names
+    last = any(asking.behind(place).opens_with("coming last") for place in range(len(asking.words)))
     if rest - _words(said, "filling") == _words(said, "clock") and said.after("what") is not None:
         return About(kind=AboutKind.CLOCK, certain=True)
     plan, open_ = (_words(said, name) for name in ("plan", "open"))
     filling = _words(said, "filling")
+    ending = plan | open_ | filling | _words(said, "coming last") | _words(said, "occasion")
+    if last and said.after("what") is not None and rest <= ending:
+        return About(kind=AboutKind.NEXT, places=(-1,), certain=True)
     if rest & plan and rest <= plan | open_ | filling | _words(said, "everything"):
         return About(kind=AboutKind.ALL, certain=True)
     nexts = {word.text for word in asking.words} & {form[0] for form in said.table("open")}

@@ -55,6 +55,14 @@ class Clause:
         distance = replace(self.gone_on, terms=(*self.gone_on.terms, *further))
         return replace(self, distance=distance, edge=Edge.START, gone_on=None)
 
+    def is_through(self, lexicon: Lexicon) -> bool:
+        """Whether who speaks, or is spoken to, is through: "once we're done", but not "when I'm ready"."""
+        if self.condition is None:
+            return False
+        subject, through = self.condition.subject, (self.condition.word or "",)
+        speaks = subject in lexicon.closed.first_person and through in lexicon.conversation["having"]
+        return speaks or subject == "you"
+
     def is_there(self, lexicon: Lexicon) -> bool:
         """Whether it says of somebody that they have come: "when they get here", "while she is in"."""
         known = self.condition is not None and not lexicon.closed.adverbs_of_arrival.isdisjoint(

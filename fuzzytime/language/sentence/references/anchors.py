@@ -68,8 +68,8 @@ class Anchors:
         last = self.position - 1
         subject = None if condition is None else condition.subject
         over = condition is not None and condition.word in self.lexicon.results
-        if condition is not None and over and subject == "you" and clause.object is None:
-            # "Text me when you are finished"
+        if condition is not None and over and clause.object is None and clause.is_through(self.lexicon):
+            # "Text me when you are finished", "load out once we're done"
             return last if last >= 0 and not condition.negated else None
         if self._is_done_soon(clause):
             # "Add the carrots an hour before it's done"
@@ -85,7 +85,9 @@ class Anchors:
         if clause.is_event and thing in self.lexicon.beside.the_end and self.mentions.told.lasting:
             # "Add the hops 15 minutes before the end"
             return self.going_on()
-        target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
+        whose = self._whose(clause)
+        given = self._given(clause, every=bool(whose))
+        target = best_of(clause, chain(beside, given), self.lexicon, whose)
         if target is None and subject in closed.third_person | closed.first_and_second_person:
             target = self._arrival(clause)
         if target is not None or not self.awaits:
@@ -136,8 +138,15 @@ class Anchors:
             if operation is not None:
                 yield place, operation
 
-    def _given(self, clause: Clause) -> Iterator[tuple[int, Operation | None]]:
-        for place in self.mentions.named_by(clause, range(self.first), backwards=True):
+    def _whose(self, clause: Clause) -> frozenset[str]:
+        """Give what an instruction is about, that a clause is of: "his walk", "walking him"; else nothing."""
+        closed, operation = self.lexicon.closed, next(iter(self.own[self.position - self.first :]), None)
+        first = (clause.object or "").lower().partition(" ")[0]
+        of_it = first in (closed.possessives - closed.first_person_possessives) | closed.third_person_objects
+        return content_words(operation.object) if of_it and operation is not None else frozenset()
+
+    def _given(self, clause: Clause, *, every: bool) -> Iterator[tuple[int, Operation | None]]:
+        for place in self.mentions.named_by(clause, range(self.first), backwards=True, every=every):
             yield place, self.mentions.operations[place]
 
     def _coming(self, clause: Clause) -> Iterator[tuple[int, Operation | None]]:

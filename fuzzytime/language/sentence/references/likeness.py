@@ -17,19 +17,26 @@ ALIKE = 0.5
 
 
 def best_of(
-    clause: Clause, candidates: Iterable[tuple[int, Operation | None]], lexicon: Lexicon
+    clause: Clause,
+    candidates: Iterable[tuple[int, Operation | None]],
+    lexicon: Lexicon,
+    whose: frozenset[str] = frozenset(),
 ) -> int | None:
-    """Give the position of the operation that a clause refers to, the first of the best; None for none."""
-    best, found = 0.0, None
+    """Give the position of the operation that a clause refers to, the first of the best; None for none.
+
+    Of those that are as good, one that is about ``whose`` it is said to be: "feed Rolo after his walk".
+    """
+    best, found = (0.0, False), None
     named, words = names_of(clause)
     most = SAME_VERB + max(len(named), len(words) - 1) + ALIKE * clause.is_event
     for position, operation in candidates:
         if operation is None or operation.negated:
             continue
         worth = _likeness(clause, operation, lexicon)
-        if worth > best:
-            best, found = worth, position
-        if best >= most:
+        own = not whose.isdisjoint(content_words(operation.object))
+        if worth and (worth, own) > best:
+            best, found = (worth, own), position
+        if best >= (most, bool(whose)):
             break
     return found
 

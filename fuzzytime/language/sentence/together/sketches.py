@@ -113,6 +113,7 @@ def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
             beside
             and clause.kind in BECOMING
             and clause.condition
+            and not clause.is_through(sketch.lexicon)
             and isinstance(aside.length.said.time, Duration)
         ):
             clauses[place] = replace(clause, takes=aside.length.said.time)
