@@ -126,12 +126,7 @@ def with_time(
     length = about.time.lower().startswith(FOR)
     if length:
         check_sole(scene, entry.number, about.time[len(FOR) :])
-    times = [part for part in parts if (part.constraint is Constraint.FOR) is length]
-    # "If it rains, close the window at six": the condition stays.
-    times = [part for part in times if part.constraint is not Constraint.WHEN] or times
-    if bound_in(scene, about.time) is not None:
-        # What is to be done by four, and not before two
-        times = [part for part in times if part.constraint is not Constraint.BEFORE]
+    times = _replaced(scene, parts, about.time)
     if not times:
         # How long it is to be watered says nothing of for how long it is dry, in "water it if it's dry".
         clauses = [p.span[0] for p in parts if p.condition is not None or p.anchor is not None]
@@ -144,17 +139,35 @@ def with_time(
     if about.bare and times[0].constraint in BOUNDS and times[0].preposition and times[0].anchor is None:
         # "By seven", and then "make it eight", is by eight.
         time = AT.sub(rf"\1{times[0].preposition} ", time, count=1)
-    sure = [part for part in times if part.constraint is not Constraint.VAGUE]
-    if len(times) > 1 and len(sure) == 1 and part is None:
-        # "Today at some point", and then "after lunch"
-        text = entry.text
-        for first, end in sorted((one.span for one in times if one not in sure), reverse=True):
-            text = f"{text[:first].rstrip()}{text[end:]}"
-        return with_time(scene, replace(entry, text=text), about)
+    if len(times) > 1 and (firmer := _without_vague(entry, times)) is not None:
+        return with_time(scene, firmer, about)
     if len(times) > 1 or repeated:
         raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
     text = untied(scene, "".join(placed_at(scene, entry.text, (first, end), time)))
     return text if length else f"{text}{_length_lost(scene, entry, mine, text)}"
+
+
+def _replaced(scene: Scene, parts: Sequence[TimeRequirement], time: str) -> list[TimeRequirement]:
+    """Give those of an entry's times that another stands in the place of."""
+    length = time.lower().startswith(FOR)
+    times = [part for part in parts if (part.constraint is Constraint.FOR) is length]
+    # "If it rains, close the window at six": the condition stays.
+    times = [part for part in times if part.constraint is not Constraint.WHEN] or times
+    if bound_in(scene, time) is None:
+        return times
+    # What is to be done by four, and not before two
+    return [part for part in times if part.constraint is not Constraint.BEFORE]
+
+
+def _without_vague(entry: Entry, times: Sequence[TimeRequirement]) -> Entry | None:
+    """Give an entry with the one of its times that is not vague: "today at some point"; None for several."""
+    vague = [part for part in times if part.constraint is Constraint.VAGUE]
+    if len(vague) != len(times) - 1:
+        return None
+    text = entry.text
+    for first, end in sorted((one.span for one in vague), reverse=True):
+        text = f"{text[:first].rstrip()}{text[end:]}"
+    return replace(entry, text=text)
 
 
 def _by_name(scene: Scene, entry: Entry, time: str) -> str:
