@@ -59,7 +59,10 @@ def _apart(scene: Scene, entry: Entry, one: Interpreted, time: str) -> str:
     """
     known = one.instruction
     lasts = f"for {format_duration(known.duration)} " if known is not None and known.duration else ""
-    return in_a_part(scene, entry, one.skill.name, f"{one.skill.name} {lasts}{time}")
+    text = in_a_part(scene, entry, one.skill.name, f"{one.skill.name} {lasts}{time}")
+    # "After the hedge" may be taken for where.
+    read = (other for other in _asked_in(scene, text, scene.now) if _name(other) == one.skill.name)
+    return text if any(part.text in time for other in read for part in other.requirements) else ""
 
 
 def in_a_part(scene: Scene, entry: Entry, name: str, words: str) -> str:
@@ -208,9 +211,8 @@ def without_thing(scene: Scene, entry: Entry, names: frozenset[str]) -> str:
         left = [thing for thing in things if content_words(thing) != names - verb]
         if 0 < len(left) < len(things):
             if said not in entry.text:
-                raise FuzzytimeError(
-                    f"that is only part of {said!r}: say :drop {entry.number}, or say it anew"
-                )
+                message = f"that is only part of {said!r}: say :drop {entry.number}, or say it anew"
+                raise FuzzytimeError(message)
             front = ", ".join(left[:-1])
             return entry.text.replace(said, f"{front} and {left[-1]}" if front else left[-1], 1)
     return ""
