@@ -129,7 +129,7 @@ def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[
 
 def _is_courtesy(words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether all that is said is polite, or calls somebody: "hi all", "many thanks"."""
-    said = [word for word in words if word.is_letters]
+    said = [word for word in words if word.text[0].isalnum()]
     place = 0
     while place < len(said):
         known = longest_match(said, place, lexicon.courtesies)
