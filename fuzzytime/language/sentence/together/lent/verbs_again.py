@@ -61,10 +61,11 @@ def _with_another_thing(
 ) -> Operation | None:
     """Give the operation before with another thing, which begins so: "dust the hall, then the stairs"."""
     then, verbless = sketch.part.segment.connective == "then", sketch.part.segment.verbless
+    opened = first.lower() in sketch.lexicon.closed.noun_openers
     # "Interview with Priya at ten, then with Dominic at eleven"
     head, joint, _ = old.partition(f" {first} ")
-    thing = first.lower() in sketch.lexicon.closed.noun_openers or _is_next_numbered(before, sketch)
-    thing = thing or bool(joint)
+    joint = "" if opened else joint
+    thing = opened or bool(joint) or _is_next_numbered(before, sketch)
     # "Call Ann at ten, then Bob"
     called = then and first[:1].isupper() and old[:1].isupper()
     if not ((thing or verbless) if sketch.phrases else ((thing or called) and then)):
