@@ -10,6 +10,7 @@ from fuzzytime.interpreter import Interpretation, Interpreted
 from fuzzytime.language import AboutKind, Lexicon, Operation, about_wishes, content_words, news_in
 from fuzzytime.times import instant_after
 from fuzzytime_cli.render import plain
+from fuzzytime_cli.repl.naming import called, entry_of, is_named_itself
 from fuzzytime_cli.repl.plain_words.leaving_out import repeats
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
 from fuzzytime_cli.session import Started
@@ -19,7 +20,13 @@ BE, MUST_BE = "be", "must be"
 
 
 def cancelled_elsewhere(scene: Scene, words: str) -> Reply | None:
-    """Say of what is to be cancelled that nothing planned is about it, so that cancelling is to be done."""
+    """Say of what is to be cancelled that nothing planned is about it, so that cancelling is to be done.
+
+    Raises
+    ------
+    FuzzytimeError
+        If something like it is planned: "the first viewing", where there is one viewing.
+    """
     language = scene.language
     about = about_wishes(words, scene.now, language.lexicon)
     declining = language.lexicon.doing.declining
@@ -27,6 +34,13 @@ def cancelled_elsewhere(scene: Scene, words: str) -> Reply | None:
         return None
     if words.split(maxsplit=1)[0].lower() not in declining:
         return None
+    thing = words.split(maxsplit=1)[-1].rstrip(".! ")
+    like = entry_of(scene, content_words(thing.split()[-1]))
+    if like is not None and is_named_itself(scene, content_words(thing.split()[-1])):
+        label = called(scene, like.number) or f"s{like.number}"
+        raise FuzzytimeError(
+            f"nothing that is planned is called {thing!r}; if {like.text!r} is: drop {label}"
+        )
     head = "nothing that is planned is about that: taken as something to do; :undo takes it back"
     return Reply((Text(head),), anew=words)
 
