@@ -60,6 +60,11 @@ def test_a_question_is_answered_and_changes_nothing(line: str, answer: str) -> N
     assert (talk.entries, talk.start("s2")) == (before, start)
 
 
+def test_what_only_happens_is_not_to_be_done() -> None:
+    talk = talk_of("guests come at 5 pm", "bake a cake at 10 am for an hour")
+    assert talk.say("is everything done before 5 pm?") == "yes: all that is planned is done at 11:00"
+
+
 def test_what_is_done_several_times_is_done_with_the_last() -> None:
     talk = talk_of("knead the dough for ten minutes, then bake it for half an hour")
     talk.wait(seconds=1)

@@ -222,3 +222,10 @@ def test_what_is_stopped_before_it_is_told_to_have_started_is_not_told_of() -> N
     talk = talk_of("peel the carrots", "call mum at six")
     assert "start now" not in talk.say("never mind the carrots")
     assert talk.entries == ["call mum at six"]
+
+
+def test_what_is_like_something_planned_is_not_cancelled_elsewhere() -> None:
+    talk = talk_of("viewing at 2 pm")
+    assert "if 'viewing at 2 pm' is: drop s1" in talk.say("cancel the second viewing")
+    assert "taken as something to do" in talk.say("cancel the gym membership")
+    assert talk.entries == ["viewing at 2 pm", "cancel the gym membership"]

@@ -58,14 +58,16 @@ def all_over(scene: Scene) -> Reply:
 
 
 def _ends(scene: Scene) -> list[datetime]:
-    """Give when each is done of what is planned, or running."""
-    schedule = scene.plan.schedule
+    """Give when each is done of what is planned, or running; of what only happens where nothing else is."""
+    schedule, skills = scene.plan.schedule, scene.plan.skills
     ends = [
-        scene.plan.instant(one.done)
+        (scene.plan.instant(one.done), skills[position].stated and not skills[position].skill.time_until_done)
         for position, one in enumerate(schedule.skills)
         if scene.plan.has_time(position)
     ]
-    return [*ends, *(one.done for one in scene.conversation.running(scene.now))]
+    ends += [(one.done, False) for one in scene.conversation.running(scene.now)]
+    # "Is everything done before five?" is not when the guests have come.
+    return [end for end, happens in ends if not happens] or [end for end, _ in ends]
 
 
 def how_long_until(scene: Scene, instant: datetime) -> str:
