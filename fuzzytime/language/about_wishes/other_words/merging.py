@@ -31,7 +31,7 @@ def merged_time(old: str, said: datetime, new: str, now: datetime, lexicon: Lexi
     >>> from fuzzytime.language.finding import shipped_lexicon
     >>> wednesday = datetime(2026, 3, 4, 9)
     >>> merged_time("tomorrow at six", wednesday, "at seven", wednesday, shipped_lexicon())
-    'tomorrow at seven'
+    'tomorrow at seven pm'
     """
     # "Tomorrow, same time"
     same = "|".join(lexicon.beside.same_time)
