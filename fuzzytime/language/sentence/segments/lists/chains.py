@@ -51,7 +51,8 @@ class _Step:
         verbs = verbs.union(lexicon.doing.errands, lexicon.doing.putting, lexicon.doing.several_timed)
         known = all(word[0].isalpha() and word not in lexicon.function_words for word in name)
         acts = lexicon.doing.timed.union(lexicon.asides["taking"], verbs if len(name) > 1 else ())
-        called = known and 0 < len(name) <= LONGEST
+        # "Viewing at 2 and another at 3.30" is of one thing.
+        called = known and 0 < len(name) <= LONGEST and not lexicon.beside.twice.issuperset(name)
         return called and name[0] not in acts and lexicon.particles.keys().isdisjoint(name)
 
     @property
