@@ -125,3 +125,16 @@ def test_why_everything_is_later_asks_for_nothing() -> None:
     )
     assert talk.entries == ["lay the table at one"]
     assert f"{talk.start('s1'):%H:%M}" == "13:30"
+
+
+def test_nothing_is_begun_beside_what_keeps_the_hands() -> None:
+    talk = talk_of("wash the salad now for ten minutes", "roast the lamb at four for two hours")
+    before = talk.entries
+    assert "nothing else is begun beside it" in talk.say("lamb's in")
+    assert talk.entries == before
+
+
+def test_of_several_things_the_one_that_was_moved_is_moved() -> None:
+    talk = talk_of("lecture at two for ninety minutes, then library till six")
+    talk.say("lecture's been moved to half two")
+    assert {name: start for name, (start, _) in planned(talk).items()} == {"s1": "14:30", "s1.2": "16:00"}

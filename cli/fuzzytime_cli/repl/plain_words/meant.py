@@ -229,12 +229,19 @@ def _started(scene: Scene, about: About) -> str | None:
     Raises
     ------
     FuzzytimeError
-        If it is taken to be running already.
+        If it is taken to be running already, or another leaves no hands free to start it.
     """
+    clock = Clock(scene.now, with_seconds=True)
     one = running_one(scene, about.names)
     if one is not None:
-        until = Clock(scene.now, with_seconds=True).at(one.done)
-        raise FuzzytimeError(f"{one.name} has started, and is running until {until}")
+        raise FuzzytimeError(f"{one.name} has started, and is running until {clock.at(one.done)}")
+    running = scene.conversation.running(scene.now)
+    busy = [other for other in running if other.end > scene.now and not other.happens]
+    if len(busy) >= scene.plan.request.agents:
+        raise FuzzytimeError(
+            f"{busy[0].name} is running until {clock.at(busy[0].end)}, and nothing else is begun beside it: "
+            f"say first: done {busy[0].identifier}"
+        )
     return _changing(scene, replace(about, kind=AboutKind.MOVE, time=AT_ONCE))
 
 

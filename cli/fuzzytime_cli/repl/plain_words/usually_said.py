@@ -13,15 +13,12 @@ from fuzzytime.language import (
 )
 from fuzzytime_cli.repl.naming import entry_of, may_be_told_of, words_of_entry
 from fuzzytime_cli.repl.plain_words.telling import is_news
-from fuzzytime_cli.repl.plain_words.ways import in_usual_words, of_whom
+from fuzzytime_cli.repl.plain_words.ways import MARK, in_usual_words, of_whom
 from fuzzytime_cli.repl.scene import Scene
 from fuzzytime_cli.repl.which import with_label, with_labels_of_places
 
 JOINTS = re.compile(r"(,\s+|;\s+|\s+[-\u2013\u2014]+\s+|\s+(?:because|since)\s+)", re.IGNORECASE)
 """What stands between what is asked for and what is told beside it."""
-
-OWNER = re.compile(r"['\u2019]s$")
-"""What tells whose something is."""
 
 COMMA, TO = ", ", "to"
 
@@ -83,7 +80,7 @@ def _of_whose(scene: Scene, clause: str) -> str:
     for place in (n for n, form in enumerate(said.forms[1:-1], 1) if (form,) in said.table("belonging")):
         whole, who = (
             said.until(place + 1),
-            Said(OWNER.sub("", said.until(place).text), said.now, said.lexicon),
+            Said(MARK.sub("", said.until(place).text), said.now, said.lexicon),
         )
         if entry_of(scene, whole.names) is None and who.words and _is_known(scene, who, told=True):
             return f"{who.text} {said.behind(place + 1).text}"

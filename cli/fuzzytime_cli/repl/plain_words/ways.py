@@ -25,6 +25,9 @@ OF_ITSELF = ("cancel", "move")
 SHIFTING = ("push", "bring")
 """How what is only later or earlier is said."""
 
+MARK = re.compile(r"['\u2019]s$")
+"""What tells whose something is, or is short for "is", or "has"."""
+
 PRONOUN = re.compile(r"\w+")
 """Who a clause is of, without what is short for "is", or "will"."""
 
@@ -153,7 +156,8 @@ def _with_slots(usual: str, slots: Slots) -> str:
     for name, said in slots.items():
         text = _time(said).removeprefix(AT) if name in TIMES else said.text
         text = text.removeprefix(TO) if name == PURPOSE else text
-        text = said.label if name == THING and said.label else text
+        # "The lecture's been moved to two"
+        text = said.label or MARK.sub("", text) if name == THING else text
         if name == THING and len(said.words) > 1 and said.forms[:1] in said.table("last"):
             # "That call"
             text = f"{THE} {said.behind(1).text}"
