@@ -64,13 +64,8 @@ def _is_again(before: Step, step: Step) -> bool:
     one, other = before.interpreted.operation, step.interpreted.operation
     if one is None or other is None or (one.phrase, one.object) != (other.phrase, other.object):
         return False
-    due = [
-        part.constraint is Constraint.BEFORE and part.anchor is None for part in step.interpreted.requirements
-    ]
+    said = step.interpreted.requirements
+    due = all(part.constraint is Constraint.BEFORE and part.anchor is None for part in said)
     latest = step.interpreted.skill.satisfaction.best.high
-    return (
-        all(due)
-        and bool(due)
-        and before.at_moment
-        and before.interpreted.skill.satisfaction.best.low < latest
-    )
+    first = before.interpreted.skill.satisfaction.best.low
+    return bool(said) and due and before.at_moment and first < latest

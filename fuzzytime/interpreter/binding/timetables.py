@@ -41,13 +41,15 @@ def of_timetables(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
     tabular = 2 * sum(moments[place].preposition is None for place in run) > len(run)
     above: list[Step] = []
     over = 0.0
+    coming = [*reversed(run)]
     for place in listed:
         step = Step(place, skills[place])
-        if place in run:
+        if coming and place == coming[-1]:
+            coming.pop()
             above.append(step)
             over = _began(moments[place]) + step.interpreted.keeps_hands
         elif _stands_open(step.interpreted, over if tabular else None):
-            due = next((_began(moments[later]) for later in run if later > place), None)
+            due = _began(moments[coming[-1]]) if coming else None
             yield from (_behind(one, moments.get(one.position), step, due) for one in above)
             above = [step]
 

@@ -34,9 +34,10 @@ def cancelled_elsewhere(scene: Scene, words: str) -> Reply | None:
         return None
     if words.split(maxsplit=1)[0].lower() not in declining:
         return None
-    thing = words.split(maxsplit=1)[-1].rstrip(".! ")
-    like = entry_of(scene, content_words(thing.split()[-1]))
-    if like is not None and is_named_itself(scene, content_words(thing.split()[-1])):
+    thing = " ".join(words.rstrip(".! ").split()[1:])
+    named = content_words(thing.rpartition(" ")[2])
+    like = entry_of(scene, named) if named else None
+    if like is not None and is_named_itself(scene, named):
         label = called(scene, like.number) or f"s{like.number}"
         raise FuzzytimeError(
             f"nothing that is planned is called {thing!r}; if {like.text!r} is: drop {label}"

@@ -78,10 +78,8 @@ def _of_whose(scene: Scene, clause: str) -> str:
     """Give a clause with what it tells of those that belong to something told of that: "Rolo's owner"."""
     said = Said.of(clause, scene.now, scene.lexicon)
     for place in (n for n, form in enumerate(said.forms[1:-1], 1) if (form,) in said.table("belonging")):
-        whole, who = (
-            said.until(place + 1),
-            Said(MARK.sub("", said.until(place).text), said.now, said.lexicon),
-        )
+        whole, owner = said.until(place + 1), MARK.sub("", said.until(place).text)
+        who = Said(owner, said.now, said.lexicon)
         if entry_of(scene, whole.names) is None and who.words and _is_known(scene, who, told=True):
             return f"{who.text} {said.behind(place + 1).text}"
     return clause
