@@ -19,7 +19,8 @@ from fuzzytime.interpreter.turns.behind import Behind, behind_of
 from fuzzytime.interpreter.turns.each_turn import EachTurn, each_turn_of
 from fuzzytime.interpreter.turns.inside import GoingOn, going_on
 from fuzzytime.interpreter.turns.of_each import OfEach, of_each, said_of_each
-from fuzzytime.language import Instruction, News, NewsKind, Reading, news_in, reported
+from fuzzytime.language import Instruction, Reading, reported
+from fuzzytime.language.about_wishes import News, NewsKind, news_in
 from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.times import seconds_between
 

@@ -7,7 +7,8 @@ from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.interpreter.request import SpokenWish
 from fuzzytime.interpreter.turns.inside import GoingOn
 from fuzzytime.interpreter.turns.of_each import OfEach
-from fuzzytime.language import Instruction, News, Reading, clauses_of, content_words
+from fuzzytime.language import Instruction, Reading, content_words
+from fuzzytime.language.about_wishes import News, clauses_of
 from fuzzytime.language.instruction import Span, overlap
 
 

@@ -8,7 +8,8 @@ from fuzzytime.interpreter.happening import without_time
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.request import SpokenWish, Started
-from fuzzytime.language import Lexicon, News, NewsKind, Reading, find_times, is_several, merged_time
+from fuzzytime.language import Lexicon, Reading, find_times, is_several
+from fuzzytime.language.about_wishes import News, NewsKind, merged_time
 from fuzzytime.language.instruction import overlap
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.satisfaction import NEVER, Rectangle

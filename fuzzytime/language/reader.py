@@ -6,7 +6,6 @@ from datetime import datetime
 from pathlib import Path
 
 from fuzzytime.documents.kept import Kept
-from fuzzytime.language.about_wishes.told.told_done import reported
 from fuzzytime.language.finding import check_length, lexicon_with, shipped_grammar, shipped_lexicon
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -22,6 +21,7 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.told_done import reported
 from fuzzytime.language.unseen import without_unseen
 
 

@@ -4,7 +4,8 @@ from datetime import datetime
 
 import pytest
 
-from fuzzytime.language import NewsKind, Operation, news_in
+from fuzzytime.language import Operation
+from fuzzytime.language.about_wishes import NewsKind, news_in
 from fuzzytime.language.finding import shipped_lexicon
 
 NOW = datetime(2026, 3, 4, 15)  # noqa: DTZ001 - the tests' moment is of no zone

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from fuzzytime.language import AboutKind, about_things, about_wishes, respelled
+from fuzzytime.language.about_wishes import AboutKind, about_things, about_wishes, respelled
 from fuzzytime.language.finding import shipped_lexicon
 from terminal.running import ran
 from terminal.talking import NINE, Talk, talk_of

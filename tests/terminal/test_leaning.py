@@ -4,7 +4,7 @@ from datetime import datetime
 
 import pytest
 
-from fuzzytime.language import AboutKind, about_things, about_wishes, continuing
+from fuzzytime.language.about_wishes import AboutKind, about_things, about_wishes, continuing
 from fuzzytime.language.finding import shipped_lexicon
 from terminal.talking import Talk
 

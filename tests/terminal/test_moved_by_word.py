@@ -4,7 +4,7 @@ from datetime import datetime, timedelta
 
 import pytest
 
-from fuzzytime.language import AboutKind, about_wishes
+from fuzzytime.language.about_wishes import AboutKind, about_wishes
 from fuzzytime.language.finding import shipped_lexicon
 from terminal.talking import Talk, talk_of
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from fuzzytime.language import AboutKind, about_wishes, in_its_place, said_apart
+from fuzzytime.language.about_wishes import AboutKind, about_wishes, in_its_place, said_apart
 from fuzzytime.language.finding import shipped_lexicon
 from terminal.talking import NINE, Talk, talk_of
 

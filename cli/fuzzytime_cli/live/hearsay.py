@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, Lexicon, about_wishes, content_words
+from fuzzytime.language import Lexicon, content_words
+from fuzzytime.language.about_wishes import About, AboutKind, about_wishes
 from fuzzytime_cli.live.messages import Said, Told, Word
 
 WORDS = {AboutKind.DROP: Word.DROP, AboutKind.DONE: Word.DONE}

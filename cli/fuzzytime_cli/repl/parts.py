@@ -6,7 +6,8 @@ from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import Instruction, Said, content_words, find_times, merged_time
+from fuzzytime.language import Instruction, content_words, find_times
+from fuzzytime.language.about_wishes import Said, merged_time
 from fuzzytime.language.instruction import Span
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import format_duration, instant_after

@@ -8,7 +8,8 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import IN_THE_PLAN, Interpreted, Plan, Problem, ProblemKind
-from fuzzytime.language import About, Language, Lexicon, content_words
+from fuzzytime.language import Language, Lexicon, content_words
+from fuzzytime.language.about_wishes import About
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.faults import underlined

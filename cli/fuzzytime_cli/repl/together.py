@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from datetime import datetime
 
 from fuzzytime.errors import InstructionError
-from fuzzytime.language import Language, about_wishes, reported
+from fuzzytime.language import Language, reported
+from fuzzytime.language.about_wishes import about_wishes
 from fuzzytime_cli.inputs.lines import is_ticked_off, said_in
 from fuzzytime_cli.repl.commands.by_name import without_colon
 

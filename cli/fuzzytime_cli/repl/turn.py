@@ -8,9 +8,9 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Plan, Problem, ProblemKind
-from fuzzytime.language import (
+from fuzzytime.language import Lexicon
+from fuzzytime.language.about_wishes import (
     About,
-    Lexicon,
     behind_an_answer,
     choice_meant,
     chooses_none,

@@ -4,7 +4,8 @@ from dataclasses import dataclass, replace
 from datetime import datetime, time, timedelta
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, Said, about_wishes, content_words
+from fuzzytime.language import content_words
+from fuzzytime.language.about_wishes import About, AboutKind, Said, about_wishes
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import (
     called,

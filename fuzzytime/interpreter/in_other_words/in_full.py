@@ -4,7 +4,8 @@ from dataclasses import replace
 
 from fuzzytime.errors import InstructionError
 from fuzzytime.interpreter.request import Request, SpokenWish, Wish
-from fuzzytime.language import Language, continued
+from fuzzytime.language import Language
+from fuzzytime.language.about_wishes import continued
 
 
 def in_full(request: Request, language: Language) -> Request:

@@ -1,6 +1,12 @@
 """What somebody tells to have happened, where something waits for it: "bob called", "the rain stopped"."""
 
-from fuzzytime.language import done_at_once, is_untold, tells_awaited, tells_of_somebody, written_out
+from fuzzytime.language.about_wishes import (
+    done_at_once,
+    is_untold,
+    tells_awaited,
+    tells_of_somebody,
+    written_out,
+)
 from fuzzytime_cli.repl.scene import Scene, waiting
 from fuzzytime_cli.repl.typed import number_of
 

@@ -1,16 +1,7 @@
 """What somebody tells to have done, taken as done: "I've fed the cat", "the boards are cut"."""
 
-from fuzzytime.language import (
-    About,
-    AboutKind,
-    Operation,
-    Reading,
-    Said,
-    content_words,
-    perhaps_reported,
-    told_result,
-    written_out,
-)
+from fuzzytime.language import Operation, Reading, content_words, perhaps_reported, told_result
+from fuzzytime.language.about_wishes import About, AboutKind, Said, written_out
 from fuzzytime_cli.repl.naming import entry_of
 from fuzzytime_cli.repl.plain_words.leaving_out import Taken
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting

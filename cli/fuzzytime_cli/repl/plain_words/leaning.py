@@ -5,14 +5,13 @@ from dataclasses import replace
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import (
+from fuzzytime.language import Reading, content_words
+from fuzzytime.language.about_wishes import (
     AT_FIRST,
     AT_LAST,
     About,
     AboutKind,
-    Reading,
     about_things,
-    content_words,
     continued,
     continuing,
     is_person,

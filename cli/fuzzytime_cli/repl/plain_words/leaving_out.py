@@ -8,7 +8,8 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import About, AboutKind, find_times, reworded
+from fuzzytime.language import find_times
+from fuzzytime.language.about_wishes import About, AboutKind, reworded
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import instant_after
 from fuzzytime_cli.render import plain

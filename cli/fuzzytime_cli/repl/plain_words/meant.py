@@ -4,7 +4,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import AT_FIRST, AT_ONCE, About, AboutKind, content_words
+from fuzzytime.language import content_words
+from fuzzytime.language.about_wishes import AT_FIRST, AT_ONCE, About, AboutKind
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.bounds import check_bound

@@ -7,7 +7,7 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import AboutKind, Said, about_wishes
+from fuzzytime.language.about_wishes import AboutKind, Said, about_wishes
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.naming import entry_of
 from fuzzytime_cli.repl.plain_words.usually_said import asks_how_it_is

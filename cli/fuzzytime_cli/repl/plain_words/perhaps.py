@@ -7,7 +7,8 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpretation, Interpreted
-from fuzzytime.language import AboutKind, Lexicon, Operation, about_wishes, content_words, news_in
+from fuzzytime.language import Lexicon, Operation, content_words
+from fuzzytime.language.about_wishes import AboutKind, about_wishes, news_in
 from fuzzytime.times import instant_after
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.naming import called, entry_of, is_named_itself

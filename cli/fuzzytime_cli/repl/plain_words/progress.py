@@ -4,7 +4,7 @@ from dataclasses import replace
 from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind
+from fuzzytime.language.about_wishes import About, AboutKind
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown

@@ -4,14 +4,12 @@ from dataclasses import replace
 
 from rich.text import Text
 
-from fuzzytime.language import (
+from fuzzytime.language import Reading, content_words, reported
+from fuzzytime.language.about_wishes import (
     About,
     AboutKind,
-    Reading,
     about_wishes,
     behind_what_is_told,
-    content_words,
-    reported,
     tells_of_somebody,
 )
 from fuzzytime_cli.render import plain

@@ -8,16 +8,8 @@ from itertools import combinations
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import (
-    About,
-    AboutKind,
-    Said,
-    find_times,
-    in_its_place,
-    merged_time,
-    reported,
-    with_names,
-)
+from fuzzytime.language import find_times, reported
+from fuzzytime.language.about_wishes import About, AboutKind, Said, in_its_place, merged_time, with_names
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration
 from fuzzytime_cli.repl.bounds import bound_in

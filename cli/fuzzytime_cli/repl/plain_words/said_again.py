@@ -1,6 +1,7 @@
 """What is said again, with another time: "no, feed the dog at seven", "trim the hedge at four"."""
 
-from fuzzytime.language import About, AboutKind, Operation, Reading, content_words, restated
+from fuzzytime.language import Operation, Reading, content_words
+from fuzzytime.language.about_wishes import About, AboutKind, restated
 from fuzzytime.requirement import Constraint
 from fuzzytime_cli.repl.parts import with_time_of_part
 from fuzzytime_cli.repl.plain_words.retiming import FOR, with_time

@@ -6,17 +6,15 @@ from dataclasses import replace
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import (
+from fuzzytime.language import Reading, content_words, reported
+from fuzzytime.language.about_wishes import (
     About,
     AboutKind,
-    Reading,
     about_things,
     about_wishes,
     added_time,
     by_how_much,
-    content_words,
     lets_be,
-    reported,
     respelled,
 )
 from fuzzytime.language.sentence.trees.model import is_verb

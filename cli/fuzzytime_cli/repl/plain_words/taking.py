@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from rich.text import Text
 
-from fuzzytime.language import About, AboutKind
+from fuzzytime.language.about_wishes import About, AboutKind
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands.by_name import command_of
 from fuzzytime_cli.repl.scene import Reply, Scene

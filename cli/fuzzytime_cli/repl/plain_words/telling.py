@@ -6,16 +6,14 @@ from dataclasses import replace
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import (
+from fuzzytime.language import Reading, content_words, reported
+from fuzzytime.language.about_wishes import (
     AT_ONCE,
     About,
     AboutKind,
-    Reading,
     about_wishes,
     behind_what_is_told,
-    content_words,
     news_in,
-    reported,
 )
 from fuzzytime.requirement import Condition, Constraint
 from fuzzytime.times import format_duration

@@ -3,14 +3,8 @@
 import re
 
 from fuzzytime.english import is_participle
-from fuzzytime.language import (
-    Said,
-    about_wishes,
-    bare,
-    called_by_time,
-    content_words,
-    verb_forms,
-)
+from fuzzytime.language import content_words, verb_forms
+from fuzzytime.language.about_wishes import Said, about_wishes, bare, called_by_time
 from fuzzytime_cli.repl.naming import entry_of, may_be_told_of, words_of_entry
 from fuzzytime_cli.repl.plain_words.telling import is_news
 from fuzzytime_cli.repl.plain_words.ways import MARK, in_usual_words, of_whom

@@ -5,7 +5,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from datetime import datetime
 
 from fuzzytime.english import is_participle
-from fuzzytime.language import Lexicon, Said, bare, later_by, without_request, written_out
+from fuzzytime.language import Lexicon
+from fuzzytime.language.about_wishes import Said, bare, later_by, without_request, written_out
 from fuzzytime.requirement import Unit
 
 SLOT = "<"

@@ -6,7 +6,8 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import About, AboutKind, content_words, verb_forms
+from fuzzytime.language import content_words, verb_forms
+from fuzzytime.language.about_wishes import About, AboutKind
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain, wrapped

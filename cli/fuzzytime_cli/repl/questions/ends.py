@@ -5,7 +5,7 @@ from datetime import datetime
 
 from rich.text import Text
 
-from fuzzytime.language import About
+from fuzzytime.language.about_wishes import About
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.questions.stretches import bounds_of, time_of

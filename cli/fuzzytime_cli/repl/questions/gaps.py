@@ -6,7 +6,8 @@ from datetime import datetime, timedelta
 from rich.text import Text
 
 from fuzzytime.interpreter import MAX_HORIZON, WITHOUT_END
-from fuzzytime.language import About, AboutKind, find_times
+from fuzzytime.language import find_times
+from fuzzytime.language.about_wishes import About, AboutKind
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import seconds_between
 from fuzzytime_cli.render import plain

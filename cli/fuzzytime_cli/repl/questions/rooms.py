@@ -6,7 +6,7 @@ from datetime import datetime, timedelta
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import About, without_article
+from fuzzytime.language.about_wishes import About, without_article
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import format_duration
 from fuzzytime_cli.repl.compared import moves

@@ -1,4 +1,4 @@
-"""What is told of wishes: ``reports`` of how it goes, what is ``told_done``, and of one thing ``told_of``.
+"""What is told of wishes: ``reports`` of how it goes and, of one thing, ``told_of``.
 
 ``news`` of what happens, and what was ``awaited``.
 """
