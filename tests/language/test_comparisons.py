@@ -36,6 +36,7 @@ def compared(text: str) -> tuple[Comparison, ...]:
         ("we're down to 50 parts", Side.AT_MOST, 50, "parts"),
         ("only 20% is left", Side.AT_MOST, 20, "% is left"),
         ("it drops below -5 degrees outside", Side.BELOW, -5, "degrees outside"),
+        ("the freezer is above minus 18 degrees", Side.ABOVE, -18, "degrees"),
         ("fewer than twenty parts are left", Side.BELOW, 20, "parts are left"),
     ],
 )

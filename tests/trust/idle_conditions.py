@@ -1,12 +1,15 @@
-"""Find conditions of the language that no text needs: switched off, each text reads as before.
+"""Find conditions of the language that no text shows: switched off, each text reads as before.
 
     python tests/trust/idle_conditions.py fuzzytime/language/sentence/together
 
 Every text of the corpora, the examples and the tests is read once, and every condition below the folder
 notes the texts in which it decides something: an operand of "or" and the test of an "if" where they hold, an
-operand of "and" and a filter where they do not. Then it is switched off, and those texts are read again. What
-is printed changes none of them: a rule for nobody, a guard against what nobody says (bounds, nothing found),
-or a row that is missing. A package takes minutes, the whole tree half an hour.
+operand of "and" and a filter where they do not. Then it is switched off, and those texts are read again.
+
+What is printed changes none of them. Mostly a row is missing: people say what no corpus holds, and a
+condition may decide it. So look for a sentence first that reads otherwise without it, and add that; only
+what none is found for is a rule for nobody. Guards against nothing found are printed, too. It takes some
+ten minutes.
 """
 
 import argparse
@@ -184,7 +187,7 @@ def _strings(tree: object) -> Iterator[str]:
 
 
 def main() -> None:
-    """Print the conditions that no text needs."""
+    """Print the conditions that no text shows."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )

@@ -1,4 +1,4 @@
-"""A condition that no text needs is found; one that decides something is not."""
+"""What a condition decides is noted text by text, and it can be switched off."""
 
 import ast
 from pathlib import Path
