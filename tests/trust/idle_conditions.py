@@ -8,8 +8,8 @@ operand of "and" and a filter where they do not. Then it is switched off, and th
 
 What is printed changes none of them. Mostly a row is missing: people say what no corpus holds, and a
 condition may decide it. So look for a sentence first that reads otherwise without it, and add that; only
-what none is found for is a rule for nobody. Guards against nothing found are printed, too. It takes some
-ten minutes.
+what none is found for is a rule for nobody. Guards against nothing found are printed, too, and so is what
+holds between lines, as each text is read alone. It takes some ten minutes, on systems with alarms.
 """
 
 import argparse
@@ -17,6 +17,7 @@ import ast
 import importlib
 import json
 import pkgutil
+import signal
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -38,6 +39,9 @@ MOST = 50
 
 LONGEST = 220
 """Characters of a text that is read; longer strings of the tests are no instructions."""
+
+LIMIT = 10.0
+"""Seconds for a text; without a condition the reading may go on for ever, which is another reading."""
 
 KEPT = frozenset({"_pipeline", "_listed", "grammar", "shipped_lexicon", "shipped_grammar"})
 """What is made once, and is the same for every text."""
@@ -164,15 +168,18 @@ class Finder(MetaPathFinder):
 
 def texts() -> list[str]:
     """Give every text of the corpora, the examples and the tests, once each."""
-    found = [
-        line for path in sorted(ROOT.glob("examples/**/*.txt")) for line in path.read_text().splitlines()
-    ]
+    found: list[str] = []
+    for path in sorted(ROOT.glob("examples/**/*.txt")):
+        found += path.read_text("utf-8").splitlines()
     for path in sorted(ROOT.glob("tests/language/corpus/**/*.yaml")):
         found += _strings(yaml.safe_load(path.read_text("utf-8")))
     for path in sorted(ROOT.glob("tests/**/*.py")):
         nodes = ast.walk(ast.parse(path.read_text("utf-8")))
-        found += [n.value for n in nodes if isinstance(n, ast.Constant) and isinstance(n.value, str)]
-    return [text for text in dict.fromkeys(found) if " " in text and len(text) <= LONGEST]
+        said = (
+            node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)
+        )
+        found += (text for text in said if " " in text)
+    return [text for text in dict.fromkeys(found) if len(text) <= LONGEST]
 
 
 def _strings(tree: object) -> Iterator[str]:
@@ -186,14 +193,21 @@ def _strings(tree: object) -> Iterator[str]:
             yield from _strings(value)
 
 
+def _too_long(_number: int, _frame: object) -> None:
+    raise TimeoutError
+
+
 def main() -> None:
     """Print the conditions that no text shows."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("folder", type=Path, help="a package of fuzzytime/language, or a part of it")
+    parser.add_argument("folder", type=Path, help="a package of fuzzytime/language")
     folder = parser.parse_args().folder.resolve()
+    if not folder.is_dir():
+        parser.error(f"{folder}: there is no such folder")
     sys.meta_path.insert(0, Finder(folder))
+    signal.signal(signal.SIGALRM, _too_long)
     language = importlib.import_module("fuzzytime.language")
     for module in pkgutil.walk_packages(language.__path__, "fuzzytime.language."):
         importlib.import_module(module.name)
@@ -204,10 +218,13 @@ def main() -> None:
     def reading(number: int) -> str:
         for cache in caches:
             cache.cache_clear()
+        signal.setitimer(signal.ITIMER_REAL, LIMIT)
         try:
             return repr(reader.read(read[number], now=NOW))
         except Exception as error:  # noqa: BLE001 - without a guard anything may be raised, which is another reading
             return type(error).__name__
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
 
     before = []
     for number in range(len(read)):
