@@ -12,6 +12,7 @@ from fuzzytime.language.sentence.segments.connectives import next_one
 from fuzzytime.language.sentence.segments.cuts import other_things, pieces_of, reminded
 from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
 from fuzzytime.language.sentence.segments.further.calls import addressed, called_first, called_next
+from fuzzytime.language.sentence.segments.further.entries_in_a_row import entries_of
 from fuzzytime.language.sentence.segments.further.orders_behind_joints import orders_behind_joints
 from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.further.same_doers import done_next
@@ -97,6 +98,9 @@ def _cut(one: Waiting, part: Part, runs_on: int | None) -> list[Waiting]:
         return list(one.cut_before(apart))
     if not part.tree.nodes:
         return []
+    listed = entries_of(one, part)
+    if listed:
+        return _waiting(one, listed)
     cut = reason_in_front(one, part) or called_next(one, part)
     if runs_on is not None and not cut:
         return list(one.cut_before(runs_on))

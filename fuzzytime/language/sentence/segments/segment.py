@@ -38,7 +38,7 @@ class Segment:
     ``addressee`` is who was asked by name, before a comma or behind one; ``verbless`` says that its verb was
     said before: "the cat at eight and the dog at nine". ``doer`` is who does it, named before: "the drone
     takes off at nine, surveys the field"; that one is asked where both are the same. What is ``borrowed`` are
-    other words said before that hold in it too.
+    other words said before that hold in it too; in an ``entry`` of a list, no others do.
     """
 
     span: Span
@@ -48,6 +48,7 @@ class Segment:
     verbless: bool = False
     doer: str | None = None
     borrowed: tuple[Borrowed, ...] = ()
+    entry: bool = False
 
     def shares(self, text: str) -> bool:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""

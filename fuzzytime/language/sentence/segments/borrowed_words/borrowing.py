@@ -75,7 +75,7 @@ def wishes_behind(source: Source, parts: Mapping[int, Part]) -> Iterator[Part]:
     ordered: Part | None = None
     for start in sorted(parts):
         part = parts[start]
-        if not part.tree.nodes or part.segment.borrowed:
+        if not part.tree.nodes or part.segment.borrowed or part.segment.entry:
             continue
         end = ordered.segment.span[1] if ordered is not None else 0
         said = source.scanned.text[end : part.segment.span[0]].lower()

@@ -24,6 +24,8 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
         # "… and with Dominic at eleven, 45 minutes each"
         said.pop()
     rest = text[said[0][0] : said[-1][1]] if said else ""
+    if rest and part.segment.entry:
+        return None
     shortly = _said_shortly(before, rest, lexicon) if sketch.heard else None
     if shortly is not None:
         return shortly
@@ -86,6 +88,9 @@ def _said_shortly(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
     turned, _, level = rest.partition(" to ")
     particle = _particle_alone(before, turned, lexicon)
     if particle is not None:
+        if before.lemma == "be" and before.due is not None:
+            # "Heating on at five, off at nine"
+            return replace(before, place=rest)
         # "And back up to 37 degrees at six"
         return replace(before, particle=particle, place=f"to {level}" if level else before.place)
     # "Ring the bell at six, then again at seven"

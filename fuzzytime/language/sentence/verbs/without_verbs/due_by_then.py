@@ -80,7 +80,9 @@ def _is_thing(thing: Sequence[Node], lexicon: Lexicon) -> bool:
     acts = doing.arriving | doing.leaving | doing.being | doing.stopping | doing.phases
     several = len(thing) == 1 and thing[0].tag == "VBZ" and thing[0].lemma not in acts
     everyone = len(thing) == 1 and thing[0].lower in lexicon.closed.universal_pronouns
-    return several or everyone or all(node.tag in NAMING for node in thing)
+    # "Heating off", "telly off"
+    called = len(thing) == 1 and (thing[0].tag == "VBG" or not thing[0].may_act)
+    return several or everyone or called or all(node.tag in NAMING for node in thing)
 
 
 def _is_wished(nodes: Sequence[Node], state: int, lexicon: Lexicon) -> bool:
@@ -91,7 +93,12 @@ def _is_wished(nodes: Sequence[Node], state: int, lexicon: Lexicon) -> bool:
     known = lexicon.happening | lexicon.taken | lexicon.persons | lexicon.travelling | lexicon.moments
     things = [node for node in nodes[:state] if node.tag not in DETERMINERS]
     away = nodes[state].lower in lexicon.particles and nodes[state].tag not in PAST
-    return away and things[-1].tag in PLURALS and known.isdisjoint(node.lower for node in things)
+    # "Oven on", "heating off", "porch light on"; but "stew on", "warm up"
+    first, last = things[0], things[-1]
+    behind = {node.lower for node in nodes[state + 1 :]} - lexicon.closed.adverbs_of_repetition
+    one = not behind and not (first.may_act and first.lower == first.lemma)
+    named = last.tag in PLURALS or one
+    return away and named and known.isdisjoint(node.lower for node in things)
 
 
 def _is_done(node: Node, before: Node, lexicon: Lexicon, *, listed: bool) -> bool:

@@ -1,0 +1,180 @@
+"""Entries of a sentence, each with its time: "lights off at eleven, eggs at ten", "at one maths, at two art".
+
+Each names a thing, or how a thing is to be, and no verb holds for two of them. So each is parsed alone: one
+tree of all of them has no root that is of all. A state that stands alone is of the thing that had one before:
+"stew on at one, stir it at two, off at five".
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.sentence.segments.borrowed import Borrowed
+from fuzzytime.language.sentence.segments.segment import Segment
+from fuzzytime.language.sentence.segments.waiting import Part, Waiting
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tree import Node
+
+JOINTS = frozenset({",", "and", "&", "then"})
+"""What stands between two entries."""
+
+FINITE = frozenset({"VBZ", "VBD", "VBP", "VB", "MD"})
+"""Tags of words in what tells, or asks for, more than when something is."""
+
+INSIDE = frozenset({"IN", "TO", "POS"})
+"""Tags of little words in a name: "dinner with Jo", "samples to the lab", "mum's birthday"."""
+
+LONGEST = 6
+"""Words of what an entry names at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    """What stands between two joints: where it begins, and its words that are no time.
+
+    It is ``whole`` where these stand together with all its times on one side, which may ``lead``.
+    """
+
+    start: int
+    name: tuple[Node, ...]
+    whole: bool
+    leads: bool
+    lexicon: Lexicon
+
+    @property
+    def opened(self) -> bool:
+        """Whether an article begins it: "feed the cat at eight, the dog at nine" is of one verb."""
+        return bool(self.name) and self.name[0].tag in DETERMINERS
+
+    @property
+    def state(self) -> tuple[Node, ...]:
+        """The words at its end that say where, or how, a thing is to be: "hens in", "lights off again"."""
+        lexicon, last = self.lexicon, len(self.name) - 1
+        again = lexicon.closed.adverbs_of_repetition - lexicon.particles.keys()
+        while last > 0 and self.name[last].lower in again:
+            last -= 1
+        states = lexicon.beside.states | lexicon.particles.keys() | lexicon.results
+        return self.name[last:] if self.name and self.name[last].lower in states else ()
+
+    @property
+    def thing(self) -> tuple[Node, ...]:
+        """The words of its name without an article in front, and without the state at its end."""
+        return self.name[self.opened : len(self.name) - len(self.state)]
+
+    @property
+    def is_state(self) -> bool:
+        """Whether somebody is to be somewhere, or a thing said before so: "up at six", "off at five"."""
+        return bool(self.state) and not self.thing
+
+    @property
+    def names(self) -> bool:
+        """Whether it names a thing by itself, of which it says when it is, or is to be so."""
+        numbered = self.name[:1] and self.name[0].lower in self.lexicon.numbers
+        if not self.whole or not self.thing or numbered or len(self.name) > LONGEST:
+            return False
+        worded = all(node.text[0].isalpha() for node in self.name)
+        tells = any(
+            node.tag in FINITE or self._leads_on(before, node) for before, node in pairwise(self.thing)
+        )
+        return (
+            worded and not tells and not self._asks and self.thing[0].lower not in self.lexicon.function_words
+        )
+
+    @property
+    def asks(self) -> bool:
+        """Whether it may begin with an order: "gym at six, then pick up jo at seven"."""
+        first = self.name[0]
+        return first.may_act and first.lower == first.lemma and first.lower not in self.lexicon.function_words
+
+    @property
+    def _asks(self) -> bool:
+        """Whether its thing is a verb, with what that is done with, or with its particle."""
+        lexicon, (first, *further) = self.lexicon, self.thing
+        if not first.may_act or first.lower != first.lemma:
+            return False
+        if not further:
+            return any(first.lemma in lexicon.particles.get(node.lower, ()) for node in self.state)
+        # "Lunch with Dan", "dinner party"; but "bath the baby", "call Ann"
+        timed = lexicon.happening | lexicon.taken | lexicon.lasting
+        return first.lower not in timed or not (further[0].tag in INSIDE or further[-1].lower in timed)
+
+    def is_apart(self, before: "_Entry", *, listed: bool) -> bool:
+        """Whether no verb of the entry before holds for it; a thing begins what is ``listed``."""
+        if self.asks and (before.names or (self.leads and len(self.name) > 1)):
+            return True
+        # "Gym at six, walk bella at seven, dinner at eight"; but "…, the dog at eight"
+        return listed and self.names and (before.names or not self.opened)
+
+    def _leads_on(self, before: Node, node: Node) -> bool:
+        """Whether a word is of a sentence, and of no name: "lock the door"; but "dinner with the Lees"."""
+        lexicon = self.lexicon
+        if node.lower in lexicon.closed.noun_openers:
+            return before.tag not in INSIDE
+        inside = node.tag in INSIDE and node is not self.thing[-1]
+        return node.lower in lexicon.function_words and not inside
+
+
+def entries_of(one: Waiting, part: Part) -> list[Segment]:
+    """Give the entries of a segment, each by itself; none where it is no such list."""
+    segment, source = one.segment, one.source
+    clauses = (
+        longest_match(source.scanned.words, at, one.lexicon.clauses) for at in source.places(*segment.span)
+    )
+    if segment.verbless or segment.borrowed or any(clauses):
+        return []
+    further = dict(_further(one, part))
+    if not further:
+        return []
+    ends = [*(one.end_before(start) for start in further), segment.span[1]]
+    first = replace(segment, span=(segment.span[0], ends[0]), entry=True)
+    behind = (
+        Segment((start, end), addressee=segment.addressee, borrowed=borrowed, entry=True)
+        for (start, borrowed), end in zip(further.items(), ends[1:], strict=True)
+    )
+    return [first, *behind]
+
+
+def _further(one: Waiting, part: Part) -> Iterator[tuple[int, tuple[Borrowed, ...]]]:
+    """Give where further entries begin behind a first that names a thing, with the words that they borrow.
+
+    Times in front tell orders apart as well: "at eight take the cat to the vet, at ten ring work".
+    """
+    entries = _entries(one, part)
+    before = next(entries, None)
+    if before is None or not (before.names or (before.whole and before.leads)):
+        return
+    leads, listed, stated = before.leads, before.names, before
+    for entry in entries:
+        if not entry.name:
+            # "Stir at two, three and four"
+            continue
+        if not entry.whole or entry.leads is not leads:
+            return
+        start = part.tree.nodes[entry.start].start + part.offset
+        if entry.is_state:
+            # "Stew on at one, stir at two, off at five"; but "flight at ten, taxi at seven, up at six"
+            thing = stated.thing if stated.state else ()
+            if not before.state:
+                yield start, (Borrowed(start, part.span(thing[0], thing[-1])),) if thing else ()
+        elif entry.is_apart(before, listed=listed):
+            yield start, ()
+        stated = entry if entry.state and entry.thing else stated
+        before = entry
+
+
+def _entries(one: Waiting, part: Part) -> Iterator[_Entry]:
+    """Give what stands between the joints of a segment."""
+    nodes, timed = part.tree.nodes, one.timed(part.tree)
+    joints = [place for place, node in enumerate(nodes) if place not in timed and node.lower in JOINTS]
+    first = 0
+    for end in (*joints, len(nodes)):
+        if first < end:
+            said = [place for place in range(first, end) if place not in timed]
+            # A time in front of the first may be none of its tree's.
+            apart = not first and one.heard_from > 0
+            leads = apart or first in timed
+            where = range(end - len(said), end) if leads else range(first, first + len(said))
+            whole = bool(said) and said == list(where) and (apart or len(said) < len(range(first, end)))
+            yield _Entry(first, tuple(nodes[place] for place in said), whole, leads, one.lexicon)
+        first = end + 1
