@@ -51,7 +51,7 @@ def test_bullets_and_dashes_beside_hours_are_no_words() -> None:
         ("dentist 1.20, don't be late", ("dentist", "13:20")),
         ("handover to days 2", ("handover to days", "14:00")),
         ("hand over to nights 7.45", ("hand over to nights", "07:45")),
-        ("oven on 10.15", ("oven on", "10:15")),
+        ("oven on 10.15", ("oven must be on", "10:15")),
         ("heating on 7.30", ("heating on", "07:30")),
         ("van in 8, two men", ("van in", "08:00")),
         ("10 - 12 Margaret on stall", ("Margaret on stall", "10:00")),

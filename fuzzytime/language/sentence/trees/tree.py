@@ -84,6 +84,17 @@ class Tree:
         """Give some words in lower case."""
         return {self.nodes[place].lower for place in places}
 
+    def typed(self, places: Sequence[int]) -> str:
+        """Give some words as they were typed, without what stands between them."""
+        said = ""
+        for place in places:
+            node = self.nodes[place]
+            joined = place - 1 in places and self.nodes[place - 1].end == node.start
+            hyphened = place - 2 in places and self.nodes[place - 2].end + 1 == node.start
+            said += self.text[node.start - 1] if hyphened else "" if joined or not said else " "
+            said += node.text
+        return said
+
     def reach(self, place: int) -> tuple[int, int]:
         """Give the first word and one past the last word of all under a word."""
         under = list(self.below(place))

@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.segments.borrowed_words.frames import (
     lets_too,
 )
 from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import Stretch, Wish
+from fuzzytime.language.sentence.segments.borrowed_words.other_places import is_moved_on
 from fuzzytime.language.sentence.segments.borrowed_words.other_things import is_done_elsewhere, is_given_too
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
@@ -34,6 +35,7 @@ KINDS: tuple[Kind, ...] = (
     is_done_too,
     is_given_too,
     is_done_elsewhere,
+    is_moved_on,
 )
 IN_FRONT: tuple[Kind, ...] = (is_reminded_then, is_done_elsewhere)
 """What a wish may be that has its time in front, or stands apart."""

@@ -49,13 +49,11 @@ class _Entry:
 
     @property
     def state(self) -> tuple[Node, ...]:
-        """The words at its end that say where, or how, a thing is to be: "hens in", "lights off again"."""
-        lexicon, last = self.lexicon, len(self.name) - 1
-        again = lexicon.closed.adverbs_of_repetition - lexicon.particles.keys()
-        while last > 0 and self.name[last].lower in again:
-            last -= 1
-        states = lexicon.beside.states | lexicon.particles.keys() | lexicon.results
-        return self.name[last:] if self.name and self.name[last].lower in states else ()
+        """The words that say where, or how, a thing is to be: "hens in", "lights off", "sam to judo"."""
+        lexicon, words = self.lexicon, [node.lower for node in self.name]
+        where = lexicon.beside.states | lexicon.particles.keys() | {"to"}
+        first = next((place for place, word in enumerate(words) if word in where), len(words))
+        return self.name[-1:] if lexicon.results.issuperset(words[-1:]) else self.name[first:]
 
     @property
     def thing(self) -> tuple[Node, ...]:
@@ -74,7 +72,7 @@ class _Entry:
         if not self.whole or not self.thing or numbered or len(self.name) > LONGEST:
             return False
         worded = all(node.text[0].isalpha() for node in self.name)
-        tells = any(
+        tells = self.thing[-1].tag in INSIDE or any(
             node.tag in FINITE or self._leads_on(before, node) for before, node in pairwise(self.thing)
         )
         return (
@@ -104,7 +102,7 @@ class _Entry:
         if self.asks and (before.names or (self.leads and len(self.name) > 1)):
             return True
         # "Gym at six, walk bella at seven, dinner at eight"; but "…, the dog at eight"
-        return listed and self.names and (before.names or not self.opened)
+        return listed and self.names and not (self.opened and (before.asks or not before.names))
 
     def _leads_on(self, before: Node, node: Node) -> bool:
         """Whether a word is of a sentence, and of no name: "lock the door"; but "dinner with the Lees"."""
@@ -155,8 +153,7 @@ def _further(one: Waiting, part: Part) -> Iterator[tuple[int, tuple[Borrowed, ..
         if entry.is_state:
             # "Stew on at one, stir at two, off at five"; but "flight at ten, taxi at seven, up at six"
             thing = stated.thing if stated.state else ()
-            if not before.state:
-                yield start, (Borrowed(start, part.span(thing[0], thing[-1])),) if thing else ()
+            yield start, (Borrowed(start, part.span(thing[0], thing[-1])),) if thing else ()
         elif entry.is_apart(before, listed=listed):
             yield start, ()
         stated = entry if entry.state and entry.thing else stated

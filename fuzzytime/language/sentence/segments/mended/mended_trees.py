@@ -31,6 +31,10 @@ WITHIN = ("advcl", "xcomp", "relcl", "acl", "ccomp")
 """How a tree hangs such a verb on the clause before it."""
 
 
+NAMED = 2
+"""Words of a thing and where it is: "oven on"."""
+
+
 def as_done(tree: Tree) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
     if not tree.nodes:
@@ -47,6 +51,16 @@ def as_somewhere(tree: Tree) -> Tree:
     first, somewhere = tree.nodes[0], tree.lexicon.closed.adverbs_of_arrival & tree.lexicon.beside.states
     alone = {node.relation for node in tree.nodes[1:]} <= OF_TIMES
     return tree.changed(0, tag="RB") if alone and first.is_verb and first.lower in somewhere else tree
+
+
+def as_thing(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "porch light off at eleven" its thing, which a tree takes for what is done: nothing is porched."""
+    end, again = min(timed - {0}, default=0), tree.lexicon.closed.adverbs_of_repetition
+    said = [node for node in tree.nodes[:end] if node.lower not in again]
+    if len(said) < NAMED or said[-1].lower not in tree.lexicon.particles or said[0].may_act:
+        return tree
+    named = said[0].is_bare and all(node.tag.startswith("NN") for node in said[1:-1])
+    return tree.changed(0, tag="NN") if named else tree
 
 
 def _with_manner(tree: Tree) -> Tree:

@@ -20,6 +20,7 @@ from fuzzytime.language.sentence.segments.mended.mended_trees import (
     as_done,
     as_order,
     as_somewhere,
+    as_thing,
     with_joined,
     with_reminded,
 )
@@ -87,7 +88,7 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
     if not tree.nodes:
         return tree
     tree, timed = as_somewhere(tree), one.timed(tree)
-    tree = with_joined(tree, timed)
+    tree = with_joined(as_thing(tree, timed), timed)
     tree = with_thing_before_time(with_her(with_bare_thing(with_whole_things(tree), timed), timed), timed)
     tree = with_purpose(with_aim(tree, timed))
     tree = with_event_names(with_object_of_aim(tree, timed), timed)

@@ -87,6 +87,10 @@ def _said_shortly(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
     """Give the operation before where a particle alone, or that it is done again, is said beside a time."""
     turned, _, level = rest.partition(" to ")
     particle = _particle_alone(before, turned, lexicon)
+    timed = lexicon.happening | lexicon.taken | lexicon.closed.coming
+    if before.stated and before.particle is None and before.verb in timed:
+        # "Flight at ten, up at six"
+        return None
     if particle is not None:
         if before.lemma == "be" and before.due is not None:
             # "Heating on at five, off at nine"

@@ -32,8 +32,8 @@ def due_by_then(
     whole = bool(nodes) and nodes[0].lower in lexicon.closed.universal_determiners and len(nodes) > 1
     first = 1 if nodes and (nodes[0].tag in DETERMINERS or (whole and nodes[1].tag in NOUNS | PLURALS)) else 0
     end = next((place for place in range(first, len(nodes)) if place in timed), len(nodes))
-    behind = (place for place in range(end, len(nodes)) if nodes[place].relation != "punct")
-    if end not in timed or any(place not in timed for place in behind):
+    rest = (place for place in range(end, len(nodes)) if nodes[place].relation != "punct")
+    if end not in timed or any(place not in timed for place in rest):
         return None
     state = _state(nodes[:end], lexicon, listed=listed)
     if state <= first or _is_ordered(nodes[first:state], lexicon):
@@ -43,13 +43,15 @@ def due_by_then(
     wished = wished or (end in moments and _is_wished(nodes[:end], state, lexicon))
     if end not in due and not wished:
         return None
-    thing = tree.text[nodes[0].start : nodes[state - 1].end]
-    said, span = tree.text[nodes[state].start : nodes[end - 1].end], (nodes[state].start, nodes[end - 1].end)
+    thing, said = tree.typed(range(state)), tree.typed(range(state, end))
+    span = (nodes[state].start, nodes[end - 1].end)
     if nodes[state].tag in PAST:
         within = all(node.tag in NAMING | {"IN", "DT"} for node in nodes[first + 1 : state])
         lemma = nodes[state].lemma
         return Operation(verb=said, lemma=lemma, span=span, object=thing, due="must be") if within else None
-    named = all(node.tag in NAMING | {"IN"} or node.tag in DETERMINERS for node in nodes[state + 1 : end])
+    again = lexicon.closed.adverbs_of_repetition
+    behind = [node for node in nodes[state + 1 : end] if node.lower not in again]
+    named = all(node.tag in NAMING | DETERMINERS | {"IN"} for node in behind)
     ordered = not first and nodes[first].may_act and nodes[first].lower == nodes[first].lemma
     ordered = ordered and nodes[first].lower not in lexicon.doing.recipients
     if not named or ordered or not _is_thing(nodes[first:state], lexicon):

@@ -39,7 +39,7 @@ def named_alone(tree: Tree, heard: Collection[int], *, chained: bool = False) ->
     nodes = [tree.nodes[place] for place in said]
     if not nodes or not all(_is_inside(tree, place) for place in said) or _denies(tree, nodes):
         return None
-    name, span = _lowered(_text(tree, said)), (nodes[0].start, nodes[-1].end)
+    name, span = _lowered(tree.typed(said)), (nodes[0].start, nodes[-1].end)
     if _is_where(tree, nodes):
         return Operation(verb="be", lemma="be", span=span, place=name)
     heads = [node for node in nodes if node.head not in said or tree.nodes[node.head] is node]
@@ -92,18 +92,6 @@ def _denies(tree: Tree, nodes: Sequence[Node]) -> bool:
     return not (closed.negators | closed.negative_pronouns | {"no"}).isdisjoint(node.lower for node in nodes)
 
 
-def _text(tree: Tree, places: Sequence[int]) -> str:
-    """Give words as typed, without what stands between them."""
-    said = ""
-    for place in places:
-        node = tree.nodes[place]
-        joined = place - 1 in places and tree.nodes[place - 1].end == node.start
-        hyphened = place - 2 in places and tree.nodes[place - 2].end + 1 == node.start
-        said += tree.text[node.start - 1] if hyphened else "" if joined or not said else " "
-        said += node.text
-    return said
-
-
 def _lowered(said: str) -> str:
     return said[:1].lower() + said[1:] if said[1:2].islower() else said
 
@@ -141,7 +129,7 @@ def put_there(tree: Tree, timed: Sequence[int], *, lasts: bool) -> Operation | N
     if thing.tag == "VBZ" and len(things) > 1:
         # "The bus comes in at nine"
         return None
-    said = tree.text[nodes[0].start : thing.end]
+    said = tree.typed(range(place))
     span = (nodes[place].start, nodes[place].end)
     lowered = said[:1].lower() + said[1:] if nodes[0].text[1:].islower() else said
     return Operation(verb="put", lemma="put", span=span, object=lowered, particle=nodes[place].lower)
