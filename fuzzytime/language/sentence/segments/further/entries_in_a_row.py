@@ -66,10 +66,24 @@ class _Entry:
         return bool(self.state) and not self.thing
 
     @property
+    def carries(self) -> bool:
+        """Whether it is a verb with its particle, which another may follow: "turn on at five, off at six"."""
+        lexicon, verb = self.lexicon, self.name[0]
+        particles = (lexicon.particles.get(node.lower, frozenset()) for node in self.state)
+        return len(self.thing) == 1 and any(verb.lemma in carried for carried in particles)
+
+    @property
+    def is_alone(self) -> bool:
+        """Whether its name alone says what one does: "gym at six, a shower, bed at ten"."""
+        lexicon, name = self.lexicon, [node.lower for node in self.thing]
+        known = lexicon.happening | lexicon.taken | lexicon.lasting
+        return len(name) == 1 and (name[0] in known or (name[0],) in lexicon.conversation["by itself"])
+
+    @property
     def names(self) -> bool:
         """Whether it names a thing by itself, of which it says when it is, or is to be so."""
         numbered = self.name[:1] and self.name[0].lower in self.lexicon.numbers
-        if not self.whole or not self.thing or numbered or len(self.name) > LONGEST:
+        if not (self.whole or self.is_alone) or not self.thing or numbered or len(self.name) > LONGEST:
             return False
         worded = all(node.text[0].isalpha() for node in self.name)
         tells = self.thing[-1].tag in INSIDE or any(
@@ -87,12 +101,10 @@ class _Entry:
 
     @property
     def _asks(self) -> bool:
-        """Whether its thing is a verb, with what that is done with, or with its particle."""
+        """Whether its thing is a verb with what that is done with; "get up at seven" asks for no more."""
         lexicon, (first, *further) = self.lexicon, self.thing
-        if not first.may_act or first.lower != first.lemma:
+        if not further or not first.may_act or first.lower != first.lemma:
             return False
-        if not further:
-            return any(first.lemma in lexicon.particles.get(node.lower, ()) for node in self.state)
         # "Lunch with Dan", "dinner party"; but "bath the baby", "call Ann"
         timed = lexicon.happening | lexicon.taken | lexicon.lasting
         return first.lower not in timed or not (further[0].tag in INSIDE or further[-1].lower in timed)
@@ -125,7 +137,7 @@ def entries_of(one: Waiting, part: Part) -> list[Segment]:
     if not further:
         return []
     ends = [*(one.end_before(start) for start in further), segment.span[1]]
-    first = replace(segment, span=(segment.span[0], ends[0]), entry=True)
+    first = replace(segment, span=(segment.span[0], ends[0]))
     behind = (
         Segment((start, end), addressee=segment.addressee, borrowed=borrowed, entry=True)
         for (start, borrowed), end in zip(further.items(), ends[1:], strict=True)
@@ -140,20 +152,21 @@ def _further(one: Waiting, part: Part) -> Iterator[tuple[int, tuple[Borrowed, ..
     """
     entries = _entries(one, part)
     before = next(entries, None)
-    if before is None or not (before.names or (before.whole and before.leads)):
+    if before is None or not before.whole or not (before.names or before.leads):
         return
     leads, listed, stated = before.leads, before.names, before
     for entry in entries:
         if not entry.name:
             # "Stir at two, three and four"
             continue
-        if not entry.whole or entry.leads is not leads:
+        if entry.leads is not leads or not (entry.whole or entry.is_alone):
             return
         start = part.tree.nodes[entry.start].start + part.offset
         if entry.is_state:
             # "Stew on at one, stir at two, off at five"; but "flight at ten, taxi at seven, up at six"
-            thing = stated.thing if stated.state else ()
-            yield start, (Borrowed(start, part.span(thing[0], thing[-1])),) if thing else ()
+            thing = stated.thing if stated.state and not stated.carries else ()
+            if not before.carries:
+                yield start, (Borrowed(start, part.span(thing[0], thing[-1])),) if thing else ()
         elif entry.is_apart(before, listed=listed):
             yield start, ()
         stated = entry if entry.state and entry.thing else stated
