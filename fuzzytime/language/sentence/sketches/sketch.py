@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, Said
+from fuzzytime.language.meaning.phrases import is_at_clock
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.further.same_doers import JOINTS, tells_more
@@ -229,7 +230,8 @@ def _happening(
     if put is not None and not part.segment.verbless:
         return put.moved(part.offset)
     due = {place for p in phrases for place in part.at(p.span) if p.said.constraint is Constraint.BEFORE}
-    moments = {place for p in phrases for place in part.at(p.span) if p.said.preposition == "at"}
+    at_once = [p for p in phrases if p.said.preposition == "at" or is_at_clock(p)]
+    moments = {place for p in at_once for place in part.at(p.span)}
     heard = [*places, *(place for clause in clauses for place in part.at(clause.span))]
     # "Dog walked this morning" may be news.
     news = {place for p in phrases for place in part.at(p.span) if p.said.is_day} - due - moments

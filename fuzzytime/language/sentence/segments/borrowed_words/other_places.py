@@ -23,9 +23,12 @@ def is_moved_on(wish: Wish) -> list[Stretch] | None:
     where = next((place for place in first[1:] if _says_where(wish, place)), None)
     if where is None or nodes[where - 1].tag not in NAMES:
         return None
-    # "Walk to the shop at ten, home at eleven" moves nothing.
+    # "Walk to the shop at ten, home at eleven" moves nothing; what is turned down is turned up.
+    particles = wish.lexicon.particles
+    carried = any(node.lemma in particles.get(nodes[where].lower, ()) for node in nodes[first.start : where])
+    carried = carried and any(nodes[place].lower in particles for place in said)
     alone = where - 1 == first.start and nodes[first.start].may_act
-    return None if alone else [(wish.start, range(first.start, where))]
+    return None if alone or carried else [(wish.start, range(first.start, where))]
 
 
 def _says_where(wish: Wish, place: int) -> bool:

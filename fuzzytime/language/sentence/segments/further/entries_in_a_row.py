@@ -13,7 +13,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, PAST
 from fuzzytime.language.sentence.trees.tree import Node
 
 JOINTS = frozenset({",", "and", "&", "then"})
@@ -52,7 +52,8 @@ class _Entry:
         """The words that say where, or how, a thing is to be: "hens in", "lights off", "sam to judo"."""
         lexicon, words = self.lexicon, [node.lower for node in self.name]
         where = lexicon.beside.states | lexicon.particles.keys() | {"to"}
-        first = next((place for place, word in enumerate(words) if word in where), len(words))
+        stated = (p for p, node in enumerate(self.name) if node.lower in where or (p and node.tag in PAST))
+        first = next(stated, len(words))
         return self.name[-1:] if lexicon.results.issuperset(words[-1:]) else self.name[first:]
 
     @property
@@ -96,8 +97,9 @@ class _Entry:
     @property
     def asks(self) -> bool:
         """Whether it may begin with an order: "gym at six, then pick up jo at seven"."""
-        first = self.name[0]
-        return first.may_act and first.lower == first.lemma and first.lower not in self.lexicon.function_words
+        first, lexicon = self.name[0], self.lexicon
+        acts = first.may_act and first.text == first.lemma
+        return acts and first.lower not in lexicon.function_words | lexicon.names_like_words
 
     @property
     def _asks(self) -> bool:

@@ -13,6 +13,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Span
+from fuzzytime.language.sentence.segments.lists.chains import chained
 from fuzzytime.language.sentence.segments.lists.entries import Entry, is_when, names_day
 from fuzzytime.language.sentence.segments.lists.heads import headed
 from fuzzytime.language.sentence.segments.orders_beside_times import asks_for_deed
@@ -76,6 +77,8 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon, *, listed: bool = Fal
         elif commas and listed and any(map(str.isdigit, items[0])):
             starts = _timed_items(items, grammar, lexicon)
             text = _with_stops(text, [comma for place, comma in enumerate(commas, 1) if place in starts])
+        joints = [(line.start() + a, line.start() + b) for a, b in chained(line[0], grammar, lexicon)]
+        text = _with_stops(text, joints)
         for kind in MARKS:
             marks = _found(kind, text, line)
             items = _between(text, line, marks)

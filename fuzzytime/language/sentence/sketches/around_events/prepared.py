@@ -37,10 +37,10 @@ def due_of(
     so = words[-1:] == ["so"]
     if not before or not (so or bounded or goes) or before[-1].operation is None:
         return None
-    asked = sketch.operation is None or not sketch.operation.stated
+    listed = sketch.operation is not None and (sketch.operation.stated or sketch.operation.due is not None)
     # "I need to be at the dentist at ten to three so leave by quarter past two"
     told = before[-1].operation.stated or before[-1].operation.due is not None or (so and _goes(before[-1]))
-    if not told or not asked:
+    if not told or (listed and not so):
         # "Story at seven, lights out by half past" is one after the other.
         return None
     return _begin_of(instructions[-1], due=so)

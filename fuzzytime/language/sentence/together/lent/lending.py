@@ -59,7 +59,7 @@ def repeated(sketches: list[Sketch], text: str) -> list[Sketch]:
     """Let a time or a thing alone be of what was done before: "then five minutes on high"."""
     found: list[Sketch] = []
     for sketch in sketches:
-        before = found[-1].operation if found else None
+        before = _done_before(found, sketch)
         again = None if before is None else done_again_of(before, sketch, text)
         if again is None:
             found.append(sketch)
@@ -72,6 +72,17 @@ def repeated(sketches: list[Sketch], text: str) -> list[Sketch]:
         phrases = tuple(_from_then(p, found[-1]) if then else p for p in sketch.phrases)
         found.append(replace(sketch, operation=again, phrases=phrases))
     return found
+
+
+def _done_before(found: list[Sketch], sketch: Sketch) -> Operation | None:
+    """Give what was done last; "stew on at one, stir at two, off at five" turns off what was on."""
+    last, particles = found[-1].operation if found else None, sketch.lexicon.particles
+    first = next((node.lower for node in sketch.part.tree.nodes), "")
+    if last is None or first not in particles or last.lemma in particles[first] - sketch.lexicon.addressing:
+        return last
+    done = (before.operation for before in reversed(found) if before.operation is not None)
+    turned = (one for one in done if one.particle or (one.due is not None and one.place in particles))
+    return next(turned, last)
 
 
 def _from_then(phrase: Phrase, before: Sketch) -> Phrase:
@@ -102,7 +113,8 @@ def within(sketches: list[Sketch], text: str) -> list[Sketch]:
     found = sketches[:1]
     for sketch in sketches[1:]:
         before, told = found[-1], sketch
-        if before.operation is not None and sketch.operation is not None:
+        apart = sketch.part.segment.entry
+        if not apart and before.operation is not None and sketch.operation is not None:
             between = text_between(before, sketch, text)
             joined = between.strip(" ,").lower() == "and"
             operation = _beside(before.operation, sketch, sketch.operation, joined=joined)

@@ -88,10 +88,9 @@ def _said_shortly(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
     turned, _, level = rest.partition(" to ")
     particle = _particle_alone(before, turned, lexicon)
     timed = lexicon.happening | lexicon.taken | lexicon.closed.coming
-    if before.stated and before.particle is None and before.verb in timed:
-        # "Flight at ten, up at six"
-        return None
-    if particle is not None:
+    # "Flight at ten, up at six": that is who flies.
+    happens = before.stated and before.particle is None and before.verb in timed
+    if particle is not None and not happens:
         if before.lemma == "be" and before.due is not None:
             # "Heating on at five, off at nine"
             return replace(before, place=rest)
