@@ -83,16 +83,16 @@ class _Entry:
     @property
     def names(self) -> bool:
         """Whether it names a thing by itself, of which it says when it is, or is to be so."""
-        numbered = self.name[:1] and self.name[0].lower in self.lexicon.numbers
-        if not (self.whole or self.is_alone) or not self.thing or numbered or len(self.name) > LONGEST:
+        if not (self.whole or self.is_alone) or not self.thing or len(self.name) > LONGEST:
             return False
+        lexicon, first = self.lexicon, self.thing[0].lower
+        called = first in lexicon.closed.universal_pronouns
+        opens = called or first not in lexicon.function_words | lexicon.numbers.keys()
         worded = all(node.text[0].isalpha() for node in self.name)
         tells = self.thing[-1].tag in INSIDE or any(
             node.tag in FINITE or self._leads_on(before, node) for before, node in pairwise(self.thing)
         )
-        return (
-            worded and not tells and not self._asks and self.thing[0].lower not in self.lexicon.function_words
-        )
+        return opens and worded and not tells and not self._asks
 
     @property
     def asks(self) -> bool:
