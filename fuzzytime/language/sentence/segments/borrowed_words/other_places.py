@@ -2,9 +2,6 @@
 
 from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import Stretch, Wish, front_of
 
-LEADING = frozenset({"IN", "TO", "RP"})
-"""Tags of words that begin where something is put, or what it is set to."""
-
 NAMES = frozenset({"NN", "NNS", "NNP", "NNPS", "PRP", "CD"})
 """Tags of words that end what something is done with."""
 
@@ -32,7 +29,8 @@ def is_moved_on(wish: Wish) -> list[Stretch] | None:
 
 
 def _says_where(wish: Wish, place: int) -> bool:
-    """Whether a word begins where something is to be, or how it is."""
-    lexicon, node = wish.lexicon, wish.tree.nodes[place]
-    where = lexicon.beside.states | lexicon.particles.keys() | lexicon.places
-    return node.lower in where or (node.tag in LEADING and node.lower == "to")
+    """Whether a word begins where something is to be, or what it is set to."""
+    lexicon = wish.lexicon
+    return wish.tree.nodes[
+        place
+    ].lower in lexicon.beside.states | lexicon.particles.keys() | lexicon.places | {"to"}
