@@ -23,7 +23,8 @@ def is_moved_on(wish: Wish) -> list[Stretch] | None:
     # "Walk to the shop at ten, home at eleven" moves nothing; what is turned down is turned up.
     particles = wish.lexicon.particles
     carried = any(node.lemma in particles.get(nodes[where].lower, ()) for node in nodes[first.start : where])
-    carried = carried and any(nodes[place].lower in particles for place in said)
+    turned = wish.lexicon.closed.adverbs_of_repetition | particles.keys() | {"to"}
+    carried = carried and all(nodes[p].lower in turned or nodes[p].tag == "CD" for p in said)
     alone = where - 1 == first.start and nodes[first.start].may_act
     return None if alone or carried else [(wish.start, range(first.start, where))]
 
