@@ -19,6 +19,7 @@ from fuzzytime.language.sentence.segments.events.named_events import (
     listed,
 )
 from fuzzytime.language.sentence.segments.openings import before_courtesies, behind_opening
+from fuzzytime.language.sentence.segments.other_cases import OTHER_CASE, begins_other_case
 from fuzzytime.language.sentence.segments.taken_back.corrected_things import (
     AFTER_ALL,
     corrected_things,
@@ -129,6 +130,8 @@ def _connective_at(
         return None
     if words[place].text in each and not _is_order(words, end, lexicon):
         return None
+    if name == OTHER_CASE and not begins_other_case(words, place, end, phrases, lexicon):
+        return None
     return place, end, name
 
 
@@ -230,7 +233,8 @@ def _between(
             connective, said = "", (0, 0)
         start = end
         if name:
-            connective, said = name, (words[first].start, words[end - 1].end)
+            last = end - 1 if words[end - 1].text == "," else end
+            connective, said = name, (words[first].start, words[last - 1].end)
 
 
 def _segment(
