@@ -23,7 +23,7 @@ from fuzzytime.language.sentence.segments.mended.mended_trees import (
     with_joined,
     with_reminded,
 )
-from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed
+from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed, with_owner
 from fuzzytime.language.sentence.segments.mended.places_in_front import with_places_in_front
 from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_done_alone, is_numbered
 from fuzzytime.language.sentence.segments.waiting import Waiting
@@ -92,7 +92,7 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
     tree = with_purpose(with_aim(tree, timed))
     tree = with_event_names(with_object_of_aim(tree, timed), timed)
     tree = with_event(with_clause(with_reminded(tree)))
-    tree = with_called(with_doer(with_needed_deed(tree, timed)), timed)
+    tree = with_called(with_doer(with_needed_deed(with_owner(tree, timed), timed)), timed)
     tree = with_named_deed(tree, timed) if timed or one.heard_from else tree
     return as_statement(tree, timed, one.lexicon.travelling)
 
