@@ -73,7 +73,7 @@ class BeforeMarker:
         relative = not closed.nonrestrictive_relatives.isdisjoint(texts[end + 1 : end + 2])
         if not bracketed and not (relative and texts[end : end + 1] == [","]):
             return None
-        # "Before the party (eight o'clock)", "before the concert (it starts at seven)"
+        # A bracket needs no word before its time: before the party (eight o'clock)
         first = end + 1 if bracketed else end + 3
         told = (phrase for phrase in self.phrases if first <= phrase.first <= end + 2 + LONGEST_ASIDE)
         time = next(told, None)

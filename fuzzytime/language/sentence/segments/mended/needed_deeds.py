@@ -41,13 +41,14 @@ def with_owner(tree: Tree, timed: AbstractSet[int]) -> Tree:
         subject = owner.children(verb, "nsubj")[0]
         owner = _hang_name(owner.changed(joint, head=subject, relation="cc"), range(joint + 1, verb), subject)
     owner = owner.hung((p for p in range(verb + 1, len(tree.nodes)) if tree.nodes[p].head < verb), verb)
-    if root > verb:
-        owner = owner.changed(
-            root, head=verb, relation="xcomp" if needs else "dobj", tag="" if needs else "NN"
-        )
-        owner = owner if needs else owner.hung((p for p in tree.children(root) if p > root), verb)
-    lemma, finite = ("need", "VBZ") if needs else ("have", "VBZ")
-    finite = finite if tree.nodes[verb].lower.endswith("s") else "VBP"
+    if root > verb and needs:
+        owner = owner.changed(root, head=verb, relation="xcomp")
+    elif root > verb:
+        # "Year two has swimming at nine"
+        owner = owner.changed(root, head=verb, relation="dobj", tag="NN")
+        owner = owner.hung((p for p in tree.children(root) if p > root), verb)
+    lemma = "need" if needs else "have"
+    finite = "VBZ" if tree.nodes[verb].lower.endswith("s") else "VBP"
     return owner.changed(verb, tag=finite, lemma=lemma, relation="ROOT", head=verb)
 
 
@@ -56,11 +57,9 @@ def _owning(tree: Tree) -> int:
     closed, nodes = tree.lexicon.closed, tree.nodes
     owning = {"has", "have", "needs", "need"}
     verb = next((p for p, node in enumerate(nodes[: LONGEST + 1]) if node.lower in owning), 0)
-    if (
-        not 0 < verb < len(nodes) - 1
-        or nodes[verb + 1].tag == "VBN"
-        or nodes[verb + 1].lower in closed.negators
-    ):
+    if not 0 < verb < len(nodes) - 1:
+        return 0
+    if nodes[verb + 1].tag == "VBN" or nodes[verb + 1].lower in closed.negators:
         return 0
     named = all(node.tag in NAMING for node in nodes[1:verb])
     several = any(node.tag in {"CC", "CD"} for node in nodes[1:verb])

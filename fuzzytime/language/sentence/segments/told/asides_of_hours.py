@@ -1,7 +1,7 @@
 """Asides that say when somewhere opens or closes, or somebody comes: "(closes at 5)", ", who lands at nine,".
 
-As those that say how long something takes they are no instructions; their time bounds what they stand behind, or
-is when that is done: "fetch Omar, who lands at nine, from the airport".
+As those that say how long something takes they are no instructions; their time bounds what they stand
+behind, or is when that is done: "fetch Omar, who lands at nine, from the airport".
 """
 
 from collections.abc import Sequence

@@ -37,7 +37,7 @@ def _does(span: Span, sketch: Sketch) -> bool:
         return False
     subjects = tree.children(tree.root, *SUBJECTS)
     named = {*subjects, *(p for subject in subjects for p in tree.children(subject, "conj"))}
-    return named.issuperset(part.at(span))
+    return part.segment.verbless or named.issuperset(part.at(span))
 
 
 def _is_somebody(span: Span, sketch: Sketch) -> bool:
