@@ -18,7 +18,7 @@ from fuzzytime.language.sentence.segments.events.named_events import (
     heads,
     listed,
 )
-from fuzzytime.language.sentence.segments.openings import before_courtesies, behind_opening
+from fuzzytime.language.sentence.segments.openings import before_courtesies, behind_all_due, behind_opening
 from fuzzytime.language.sentence.segments.other_cases import OTHER_CASE, begins_other_case
 from fuzzytime.language.sentence.segments.taken_back.corrected_things import (
     AFTER_ALL,
@@ -225,7 +225,8 @@ def _between(
 ) -> Iterator[Segment]:
     start, connective, said = 0, "", (0, 0)
     for first, end, name in (*cuts, (len(words), len(words), "")):
-        begin = behind_opening(words, start, first, times.keys(), lexicon)
+        begin = behind_all_due(words, start, first, times, lexicon)
+        begin = behind_opening(words, begin, first, times.keys(), lexicon)
         last = before_courtesies(words, begin, first, times, lexicon)
         segment = _segment(text, words, begin, last, connective, said)
         if segment is not None:
