@@ -53,7 +53,8 @@ def behind_all_due(
         return start
     said = [word.text for word in words[start:time]]
     # "All packed by six: fold the shirts", but "all packed by six: shirts, socks"
-    ordered = words[colon + 1].text in lexicon.orders
+    behind = [word.text for word in words[colon + 1 : colon + 3]]
+    ordered = behind[0] in lexicon.orders or behind[-1] in lexicon.closed.noun_openers
     so = lexicon.results if ordered else lexicon.conversation["having"] | {"ready"}
     obliged = {word for form in lexicon.beside.obliged for word in form.split()}
     known = lexicon.closed.wholes | lexicon.closed.all_anaphors | so | obliged | {"of", "do", "doing", "get"}

@@ -37,6 +37,7 @@ from fuzzytime.language.sentence.verbs.statements.called import (
     with_event,
 )
 from fuzzytime.language.sentence.verbs.statements.statement_trees import as_statement, leaves
+from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import is_thing_so
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import happens, may_be_ordered
 from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import with_named_deed
 
@@ -115,7 +116,7 @@ def _is_astray(one: Waiting, tree: Tree) -> bool:
         return False
     if one.phrases and happens(tree, one.phrases):
         return may_be_ordered(tree) or begins_order(tree)
-    if leaves(tree, tree.root, one.lexicon.travelling):
+    if leaves(tree, tree.root, one.lexicon.travelling) or is_thing_so(tree, one.timed(tree)):
         return False
     if is_doubtful(tree) or is_numbered(tree) or _only_asks(tree):
         return True

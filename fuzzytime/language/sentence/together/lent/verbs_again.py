@@ -65,7 +65,12 @@ def _with_another_thing(
 ) -> Operation | None:
     """Give the operation before with another thing, which begins so: "dust the hall, then the stairs"."""
     then, verbless = sketch.part.segment.connective in AGAIN, sketch.part.segment.verbless
-    opened = first.lower() in sketch.lexicon.closed.noun_openers
+    openers, people = sketch.lexicon.closed.noun_openers, sketch.lexicon.persons
+    opened = first.lower() in openers
+    alike = old.partition(" ")[0].lower() in openers or rest.rpartition(" ")[2].lower() in people
+    if before.stated and before.complement is not None and sketch.phrases and opened and not alike:
+        # "Mum takes her drops at seven, the tablets at noon"; but "Tom cleans up tonight, the kids tomorrow"
+        return replace(before, complement=rest.removesuffix(" again"))
     # "Interview with Priya at ten, then with Dominic at eleven"
     head, joint, _ = old.partition(f" {first} ")
     joint = "" if opened else joint
