@@ -24,8 +24,8 @@ LONGEST = 4
 NAMING = frozenset({"DT", "PRP$", "NN", "NNS", "NNP", "NNPS", "CD", "CC", "POS"})
 """Tags of words that name who has something."""
 
-NO_OWNERS = frozenset({"PRP", "WP", "WDT", "EX", "RB", "IN", "DT", "CC", "TO"})
-"""Tags of a word alone that is nobody who has something, or that nothing was found to be wrong with."""
+NO_OWNERS = frozenset({"WP", "WDT", "EX", "RB", "IN", "DT", "CC", "TO"})
+"""Tags of a word alone that is nobody who has something."""
 
 
 def with_owner(tree: Tree, timed: AbstractSet[int]) -> Tree:
@@ -62,8 +62,10 @@ def _owning(tree: Tree) -> int:
     if nodes[verb + 1].tag == "VBN" or nodes[verb + 1].lower in closed.negators:
         return 0
     named = all(node.tag in NAMING for node in nodes[1:verb])
-    several = any(node.tag in {"CC", "CD"} for node in nodes[1:verb])
-    alone = verb == 1 and nodes[0].tag not in NO_OWNERS
+    # "The kids have swimming at four": a tree has that for what they have done.
+    having = nodes[verb + 1].tag == "VBG" and nodes[verb].relation == "aux"
+    several = any(node.tag in {"CC", "CD"} for node in nodes[1:verb]) or having
+    alone = verb == 1 and nodes[0].tag not in NO_OWNERS and (nodes[0].tag != "PRP" or having)
     first = nodes[0].tag in NAMING or nodes[1].tag == "CD"
     sure = nodes[verb].lower.endswith("s") or several
     return verb if named and sure and (alone or (verb > 1 and first)) else 0
@@ -79,7 +81,9 @@ def _hang_name(tree: Tree, places: range, head: int, relation: str = "conj") -> 
         kept = tree.nodes[place].relation
         tree = tree.changed(place, head=noun, relation=kept if kept in OF_THINGS else "compound")
     tag = tree.nodes[noun].tag
-    return tree.changed(noun, head=head, relation=relation, tag=tag if tag.startswith("NN") else "NN")
+    return tree.changed(
+        noun, head=head, relation=relation, tag=tag if tag.startswith(("NN", "PRP")) else "NN"
+    )
 
 
 def with_needed_deed(tree: Tree, timed: AbstractSet[int]) -> Tree:

@@ -15,7 +15,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
 
     ``timed`` are the words about time: one stands right behind the verb. What is ``travelling`` leaves.
     """
-    tree = _with_being(_with_having(_with_got(_with_phase(tree, timed, travelling))), timed)
+    tree = _with_being(_with_got(_with_phase(tree, timed, travelling)), timed)
     tree = _with_two(_with_done(tree), timed)
     tree = with_plural(_with_subject(tree), timed)
     root = tree.root
@@ -159,18 +159,6 @@ def _with_got(tree: Tree) -> Tree:
         return tree
     having = tree.changed(root, lemma="have", tag="VBP").hung(helping, root, "dep")
     return having.hung(tree.children(root, "nsubjpass"), root, "nsubj")
-
-
-def _with_having(tree: Tree) -> Tree:
-    """Give "the kids have swimming at four" its verb, which was taken for one that helps."""
-    root = tree.root
-    if tree.nodes[root].tag != "VBG":
-        return tree
-    helping = tree.children(root, "aux")
-    if len(helping) != 1 or tree.nodes[helping[0]].lemma != "have" or helping[0] != root - 1:
-        return tree
-    having = tree.hung(tree.children(root), helping[0]).changed(helping[0], relation="ROOT")
-    return having.changed(root, head=helping[0], relation="dobj", tag="NN")
 
 
 def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:

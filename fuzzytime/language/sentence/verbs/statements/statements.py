@@ -261,7 +261,8 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str]) -> bool:
     if not helping and node.tag == "VBP" and node.lemma == "have":
         # "June and August have football at five", "the hens have corn at six"
         whose = [p for p in tree.children(verb, "nsubj") if p < verb]
-        named = named or subjects[0].tag == "NNS" or bool(tree.children(whose[0], "conj"))
+        several = subjects[0].tag == "NNS" or subjects[0].lower == "they"
+        named = named or several or bool(tree.children(whose[0], "conj"))
     if node.tag == "VBG" and helping <= closed.present_be and subjects[0].tag in NOUNS:
         # "Tom is washing the car at five", "Tom washing the car", "rep coming"; but "bins emptying" is to do.
         acts = bool(helping or tree.children(verb, "dobj")) or node.lemma in lexicon.intransitive
