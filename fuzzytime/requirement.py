@@ -110,6 +110,7 @@ class Condition:
     many seconds it takes then to become so, where that is said. ``goes_on`` says that something is so for a
     time and is waited for no longer than until it begins: "while the bread bakes". ``excepted`` says that
     words leave out the time when it is so, and wait for nothing: "unless it rains", "not while Ann sleeps".
+    ``contrary`` says that what ``text`` says must not be so: "if it rains, take the bus, otherwise walk".
     """
 
     text: str
@@ -124,6 +125,7 @@ class Condition:
     takes: float | None = None
     goes_on: bool = False
     excepted: bool = False
+    contrary: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,8 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.context import Context
+from fuzzytime.english import denies
 from fuzzytime.requirement import Anchor, Comparison, Condition, Constraint, Side, TimeRequirement
 from fuzzytime.rulebook import Profile, Resolution, Rulebook
+from fuzzytime.rulebook.logic.formula import Not
 from fuzzytime.rulebook.tables.documents import shipped_tables
 from fuzzytime.rulebook.wording.sentences import understand
 from rulebook.requirements_of import said
@@ -232,6 +234,17 @@ def test_a_number_is_denied_with_its_clause() -> None:
     condition = clause(number(Side.ABOVE, 150)).condition
     assert condition is not None
     assert str(understand(replace(condition, negated=True), TABLES).formula) == "not pan is above 150 \u00b0C"
+
+
+@pytest.mark.parametrize(
+    "text", ["the pan is hot and the timer rings", "the pan is not hot", "the timer rings"]
+)
+def test_the_contrary_of_a_clause_is_that_it_is_not_so(text: str) -> None:
+    clause = Condition(text=text, negated=denies(text))
+    other = replace(clause, negated=not clause.negated, contrary=True)
+    formula = understand(clause, TABLES).formula
+    assert formula is not None
+    assert understand(other, TABLES).formula == Not(formula)
 
 
 def test_a_distance_counts_from_a_number_too() -> None:

@@ -55,6 +55,11 @@ def understand(condition: Condition, tables: Tables, context: Context = Context.
 
     What has been read (``context``) tells what a number is about where the clause does not name it.
     """
+    if condition.contrary:
+        said = replace(condition, contrary=False, negated=not condition.negated)
+        understood = understand(said, tables, context)
+        other = None if understood.formula is None else Not(understood.formula)
+        return replace(understood, condition=condition, formula=other, composed=True)
     several = joined(condition, tables, context)
     if several is None:
         understood = _single(condition, tables, context)

@@ -79,6 +79,7 @@ class Doing(NamedTuple):
     opening_up: Words
     opening_there: Words
     hours: Words
+    moments: Words
     errands: Words
     dropping: Words
     declining: Words

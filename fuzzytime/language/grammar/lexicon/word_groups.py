@@ -272,7 +272,6 @@ class BesideTimes(NamedTuple):
     things_in_days: Words
     turnings: Words
     turning: Words
-    contrary: Words
     taken_back: Words
     courteous: Words
     second_choice: Words

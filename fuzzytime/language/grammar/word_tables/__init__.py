@@ -170,7 +170,7 @@ _ROWS = {
     "spelling": ("words", "short", "ending", "kept"),
     "timing": ("verbs", "alone"),
     "rescheduling": ("moving", "verbs", "switching", "events"),
-    "connectives": ("then", "meanwhile", "first"),
+    "connectives": ("then", "meanwhile", "first", "otherwise"),
     "questions": ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting"),
     "told": (
         "joints", "small", "subjects", "determiners", "being", "taking", "going", "there", "by", "vehicles",

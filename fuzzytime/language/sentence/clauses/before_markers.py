@@ -69,13 +69,13 @@ class BeforeMarker:
         """Give when an event is, by an aside behind it: "before the party, which is on the 21st"."""
         closed = self.lexicon.closed
         texts = [word.text for word in self.words]
-        if texts[end : end + 1] == ["("]:
-            return next((phrase for phrase in self.phrases if phrase.first == end + 1), None)
-        if texts[end : end + 1] != [","] or closed.nonrestrictive_relatives.isdisjoint(
-            texts[end + 1 : end + 2]
-        ):
+        bracketed = texts[end : end + 1] == ["("]
+        relative = not closed.nonrestrictive_relatives.isdisjoint(texts[end + 1 : end + 2])
+        if not bracketed and not (relative and texts[end : end + 1] == [","]):
             return None
-        told = (phrase for phrase in self.phrases if end + 2 < phrase.first <= end + 2 + LONGEST_ASIDE)
+        # A bracket needs no word before its time: before the party (eight o'clock)
+        first = end + 1 if bracketed else end + 3
+        told = (phrase for phrase in self.phrases if first <= phrase.first <= end + 2 + LONGEST_ASIDE)
         time = next(told, None)
         if time is None or not closed.end_of_an_event.isdisjoint(texts[end + 2 : time.first]):
             return None

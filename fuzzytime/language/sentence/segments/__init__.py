@@ -1,8 +1,9 @@
 """Where instructions begin and end: the first pass, which ends in ``drafts``.
 
-A ``segment`` has ``openings``, and ends at a sentence, at "then" (``connectives``), or before a
-verb. It waits for its tree (``waiting``), with its ``leading_markers`` and ``fronts``, and is cut again in
-``rounds`` once it has one (``cuts``, ``orders_beside_times``). What is ``borrowed`` holds for both.
+A ``segment`` has ``openings``, and ends at a sentence, at "then" (``connectives``), at "otherwise"
+(``other_cases``), or before a verb. It waits for its tree (``waiting``), with its ``leading_markers`` and
+``fronts``, and is cut again in ``rounds`` once it has one (``cuts``, ``orders_beside_times``). What is
+``borrowed`` holds for both.
 
 ``lists``
     Lines, their marks, and the entries on them.

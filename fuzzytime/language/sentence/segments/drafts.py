@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.connectives import order_words
 from fuzzytime.language.sentence.segments.events.event_edges import said_apart
 from fuzzytime.language.sentence.segments.events.instances import NONE, Instances, instances_of
+from fuzzytime.language.sentence.segments.events.prepared_for import with_prepared_for
 from fuzzytime.language.sentence.segments.lists.dividers import divided
 from fuzzytime.language.sentence.segments.lists.hours_of_lines import Timed, hours_in
 from fuzzytime.language.sentence.segments.lists.joints import without_joints
@@ -193,7 +194,7 @@ def _without_parts(
     lengths = beside_each_other(asides_of(scanned), told_lengths(scanned))
     asides = beside_each_other(lengths, asides_of_hours(scanned))
     scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides)), grammar)
-    for said in (with_gaps, said_apart, without_threats):
+    for said in (with_gaps, said_apart, with_prepared_for, without_threats):
         scanned = _again(scanned, said(scanned), grammar)
     scanned, instances = instances_of(scanned, grammar)
     phrases, remarks = corrected(scanned, phrases_of(scanned))

@@ -115,8 +115,6 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
         clause = source.sound[first:start].strip(" ,")
         kind = "after" if words[marker.end - 1].text in OF_EVENTS else marker.kind
         order = source.sound[start:end]
-        for contrary in tree.lexicon.beside.contrary:
-            order = order.partition(f" {contrary} ")[0]
         yield _Try(place, tree.lexicon.people, kind, Front(marker.start, start), clause, order)
 
 
@@ -134,20 +132,11 @@ def _with_order(place: int, one: Waiting, tree: Tree, front: Tree) -> Iterator[_
     timed = {p for a, b in (phrase.span for phrase in source.phrases) for p in front.at(a, b)}
     for here, node in enumerate(front.nodes):
         start = node.start + one.segment.span[0]
-        # "If the battery is low return to base, otherwise carry on": what is to be done is before the comma.
-        sure = one.text.lower().startswith(tuple(front.lexicon.beside.contrary)) and _is_free(front, here)
-        sure = sure or (here > 0 and only_timed and is_wish(front, here))
+        sure = here > 0 and only_timed and is_wish(front, here)
         if start > first and here not in timed and (sure or _may_begin(front, here)):
             clause = source.sound[first:start].strip(" ,")
-            # "If the pan is hot flip it, otherwise heat it": what is behind the comma goes its own way.
             order = source.sound[start:end].partition(",")[0]
             yield _Try(place, front.lexicon.people, marker.kind, Front(marker.start, start), clause, order)
-
-
-def _is_free(tree: Tree, place: int) -> bool:
-    """Whether a word may be a bare verb that nothing before it binds."""
-    bare = place > 0 and may_be_done(tree, place)
-    return bare and not _is_counted(tree, place) and not binds(tree, place - 1)
 
 
 def may_be_done(tree: Tree, place: int) -> bool:

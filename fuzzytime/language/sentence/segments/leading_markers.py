@@ -58,3 +58,11 @@ def goes_on_behind(words: Sequence[Word], comma: int, following: int, lexicon: L
     """Whether another thing that must be so stands between two commas: ", and the oil shimmers,"."""
     said = [word.text for word in words[comma + 1 : following]]
     return len(said) >= LEAST and said[0] in {"and", "or"} and said[1] in lexicon.closed.condition_openers
+
+
+def is_dated_behind(
+    words: Sequence[Word], phrases: Sequence[Phrase], comma: int, following: int, lexicon: Lexicon
+) -> bool:
+    """Whether two commas hold when an event in front is: "before the party, which is at eight, …"."""
+    led = words[comma + 1].text in lexicon.closed.nonrestrictive_relatives
+    return led and any(comma + 2 < phrase.first < phrase.end == following for phrase in phrases)

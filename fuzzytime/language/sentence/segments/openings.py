@@ -43,6 +43,24 @@ def behind_opening(
     return begin
 
 
+def behind_all_due(
+    words: Sequence[Word], start: int, end: int, times: Mapping[int, int], lexicon: Lexicon
+) -> int:
+    """Give where the time begins that holds for what follows: "all done | by six: lay the table, …"."""
+    time = next((place for place in range(start + 1, end) if place in times), end)
+    colon = times.get(time, end)
+    if colon >= end - 1 or words[colon].text != ":" or words[colon].glued is words[colon + 1].glued:
+        return start
+    said = [word.text for word in words[start:time]]
+    # "All packed by six: fold the shirts", but "all packed by six: shirts, socks"
+    behind = [word.text for word in words[colon + 1 : colon + 3]]
+    ordered = behind[0] in lexicon.orders or behind[-1] in lexicon.closed.noun_openers
+    so = lexicon.results if ordered else lexicon.conversation["having"] | {"ready"}
+    obliged = {word for form in lexicon.beside.obliged for word in form.split()}
+    known = lexicon.closed.wholes | lexicon.closed.all_anaphors | so | obliged | {"of", "do", "doing", "get"}
+    return time if known.issuperset(said) and not (so | {"do", "doing"}).isdisjoint(said) else start
+
+
 def openings_inside(words: Sequence[Word], times: AbstractSet[int], lexicon: Lexicon) -> Iterator[Span]:
     """Give the stretches that open an order behind a time or a comma: "at noon, why don't you …"."""
     apart = lexicon.closed.joints_of_orders | lexicon.closed.universal_pronouns | lexicon.machines

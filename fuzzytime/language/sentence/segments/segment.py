@@ -18,7 +18,8 @@ from fuzzytime.language.sentence.segments.events.named_events import (
     heads,
     listed,
 )
-from fuzzytime.language.sentence.segments.openings import before_courtesies, behind_opening
+from fuzzytime.language.sentence.segments.openings import before_courtesies, behind_all_due, behind_opening
+from fuzzytime.language.sentence.segments.other_cases import OTHER_CASE, begins_other_case
 from fuzzytime.language.sentence.segments.taken_back.corrected_things import (
     AFTER_ALL,
     corrected_things,
@@ -130,6 +131,8 @@ def _connective_at(
         return None
     if words[place].text in each and not _is_order(words, end, lexicon):
         return None
+    if name == OTHER_CASE and not begins_other_case(words, place, end, phrases, lexicon):
+        return None
     return place, end, name
 
 
@@ -223,7 +226,8 @@ def _between(
 ) -> Iterator[Segment]:
     start, connective, said = 0, "", (0, 0)
     for first, end, name in (*cuts, (len(words), len(words), "")):
-        begin = behind_opening(words, start, first, times.keys(), lexicon)
+        begin = behind_all_due(words, start, first, times, lexicon)
+        begin = behind_opening(words, begin, first, times.keys(), lexicon)
         last = before_courtesies(words, begin, first, times, lexicon)
         segment = _segment(text, words, begin, last, connective, said)
         if segment is not None:
@@ -231,7 +235,8 @@ def _between(
             connective, said = "", (0, 0)
         start = end
         if name:
-            connective, said = name, (words[first].start, words[end - 1].end)
+            last = end - 1 if words[end - 1].text == "," else end
+            connective, said = name, (words[first].start, words[last - 1].end)
 
 
 def _segment(

@@ -11,7 +11,12 @@ from fuzzytime.language.grammar.words import is_quoted
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 from fuzzytime.language.meaning.phrases import places_in
-from fuzzytime.language.sentence.segments.leading_markers import Marker, goes_on_behind, marker_at
+from fuzzytime.language.sentence.segments.leading_markers import (
+    Marker,
+    goes_on_behind,
+    is_dated_behind,
+    marker_at,
+)
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
@@ -274,14 +279,10 @@ def _main(source: Source, segment: Segment) -> int:
 
     The clause ends at a comma.
     """
-    words = source.scanned.words
+    words, lexicon = source.scanned.words, source.scanned.lexicon
     places = source.places(*segment.span)
-    marker = (
-        marker_at(words, source.phrases, places[0], segment.span[1], source.scanned.lexicon)
-        if places
-        else None
-    )
-    inverted = bool(places) and words[places[0]].text in source.scanned.lexicon.closed.conditional_inversion
+    marker = marker_at(words, source.phrases, places[0], segment.span[1], lexicon) if places else None
+    inverted = bool(places) and words[places[0]].text in lexicon.closed.conditional_inversion
     if marker is None and not inverted:
         return segment.span[0]
     behind = places[0] + 1 if marker is None else marker.end
@@ -291,9 +292,9 @@ def _main(source: Source, segment: Segment) -> int:
         # "After the museum, but before it gets dark, find a place to eat"
         leads = None if comma is None else _second_marker(source, comma + 1, following)
         stated = comma is not None and (inverted or (marker is not None and marker.kind in STATED))
-        if leads is None and not (
-            stated and comma is not None and goes_on_behind(words, comma, following, source.scanned.lexicon)
-        ):
+        goes_on = stated and comma is not None and goes_on_behind(words, comma, following, lexicon)
+        dated = comma is not None and is_dated_behind(words, source.phrases, comma, following, lexicon)
+        if leads is None and not goes_on and not dated:
             break
         comma = following
     return words[comma + 1].start if comma is not None and comma + 1 in places else segment.span[0]

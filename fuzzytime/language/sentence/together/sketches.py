@@ -31,7 +31,7 @@ from fuzzytime.language.sentence.together.times.turns import counted_apart
 from fuzzytime.language.sentence.together.told.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.told.reasons_told import due_before_told
 from fuzzytime.language.sentence.together.told.told_beside import steps_in_turn, told_beside
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import MOMENTS, Constraint
 
 
 def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
@@ -100,6 +100,9 @@ def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:
 
 
 def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
+    if aside.bounds and aside.length.said.constraint in MOMENTS and sketch.times:
+        # "Text Sam, who lands at ten, at noon"
+        return replace(sketch, named=(*sketch.named, aside.length))
     if aside.bounds:
         return sketch.also(aside.length)
     if aside.way:

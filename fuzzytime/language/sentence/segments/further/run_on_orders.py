@@ -91,8 +91,7 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
         if joined and not _is_listed(tree, here, timed):
             # "Set the table, and by seven have the soup ready"
             continue
-        turned = lexicon.beside.turning | lexicon.beside.contrary
-        first = here - (tree.nodes[here - 1].lower in turned)
+        first = here - (tree.nodes[here - 1].lower in lexicon.beside.turning)
         start, verb = (tree.nodes[at].start + one.main for at in (first, here))
         words = source.places(one.main, start)
         if any(longest_match(source.scanned.words, word, lexicon.clauses) is not None for word in words):
@@ -116,9 +115,7 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
         return False
     if _is_listed(tree, place, timed):
         return behind.tag.startswith("NN") and not tree.children(place, "aux", "mark")
-    joints = (
-        lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}
-    ) - lexicon.beside.contrary
+    joints = lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}
     if before.lower in joints or (before.tag == "POS" and before.relation == "case"):
         # "Give dad's dog its pill"
         return False

@@ -24,7 +24,7 @@ from fuzzytime.language.sentence.segments.mended.mended_trees import (
     with_joined,
     with_reminded,
 )
-from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed
+from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed, with_owner
 from fuzzytime.language.sentence.segments.mended.places_in_front import with_places_in_front
 from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_done_alone, is_numbered
 from fuzzytime.language.sentence.segments.waiting import Waiting
@@ -38,6 +38,7 @@ from fuzzytime.language.sentence.verbs.statements.called import (
     with_event,
 )
 from fuzzytime.language.sentence.verbs.statements.statement_trees import as_statement, leaves
+from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import is_thing_so
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import happens, may_be_ordered
 from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import with_named_deed
 
@@ -93,7 +94,7 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
     tree = with_purpose(with_aim(tree, timed))
     tree = with_event_names(with_object_of_aim(tree, timed), timed)
     tree = with_event(with_clause(with_reminded(tree)))
-    tree = with_called(with_doer(with_needed_deed(tree, timed)), timed)
+    tree = with_called(with_doer(with_needed_deed(with_owner(tree, timed), timed)), timed)
     tree = with_named_deed(tree, timed) if timed or one.heard_from else tree
     return as_statement(tree, timed, one.lexicon.travelling)
 
@@ -116,7 +117,7 @@ def _is_astray(one: Waiting, tree: Tree) -> bool:
         return False
     if one.phrases and happens(tree, one.phrases):
         return may_be_ordered(tree) or begins_order(tree)
-    if leaves(tree, tree.root, one.lexicon.travelling):
+    if leaves(tree, tree.root, one.lexicon.travelling) or is_thing_so(tree, one.timed(tree)):
         return False
     if is_doubtful(tree) or is_numbered(tree) or _only_asks(tree):
         return True

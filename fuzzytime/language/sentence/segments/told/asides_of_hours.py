@@ -1,12 +1,13 @@
-"""Asides that say when somewhere opens or closes: "return the books (closes at 5)", "(they open at nine)".
+"""Asides that say when somewhere opens or closes, or somebody comes: "(closes at 5)", ", who lands at nine,".
 
-As those that say how long something takes they are no instructions; their time bounds what they stand behind.
+As those that say how long something takes they are no instructions; their time bounds what they stand
+behind, or is when that is done: "fetch Omar, who lands at nine, from the airport".
 """
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase
@@ -23,7 +24,8 @@ NAME = 4
 
 def asides_of_hours(scanned: Scanned) -> tuple[Aside, ...]:
     """Give the asides of a text that say when somewhere opens or closes, in order."""
-    if scanned.lexicon.doing.hours.isdisjoint(word.text for word in scanned.words):
+    doing = scanned.lexicon.doing
+    if (doing.hours | doing.moments).isdisjoint(word.text for word in scanned.words):
         return ()
     found = (_aside(scanned.words, phrase, scanned.lexicon) for phrase in phrases_of(scanned))
     return tuple(aside for aside in found if aside is not None)
@@ -39,8 +41,10 @@ def bounding(phrase: Phrase, *, closing: bool) -> Phrase:
 def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | None:
     doing = lexicon.doing
     verb, behind = phrase.first - 1, phrase.end
-    if verb < 1 or words[verb].text not in doing.hours or phrase.said.constraint not in MOMENTS:
+    if verb < 1 or phrase.said.constraint not in MOMENTS:
         return None
+    if words[verb].text not in doing.hours:
+        return _of_somebody(words, phrase, lexicon)
     opening, named = _opening(words, verb, lexicon)
     if opening is None or not any(word.is_letters for word in _sentence_before(words, opening)):
         return None
@@ -49,6 +53,29 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
     told = bounding(phrase, closing=closing)
     told = replace(told, first=named, span=(words[named].start, phrase.span[1]), rule=HOURS)
     return Aside((words[opening].start, words[behind if bracketed else behind - 1].end), told, bounds=True)
+
+
+def _of_somebody(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | None:
+    """Give the aside that says when somebody comes, or something is over: ", whose train gets in at six"."""
+    opening = phrase.first - 1
+    while opening > max(0, phrase.first - NAME - 1) and words[opening].text not in OPENING:
+        opening -= 1
+    said = [word.text for word in words[opening + 1 : phrase.first]]
+    led = words[opening].text in OPENING and len(said) > 1 and said[0] in lexicon.closed.relatives - {"that"}
+    does = bool(said) and said[-1] in lexicon.doing.moments
+    if led and said[-1] in lexicon.particles.keys() | lexicon.closed.adverbs_of_arrival:
+        does = said[-2] in lexicon.doing.moments | lexicon.closed.present_be
+    ends = words[phrase.end : phrase.end + 1]
+    if not led or not does or any(word.text not in lexicon.closed.end_of_an_event for word in ends):
+        return None
+    before = _sentence_before(words, opening)
+    events = any(longest_match(before, place, lexicon.clauses) is not None for place in range(len(before)))
+    if events or not any(word.is_letters for word in before):
+        # "Feed the cat before the film, which starts at nine"
+        return None
+    end = phrase.end + any(word.text in {",", ")"} for word in ends)
+    told = replace(phrase, first=opening + 1, span=(words[opening + 1].start, phrase.span[1]), rule=HOURS)
+    return Aside((words[opening].start, words[end - 1].end), told, bounds=True)
 
 
 def _opening(words: Sequence[Word], verb: int, lexicon: Lexicon) -> tuple[int | None, int]:
@@ -69,7 +96,7 @@ def _opening(words: Sequence[Word], verb: int, lexicon: Lexicon) -> tuple[int | 
         marked = place > 0 and words[place - 1].text in OPENING
         # "Lock the drawer as the shop closes at six" may say when.
         return (place - 1 if marked else None if mark == "as" else place), place + 1
-    alone = not subject or subject[0] in lexicon.asides["naming"]
+    alone = not subject or subject[0] in lexicon.asides["naming"] | lexicon.closed.relatives
     told = mark == "(" or (mark in OPENING and alone and not several)
     return place if told else None, place + 1
 

@@ -13,6 +13,7 @@ from fuzzytime.language.grammar.words import Word, is_quoted
 from fuzzytime.language.instruction import Remark, Span, overlap
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.phrases import places_in
+from fuzzytime.language.sentence.segments.other_cases import OTHER_CASE
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.told.told_clauses import is_said, told_from
 from fuzzytime.language.sentence.segments.waiting import JOINT
@@ -237,10 +238,8 @@ def _leads_on(source: _Source, place: int) -> bool:
     """Whether another order stands behind a joint: "and set the table"; not "and should be there"."""
     words, lexicon = source.words, source.lexicon
     closed = lexicon.closed
-    if longest_match(words, place, lexicon.connectives) is not None and words[place].text not in {
-        "at",
-        "next",
-    }:
+    form = longest_match(words, place, lexicon.connectives)
+    if form is not None and lexicon.connectives[form] != OTHER_CASE and form[0] not in {"at", "next"}:
         return True
     verb = place + 1
     while verb < len(words) and words[verb].text in closed.further_clause | {","}:

@@ -29,6 +29,8 @@ def without_threats(scanned: Scanned) -> str:
     for place in range(1, len(words) - 1):
         joint, subject = words[place], SUBJECT.match(words[place + 1].text)
         told = subject is not None and subject[0] in closed.personal_pronouns | {"it"}
+        behind = words[place + 2 : place + 3] if words[place + 1].text == "else" else ()
+        told = told or any(word.text not in scanned.lexicon.orders for word in behind)
         offers = not closed.tentative_modals.isdisjoint(word.text for word in words[place + 2 : place + 3])
         if joint.text not in closed.alternatives or not told or offers:
             continue

@@ -39,6 +39,10 @@ def of_clause(
     remarks: list[Remark] = []
     numbers = comparisons_in(draft.scanned, clause.content)
     target, said = anchors.target_of(clause), clause.condition
+    if said is not None and said.contrary:
+        # "If the pan is hot fry it, otherwise wait": the words that say so are others.
+        required = _of_condition(clause, replace(said, comparisons=numbers), anchors, sketch)
+        return replace(required, text=text), []
     if target is None and said and said.word in anchors.lexicon.results and clause.kind in RESULTING:
         # "Boil the pasta. Drain it when it is done": when it is boiled.
         named = _named(said, _meant_by_pronoun(clause, anchors, sketch), anchors.lexicon)

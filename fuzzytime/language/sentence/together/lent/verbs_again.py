@@ -7,10 +7,14 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
 from fuzzytime.language.meaning.expressions import Offset, Repeat, Said
 from fuzzytime.language.meaning.joined.distances import LATER
+from fuzzytime.language.sentence.segments.other_cases import OTHER_CASE
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.named import takes_verb
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint
+
+AGAIN = frozenset({"then", OTHER_CASE})
+"""Connectives behind which what is done before may be done again: "if it's dry at six, otherwise at nine"."""
 
 
 def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | None:
@@ -38,7 +42,7 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
         return replace(before, negated=False)
     if sketch.operation is not None and not _is_next_numbered(before, sketch):
         return None
-    then = part.segment.connective == "then"
+    then = part.segment.connective in AGAIN
     counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
     if (then or part.segment.verbless) and counted is not None:
         return counted
@@ -62,8 +66,13 @@ def _with_another_thing(
     before: Operation, old: str, rest: str, first: str, sketch: Sketch
 ) -> Operation | None:
     """Give the operation before with another thing, which begins so: "dust the hall, then the stairs"."""
-    then, verbless = sketch.part.segment.connective == "then", sketch.part.segment.verbless
-    opened = first.lower() in sketch.lexicon.closed.noun_openers
+    then, verbless = sketch.part.segment.connective in AGAIN, sketch.part.segment.verbless
+    openers, people = sketch.lexicon.closed.noun_openers, sketch.lexicon.persons
+    opened = first.lower() in openers
+    alike = old.partition(" ")[0].lower() in openers or rest.rpartition(" ")[2].lower() in people
+    if before.stated and before.complement is not None and sketch.phrases and opened and not alike:
+        # "Mum takes her drops at seven, the tablets at noon"; but "Tom cleans up tonight, the kids tomorrow"
+        return replace(before, complement=rest.removesuffix(" again"))
     # "Interview with Priya at ten, then with Dominic at eleven"
     head, joint, _ = old.partition(f" {first} ")
     joint = "" if opened else joint

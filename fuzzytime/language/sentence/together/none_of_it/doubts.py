@@ -14,6 +14,7 @@ from fuzzytime.language.sentence.together.none_of_it.orders_again import is_abou
 from fuzzytime.language.sentence.together.none_of_it.what_was import tells_what_was
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.requirement import Constraint
 
 OBJECTS = ("dobj", "attr", "oprd")
 
@@ -87,7 +88,23 @@ def _tells(sketch: Sketch) -> str | None:
         return "what nobody does"
     if _is_denied(tree, root):
         return "what is not to be"
-    return "what was" if tells_what_was(sketch) else None
+    if tells_what_was(sketch):
+        return "what was"
+    return "what is not to be" if _is_cancelled(sketch) else None
+
+
+def _is_cancelled(sketch: Sketch) -> bool:
+    """Whether it is told that something does not happen: "choir got cancelled, so no pickup at five"."""
+    tree, closed = sketch.part.tree, sketch.lexicon.closed
+    node, root = tree.nodes[tree.root], tree.root
+    helping = tree.said(tree.children(root, "auxpass"))
+    told = bool(helping) and helping <= closed.present_be | closed.past_be | {"got", "gets", "been"}
+    told = told and not tree.said(tree.children(root, "aux")) - closed.have
+    due = any(phrase.said.constraint is Constraint.BEFORE for phrase in sketch.phrases)
+    named = any(p < root for p in tree.children(root, *SUBJECTS))
+    called = f"{node.lower} {tree.nodes[root + 1].lower}" if root + 1 < len(tree.nodes) else ""
+    off = {" ".join(form) for form in sketch.lexicon.conversation["cancelled"]}
+    return node.tag == "VBN" and told and named and not due and not off.isdisjoint({node.lower, called})
 
 
 def _is_denied(tree: Tree, root: int) -> bool:

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
 
 MODIFYING = frozenset({"compound", "amod", "nmod", "poss"})
 """How a word hangs on the noun behind it that it describes."""
@@ -17,7 +18,7 @@ def naming_none(remarks: Iterable[Remark], sketches: Sequence[Sketch]) -> list[R
         remark
         for remark in remarks
         if not any(_describes(remark.span, one.part) or _is_somebody(remark.span, one) for one in asked)
-        and not any(_calls_moment(remark.span, sketch) for sketch in sketches)
+        and not any(_calls_moment(remark.span, one) or _does(remark.span, one) for one in sketches)
     ]
 
 
@@ -26,6 +27,17 @@ def _calls_moment(span: Span, sketch: Sketch) -> bool:
     operation = sketch.operation
     named = sketch.lexicon.closed.named_moments
     return operation is not None and operation.verb in named and span[1] == operation.span[1]
+
+
+def _does(span: Span, sketch: Sketch) -> bool:
+    """Whether words name who does something, or has or needs it: "april takes her pill at nine"."""
+    tree, part, operation = sketch.part.tree, sketch.part, sketch.operation
+    said = [tree.nodes[place].lower for place in part.at(span)] if span[0] >= part.offset else []
+    if operation is None or not said or not {*(operation.object or "").lower().split()}.issuperset(said):
+        return False
+    subjects = tree.children(tree.root, *SUBJECTS)
+    named = {*subjects, *(p for subject in subjects for p in tree.children(subject, "conj"))}
+    return part.segment.verbless or named.issuperset(part.at(span))
 
 
 def _is_somebody(span: Span, sketch: Sketch) -> bool:

@@ -10,6 +10,7 @@ import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Offset,
@@ -21,11 +22,12 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.segments.other_cases import CONDITIONS, OTHER_CASE
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import LASTING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.told.reasons_told import leads_to_consequence
-from fuzzytime.requirement import MOMENTS, STRETCHES, Constraint
+from fuzzytime.requirement import MOMENTS, STRETCHES, Condition, Constraint
 
 HELD = frozenset({"when", "if", "after", "before"})
 """Kinds of clauses that hold for all that is joined."""
@@ -51,8 +53,11 @@ def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     for sketch in sketches:
         if not found or _is_ended(found[-1], sketch, text):
             phrases, clauses = (), ()
-        if found and sketch.operation is not None and _is_otherwise(found[-1], sketch, text):
-            found.append(sketch.under((), _denied(found[-1].clauses)))
+        segment = sketch.part.segment
+        if segment.connective == OTHER_CASE and sketch.operation is not None:
+            # "If it rains stay in, otherwise wash the car and mow the lawn"
+            phrases, clauses = (), _denied(found, segment.connective_span)
+            found.append(sketch.under((), clauses) if clauses else _unbound(sketch, text))
             continue
         if (phrases or clauses) and _is_bare(sketch, JOINED):
             found.append(sketch.under(phrases, clauses))
@@ -83,21 +88,27 @@ def _ends_only(sketch: Sketch) -> bool:
     return all(clause.kind == "until" for clause in sketch.clauses)
 
 
-def _is_otherwise(before: Sketch, sketch: Sketch, text: str) -> bool:
-    """Whether it is what is done where the condition of the one before is not so: "…, otherwise go on"."""
-    first, end = sketch.part.segment.span
-    said = f"{text_between(before, sketch, text)} {text[first:end]}".lower().split()
-    contrary = not before.lexicon.beside.contrary.isdisjoint(said[:3])
-    return contrary and any(clause.condition is not None for clause in before.clauses)
-
-
-def _denied(clauses: Sequence[Clause]) -> tuple[Clause, ...]:
-    """Give conditions as those of what is done where they are not so."""
+def _denied(before: Sequence[Sketch], said: Span) -> tuple[Clause, ...]:
+    """Give the last conditions before "otherwise" as those of what is done where they are not so."""
+    conditions = ([c for c in sketch.clauses if c.kind in CONDITIONS] for sketch in reversed(before))
     return tuple(
-        replace(clause, condition=replace(clause.condition, negated=not clause.condition.negated))
-        for clause in clauses
+        replace(clause, span=said, condition=_contrary(clause.condition))
+        for clause in next((found for found in conditions if found), [])
         if clause.condition is not None
     )
+
+
+def _unbound(sketch: Sketch, text: str) -> Sketch:
+    """Say that no other case is known: "if it's after nine, call Ann, otherwise walk the dog"."""
+    told = "is not used: whether that is so is a matter of the calendar"
+    return replace(
+        sketch, remarks=(*sketch.remarks, Remark.noted(text, sketch.part.segment.connective_span, told))
+    )
+
+
+def _contrary(condition: Condition) -> Condition:
+    """Give the condition that another is not so; what is left out "unless it rains" waits for the rain."""
+    return replace(condition, negated=not condition.negated, contrary=not condition.contrary, excepted=False)
 
 
 def _held_behind(sketches: Sequence[Sketch], text: str) -> list[Sketch]:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.english import PARTICIPLE
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
 from fuzzytime.language.sentence.segments.told.asides_of_hours import HOURS, bounding
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
@@ -24,11 +25,11 @@ def within_opening_hours(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """
     found = list(sketches)
     for place, sketch in enumerate(found):
-        bound = _bound_of(sketch)
+        before = place - 1
+        bound = _bound_of(sketch) or (_hours_of(found[before], sketch) if place else None)
         if bound is None:
             continue
         closing = bound.said.constraint is not Constraint.AFTER
-        before = place - 1
         if before >= 0 and _is_unbound(found[before]) and _is_beside(found[before], sketch, text):
             if closing or is_errand(found[before]) or _is_of_that(sketch):
                 found[before] = found[before].under([bound])
@@ -60,6 +61,20 @@ def _bound_of(sketch: Sketch) -> Phrase | None:
     if not at or not (closing or operation.lemma in doing.opening_up):
         return None
     return bounding(phrase, closing=closing)
+
+
+def _hours_of(order: Sketch, sketch: Sketch) -> Phrase | None:
+    """Give from when to when what is asked for can be done: "visit dad, visiting is two till four"."""
+    told, asked = sketch.operation, order.operation
+    if told is None or asked is None or not told.stated or len(sketch.phrases) != 1 or sketch.clauses:
+        return None
+    phrase, name = sketch.phrases[0], (told.object or "").lower()
+    # "Visiting hours are two to four"
+    named = name.endswith(HOURS) or name.removesuffix(PARTICIPLE) in {
+        asked.lemma,
+        asked.lemma.removesuffix("e"),
+    }
+    return replace(phrase, rule=HOURS) if named and isinstance(phrase.said.time, Range) else None
 
 
 def _is_unbound(sketch: Sketch, *, opened: bool = False) -> bool:

@@ -214,8 +214,11 @@ def _keeps_on(tree: Tree, root: int) -> bool:
 def _only_is(tree: Tree, root: int) -> bool:
     """Whether something is so and nothing is to be done: "it's hot in here"; but "it's time to eat"."""
     told = "it" in tree.said(tree.children(root, *SUBJECTS))
+    # "Buy stamps, it's open until four" tells when that can be done.
+    opens = tree.lexicon.doing.opening_up & tree.said(tree.children(root, "acomp"))
     return (
         told
+        and not opens
         and tree.nodes[root].lemma in tree.lexicon.closed.lemmas_of_be
         and not any(tree.nodes[p].tag == "VB" for p in tree.below(root))
         and not tree.children(root, "aux")

@@ -205,7 +205,8 @@ class Stated(Places):
             lasts and self.tree.nodes[verb].lemma in doing.running
         )
         # "Take the bins out tonight, it's recycling tomorrow"
-        told = told or (subjects[:1] == ["it"] and (goes or happening))
+        opens = bool(doing.opening_up & words)
+        told = told or (subjects[:1] == ["it"] and (goes or happening or opens))
         if finite and self._is_attended(verb):
             return True
         if self.tree.nodes[verb].lemma in doing.taking and helping <= closed.future | closed.tentative_modals:

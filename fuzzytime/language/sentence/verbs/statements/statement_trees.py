@@ -15,7 +15,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
 
     ``timed`` are the words about time: one stands right behind the verb. What is ``travelling`` leaves.
     """
-    tree = _with_being(_with_having(_with_got(_with_phase(tree, timed, travelling))), timed)
+    tree = _with_being(_with_got(_with_phase(tree, timed, travelling)), timed)
     tree = _with_two(_with_done(tree), timed)
     tree = with_plural(_with_subject(tree), timed)
     root = tree.root
@@ -161,18 +161,6 @@ def _with_got(tree: Tree) -> Tree:
     return having.hung(tree.children(root, "nsubjpass"), root, "nsubj")
 
 
-def _with_having(tree: Tree) -> Tree:
-    """Give "the kids have swimming at four" its verb, which was taken for one that helps."""
-    root = tree.root
-    if tree.nodes[root].tag != "VBG":
-        return tree
-    helping = tree.children(root, "aux")
-    if len(helping) != 1 or tree.nodes[helping[0]].lemma != "have" or helping[0] != root - 1:
-        return tree
-    having = tree.hung(tree.children(root), helping[0]).changed(helping[0], relation="ROOT")
-    return having.changed(root, head=helping[0], relation="dobj", tag="NN")
-
-
 def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "the drill's at nine" its verb, which was taken for an owner's mark; so of "nobody's home"."""
     root = tree.root
@@ -186,7 +174,7 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
         being = tree.hung(tree.children(root), mark).changed(owner[0], relation="nsubj")
         being = being.changed(mark, tag="VBZ", lemma="be", head=mark, relation="ROOT")
         return being.changed(root, head=mark, relation="acomp" if tree.nodes[root].tag == "JJ" else "advmod")
-    doing = _with_one_doing(tree)
+    doing = _with_one_doing(tree) or _with_open(tree, timed)
     if doing is not None:
         return doing
     # "The drill's at nine", "the dog's at the vet"; but "pasta's in now"
@@ -195,11 +183,28 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     so = {p for p in tree.children(root, "amod") if p > root}
     marks = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in there | so)
     verb = next(marks, None)
-    if verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):
+    if tree.nodes[root].lower in tree.lexicon.closed.present_be and root + 1 in timed:
+        # "Visiting is two till four"
+        return tree.hung((p for p in tree.children(root, "csubj") if p == root - 1), root, "nsubj")
+    if verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith(("NN", "VBG")):
         return tree
     being = tree.hung((p for p in tree.children(root) if p > root), verb).hung(so, verb, "acomp")
     being = being.changed(root, head=verb, relation="nsubj")
     return being.changed(verb, tag="VBZ", lemma="be", head=verb, relation="ROOT")
+
+
+def _with_open(tree: Tree, timed: AbstractSet[int]) -> Tree | None:
+    """Give "the library's open nine to five" its verb, taken for an owner's mark; None without one."""
+    root, opening = tree.root, tree.lexicon.doing.opening_up
+    marks = (p for p in range(1, len(tree.nodes) - 2) if tree.nodes[p].tag == "POS" and p + 2 in timed)
+    verb = next((p for p in marks if tree.nodes[p + 1].lower in opening), None)
+    if verb is None or root not in timed | {verb - 1, verb + 1}:
+        return None
+    tree = tree.hung((p for p in range(verb - 1) if tree.nodes[p].head >= verb - 1), verb - 1)
+    tree = tree.hung((p for p in timed if tree.nodes[p].head not in timed), verb, "npadvmod")
+    tree = tree.changed(root, head=verb, relation="npadvmod").changed(verb - 1, head=verb, relation="nsubj")
+    tree = tree.changed(verb + 1, head=verb, relation="acomp")
+    return tree.changed(verb, tag="VBZ", lemma="be", head=verb, relation="ROOT")
 
 
 OWNED = frozenset({"'s", "’s"})

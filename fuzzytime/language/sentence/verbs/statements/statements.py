@@ -90,7 +90,9 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
         and tree.nodes[joint].lower in closed.joints_of_consequence
     )
     apart = tree.nodes[joint].text == "," and joint < start - 1 and _is_apart(tree, place)
-    told = joint - 1 in timed or speaks or apart or does or _is_told_so(tree, joint)
+    # "Visit gran, visiting hours are two to four"
+    is_then = tree.nodes[place].lower in closed.present_be and place + 1 in timed and joint == start - 1
+    told = joint - 1 in timed or speaks or apart or does or is_then or _is_told_so(tree, joint)
     return start if joined and told else None
 
 
@@ -158,7 +160,11 @@ def _start_of_statement(tree: Tree, place: int) -> int | None:
 
 def being_behind_order(tree: Tree, place: int, timed: AbstractSet[int]) -> int | None:
     """Give where begins what is at a time, behind an order: "get everyone out, the drill's at nine"."""
-    if tree.nodes[place].tag != "POS" or place + 1 not in timed:
+    # "…, the library's open nine to five"
+    opens = (
+        tree.nodes[place + 1].lower in tree.lexicon.doing.opening_up if place + 1 < len(tree.nodes) else False
+    )
+    if tree.nodes[place].tag != "POS" or place + 1 + opens not in timed:
         return None
     start = place - 1
     while start > 0 and tree.nodes[start - 1].tag in {*DETERMINERS, *SINGULAR, "JJ", "NNS"}:
@@ -252,6 +258,11 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str]) -> bool:
     if not helping and node.tag == "VBZ" and subjects[0].tag in {"NN", "NNP"}:
         # No order ends in -s: "the caretaker cuts the grass"; but a machine may be asked by its name.
         named = named or subjects[0].lower not in lexicon.machines
+    if not helping and node.tag == "VBP" and node.lemma == "have":
+        # "June and August have football at five", "the hens have corn at six"
+        whose = [p for p in tree.children(verb, "nsubj") if p < verb]
+        several = subjects[0].tag == "NNS" or subjects[0].lower == "they"
+        named = named or several or bool(tree.children(whose[0], "conj"))
     if node.tag == "VBG" and helping <= closed.present_be and subjects[0].tag in NOUNS:
         # "Tom is washing the car at five", "Tom washing the car", "rep coming"; but "bins emptying" is to do.
         acts = bool(helping or tree.children(verb, "dobj")) or node.lemma in lexicon.intransitive

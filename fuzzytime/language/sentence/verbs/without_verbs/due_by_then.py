@@ -60,6 +60,14 @@ def due_by_then(
     return Operation(verb="be", lemma="be", span=span, object=thing, place=said, due="must")
 
 
+def is_thing_so(tree: Tree, timed: Collection[int]) -> bool:
+    """Whether a thing is named, and right before a time what is done with it: "garage door shut by nine"."""
+    root, nodes = tree.root, tree.nodes
+    led = [p for p in tree.children(root, "compound") if p < root]
+    done = root + 2 in timed and nodes[root + 1].tag == "VBN"
+    return done and nodes[root].tag in NOUNS and led == [*range(root)] != []
+
+
 def _state(nodes: Sequence[Node], lexicon: Lexicon, *, listed: bool) -> int:
     """Give where it begins what is so by then: at what is done last, or else where it is; 0 for nothing."""
     last = len(nodes) - 1
@@ -117,7 +125,9 @@ def _is_ordered(thing: Sequence[Node], lexicon: Lexicon) -> bool:
 
     A thing that is called like a verb may be taken for it where nothing stands between: "floor mopped".
     """
-    named = thing[0].tag in NAMING and thing[-1].tag in NAMING
+    # "Back gate locked by ten"
+    named = thing[0].tag in NAMING or thing[0].relation == "compound"
+    named = named and thing[-1].tag in NAMING
     alone = len(thing) == 1 or thing[1].tag in {"CD", "IN"}
     becoming = lexicon.causing | lexicon.letting | lexicon.wanting | lexicon.doing.being
     return not (named or alone) or thing[0].lemma in becoming
