@@ -1,6 +1,7 @@
 """Times that go on with another and could not stand alone: "at seven and nine", "on the 1st and 15th"."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.judging.beside.cuts import Cuts
@@ -34,6 +35,9 @@ class Further(Standing):
         found = list(chosen)
         for piece in chosen:
             further = [*self._behind(piece, cells, found), *self.before(piece, cells, found)]
+            starts = {one.start for one in found}
+            # "At nine, three and six on friday"
+            further = [one for one in further if one.start not in starts]
             places = {place for one in further for place in range(one.start, one.end)}
             found = [one for one in found if one.start not in places] + further
         return found
@@ -64,7 +68,8 @@ class Further(Standing):
             yield from (p._replace(category="said") for p in hours if _has_hours(p))
         elif _is_clocked(piece) or _is_mark(piece):
             yield from (p for p in said if _is_mark(p))
-        if not _is_clocked(piece) or self.doses.count(place):
+        yield from _other_halves(piece, cells[place])
+        if not (_is_clocked(piece) or _is_mark(piece)) or self.doses.count(place):
             return
         numbers = (p for p in said if isinstance(p.value.time, Wall))
         if self.measures.is_sure(place) and self.measures.is_sure(piece.end - 1):
@@ -77,7 +82,11 @@ class Further(Standing):
 
     def _numbered_days(self, place: int, cells: Sequence[Cell], chosen: Sequence[Piece]) -> Iterator[Piece]:
         """Give a day of the month that is a word alone, at the hour behind it: "and fifteenth at six"."""
-        for day in cells[place].get("month day", {}).values():
+        more = self.lexicon.ordinals.keys() | JOINTS | {"last"}
+        behind = next((at for at in range(place, len(self.texts)) if self.texts[at] not in more), place)
+        # "On the second, fourth and last friday"
+        days = () if self.around.is_weekday(behind) else cells[place].get("month day", {}).values()
+        for day in days:
             if self.texts[day.end - 1] not in self.lexicon.ordinals:
                 continue
             wall, end = Wall(Fields(day=day.value)), day.end
@@ -119,6 +128,21 @@ class Further(Standing):
         said = (p for p in cells[place - 2].get("said", {}).values() if p.end == place)
         found = [p for p in said if _is_day_of_month(p) and isinstance(p.value.time, Wall)][:1]
         return found + [more for one in found for more in self.before(one, cells, chosen)]
+
+
+def _other_halves(piece: Piece, cell: Cell) -> Iterator[Piece]:
+    """Give the further half of the day, or the part of it, that a time is in: "at eight am and pm"."""
+    time = piece.value.time
+    wall = wall_of(time.first if isinstance(time, Range) else time)
+    clock = wall.clock
+    if clock is not None and wall.part is not None:
+        parts = (p for p in cell.get("part", {}).values() if not p.value.is_point and not p.value.meal)
+        yield from (p._replace(category="said", value=Said(Wall(part=p.value))) for p in parts)
+    if clock is not None and clock.half is not None and isinstance(time, Wall):
+        for half in cell.get("meridiem", {}).values():
+            yield half._replace(
+                category="said", value=Said(replace(time, clock=replace(clock, half=half.value)))
+            )
 
 
 def _clock_from(cell: Cell, end: int) -> list[Piece]:

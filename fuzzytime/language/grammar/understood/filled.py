@@ -10,8 +10,18 @@ from fuzzytime.language.grammar.understood.lists import TimeList
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields, is_day_of_month, is_weekday
 from fuzzytime.language.meaning.days.relations import Relative
-from fuzzytime.language.meaning.expressions import HourMark, Phrase, Range, Said, Wall, wall_of
-from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    HourMark,
+    Phrase,
+    Range,
+    Repeat,
+    Said,
+    Time,
+    Wall,
+    wall_of,
+)
+from fuzzytime.language.meaning.times_of_day import Half, Part
 from fuzzytime.requirement import BOUNDS, Unit
 
 ON_CONDITION = "if_it_is.at_on_condition"
@@ -26,12 +36,13 @@ HOUR, MINUTE = 3600, 60
 def filled(times: TimeList, words: Sequence[Word]) -> list[Phrase]:
     """Give the members of a list with what their neighbours give; of several kept, the others say so."""
     members = _with_part_of(_with_month_behind(times.members), words)
-    if not times.either:
-        return _timed(_in_hour_behind(apart(members)))
-    members = _with_part_behind(members)
+    members = _before_day(_with_part_behind(members) if times.either else apart(members), words)
     # "Today if you can, otherwise tomorrow at ten": today at any time
-    near = any(isinstance(one.said.wall.days, Relative) for one in members)
-    first, *others = _on_one_day(members if near else _timed(_in_hour_behind(members)), words)
+    near = times.either and any(isinstance(one.said.wall.days, Relative) for one in members)
+    members = members if near else _timed(_in_hour_behind(_in_other_parts(members)))
+    if not times.either:
+        return members
+    first, *others = _behind_day(members)
     return [first, *(_bound_as(first, one) for one in others)]
 
 
@@ -120,6 +131,30 @@ def _in_hour_behind(members: Sequence[Phrase]) -> list[Phrase]:
     return found
 
 
+def _in_other_parts(members: Sequence[Phrase]) -> list[Phrase]:
+    """Give a part of the day alone the hours of the one before: "six to eight, morning and evening"."""
+    found = [members[0]]
+    for member in members[1:]:
+        wall, giver = member.said.wall, found[-1].said
+        part = wall.part if wall == Wall(part=wall.part) and member.said.preposition is None else None
+        first = _first_of(giver)
+        clock = None if first.part is None or first.clock is None else replace(first.clock, half=None)
+        hours = () if clock is None or part is None else clock.candidates()
+        if part is not None and any(part.start - HOUR <= seconds < part.end for seconds in hours):
+            found.append(replace(member, said=replace(giver, time=_in_part(giver.time, part))))
+        else:
+            found.append(member)
+    return found
+
+
+def _in_part(time: Time | Duration | Repeat, part: Part) -> Time:
+    """Give a time of day, or hours, in another part of the day."""
+    if isinstance(time, Range):
+        return Range(_in_part(time.first, part), _in_part(time.last, part))
+    wall = wall_of(time)
+    return replace(wall, part=part, clock=None if wall.clock is None else replace(wall.clock, half=None))
+
+
 def _with_part_of(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase]:
     """Give days of a list the part that the first is of: "on the nights of the 4th and 5th"."""
     walls = [phrase.said.wall for phrase in phrases]
@@ -159,20 +194,41 @@ def _with_part_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
     return [phrase if wall.is_timed else phrase.at(replace(wall, part=part)) for phrase, wall in walls]
 
 
-def _on_one_day(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase]:
-    """Give clock times the day, or the part of it, that one of them is on: "tomorrow at six or at seven".
+def _before_day(members: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase]:
+    """Give clock times the day, or the part of it, behind the last: "at six and eight tomorrow".
 
-    A day in front of its clock time is lent to none before: "at five or tomorrow at nine".
+    A day in front of its clock time is lent to none before, nor is a part to what is later in it: "at five or
+    tomorrow at nine", "at ten and two in the afternoon".
     """
-    whole = phrases[-1].said.wall if _ends_with_day(phrases[-1], words) else None
-    found = []
-    for phrase in phrases:
-        wall = phrase.said.wall
+    last = members[-1]
+    if not _ends_with_day(last, words):
+        return list(members)
+    whole, ends = last.said.wall, _in_half_day(last.said.wall)
+    day = replace(whole, part=None)
+    return [_on_day(one, whole if _in_half_day(one.said.wall) < ends else day) for one in members]
+
+
+def _in_half_day(wall: Wall) -> int:
+    """Give the seconds since noon or midnight of a clock time."""
+    return 0 if wall.clock is None else wall.clock.seconds % (12 * HOUR)
+
+
+def _behind_day(members: Sequence[Phrase]) -> list[Phrase]:
+    """Give clock times the day, or the part of it, of the one before: "tomorrow at six or at seven"."""
+    whole, found = None, []
+    for member in members:
+        wall = member.said.wall
         dated = wall.days is not None or wall.part is not None
         whole = wall if wall.clock is not None and dated else whole
-        alone = wall.clock is not None and not dated and whole is not None
-        found.append(phrase.at(replace(whole, clock=wall.clock)) if whole and alone else phrase)
+        found.append(_on_day(member, whole))
     return found
+
+
+def _on_day(phrase: Phrase, whole: Wall | None) -> Phrase:
+    """Give a clock time alone the day of another."""
+    clock = phrase.said.wall.clock
+    alone = whole is not None and clock is not None and phrase.said.time == Wall(clock=clock)
+    return phrase.at(replace(whole, clock=clock)) if whole is not None and alone else phrase
 
 
 def _ends_with_day(phrase: Phrase, words: Sequence[Word]) -> bool:

@@ -38,7 +38,7 @@ class TimeList:
         last = self.members[-1]
         if last.said.preposition is None:
             return True
-        if last.end == len(words):
+        if last.end == len(words) or not self.members[0].first:
             return True
         follower = words[last.end].text
         ends = lexicon.beside.polite_ends | lexicon.closed.further_clause | {")"}

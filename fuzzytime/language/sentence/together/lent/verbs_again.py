@@ -85,6 +85,9 @@ def _said_shortly(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
     """Give the operation before where a particle alone, or that it is done again, is said beside a time."""
     turned, _, level = rest.partition(" to ")
     particle = _particle_alone(before, turned, lexicon)
+    if particle is not None and before.place in lexicon.particles:
+        # "Hens out at ten, in at sunset"
+        return replace(before, place=particle)
     if particle is not None:
         # "And back up to 37 degrees at six"
         return replace(before, particle=particle, place=f"to {level}" if level else before.place)
