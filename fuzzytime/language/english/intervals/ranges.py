@@ -22,7 +22,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
     wall_of,
 )
-from fuzzytime.language.meaning.joined.beside import in_hour_of, joined, lasts_then, refined
+from fuzzytime.language.meaning.joined.beside import in_hour_of, lasts_then, refined
 from fuzzytime.language.meaning.joined.range_ends import closes, comparable, is_meal, is_one, lent
 from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.requirement import Constraint, Unit
@@ -246,16 +246,6 @@ def then_until(first: Goal, last: Goal) -> Said | None:
     if part is not None and part.meal and not wall.weak:
         # Behind its preposition a meal is a part of the time; "lunch until two" is what follows it.
         first = replace(first, time=replace(wall, part=replace(part, meal=False)))
-    clock = last.wall.clock
-    if part is not None and clock is not None and last.time == Wall(clock=clock) and clock.is_open:
-        begins, ends = part.start, part.end
-        if any(begins < seconds <= ends for seconds in clock.candidates()):
-            # "In the morning until half past eight"
-            return range_of(first, Goal(replace(last.wall, part=part), last.hedges))
-        if part.half is Half.AM and any(0 < seconds <= begins for seconds in clock.candidates()):
-            # "In the morning until 7:15": that morning begins before it is one.
-            whole = joined(wall, last.wall)
-            return None if whole is None else Said(whole, Constraint.BEFORE, "until", last.hedges)
     return range_of(first, last)
 
 

@@ -53,7 +53,14 @@ class Further(Standing):
             return []
         members = (p for p in self._members(piece, place, cells, chosen) if self._goes_on(p, joint))
         one = next(members, None)
-        return [] if one is None else [one, *self._behind(one, cells, chosen)]
+        if one is None:
+            return []
+        more = self._behind(one, cells, chosen)
+        if joint != "," or more or _is_whole(one):
+            return [one, *more]
+        # "At seven, nine and again at six"; but "on the first, third and fifth skewers"
+        behind = self._joined(one.end)[1]
+        return [one] if any(other.start == behind for other in chosen) else []
 
     def _members(
         self, piece: Piece, place: int, cells: Sequence[Cell], chosen: Sequence[Piece]
@@ -102,8 +109,7 @@ class Further(Standing):
             return False
         if joint == "then":
             return self.around.follower(piece) in ENDS
-        whole = (piece.rule != DAY_NAMED and _is_day_of_month(piece)) or isinstance(piece.value.time, Range)
-        return whole or joint != "," or self.around.follower(piece) in {",", "and", "or", "&"}
+        return _is_whole(piece) or joint != "," or self.around.follower(piece) in {",", "and", "or", "&"}
 
     def _joined(self, place: int) -> tuple[str, int]:
         """Give what joins a further time at a place, and where that begins: "or" of "at nine, or | ten"."""
@@ -149,6 +155,11 @@ def _clock_from(cell: Cell, end: int) -> list[Piece]:
     """Give the clock time in a cell that ends at a place."""
     said = (p for p in cell.get("said", {}).values() if p.end == end and isinstance(p.value.time, Wall))
     return [p for p in said if _is_open(p)][:1]
+
+
+def _is_whole(piece: Piece) -> bool:
+    """Whether a comma alone may stand before it: a typed day of the month, a stretch."""
+    return (piece.rule != DAY_NAMED and _is_day_of_month(piece)) or isinstance(piece.value.time, Range)
 
 
 def _is_open(piece: Piece) -> bool:

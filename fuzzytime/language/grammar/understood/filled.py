@@ -253,8 +253,5 @@ def _bound_as(first: Phrase, phrase: Phrase) -> Phrase:
 
 
 def _is_listed(wall: Wall) -> bool:
-    """Whether it is a day of the week or of a month, or so far from today, as a list may have several."""
-    days = wall.days
-    if isinstance(days, Relative):
-        return days.grain is Unit.DAY
-    return is_weekday(days) or (isinstance(days, Fields) and days.day is not None)
+    """Whether it is on a day, as a list may have several."""
+    return wall.days is not None and wall.days.grain is Unit.DAY

@@ -99,8 +99,9 @@ def _between(first: Phrase, second: Phrase, words: Sequence[Word], lexicon: Lexi
         lexicon.beside,
         (first, second),
     )
-    if between & beside.twice and between <= beside.beside_twice and between & {"and", "&", ","}:
-        # "At eight and again at six", "at eight, again at ten and one more time at noon"
+    joined = between & {"and", "&", ","}
+    if joined and between & beside.twice & beside.again and between <= beside.again | beside.beside_twice:
+        # "At eight, again at ten and once more at noon"; but "one at eight and another one at noon"
         return {"and"}
     if between & beside.second_choice:
         # "Today if you can, otherwise tomorrow", "at noon or, failing that, at two"

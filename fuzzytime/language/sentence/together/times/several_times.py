@@ -21,6 +21,8 @@ def of_several_times(sketch: Sketch, words: Sequence[Word]) -> list[Sketch]:
         return [sketch]
     rest = [phrase for phrase in sketch.phrases if phrase not in times.members]
     members = filled(times, words)
+    listed = times.members[0].span[0], times.members[-1].span[1]
+    sketch = replace(sketch, joints=(*sketch.joints, listed))
     groups = [members] if times.either else [[one] for one in members]
     return [_with(sketch, [*rest, *group]) for group in groups]
 
