@@ -35,10 +35,13 @@ class TimeList:
 
     def is_closed(self, words: Sequence[Word], lexicon: Lexicon) -> bool:
         """Whether the last is none of what follows: "at six and at seven"; but "…, and at seven ring Ann"."""
-        last = self.members[-1]
+        first, last = self.members[0], self.members[-1]
+        if first.said.preposition == "for":
+            # "Order flowers for saturday and sunday"
+            return False
         if last.said.preposition is None:
             return True
-        if last.end == len(words) or not self.members[0].first:
+        if last.end == len(words) or not first.first:
             return True
         follower = words[last.end].text
         ends = lexicon.beside.polite_ends | lexicon.closed.further_clause | {")"}
@@ -100,7 +103,8 @@ def _between(first: Phrase, second: Phrase, words: Sequence[Word], lexicon: Lexi
         (first, second),
     )
     joined = between & {"and", "&", ","}
-    if joined and between & beside.twice & beside.again and between <= beside.again | beside.beside_twice:
+    again = (beside.again | beside.beside_twice) - {"then"}
+    if joined and between & beside.twice & beside.again and between <= again:
         # "At eight, again at ten and once more at noon"; but "one at eight and another one at noon"
         return {"and"}
     if between & beside.second_choice:
