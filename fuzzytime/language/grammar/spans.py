@@ -128,8 +128,7 @@ def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
     instead = {(piece.start, piece.end) for piece in called}
     said = [piece for piece in scanned.pieces("said") if (piece.start, piece.end) not in instead]
     chosen = _best_of(called, said, judge)
-    chosen += [piece for one in chosen for piece in judge.further.continued(one, scanned.cells, chosen)]
-    chosen += [piece for one in chosen for piece in judge.further.before(one, scanned.cells, chosen)]
+    chosen = judge.further.listed(chosen, scanned.cells)
     read = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
     found = [
         one

@@ -90,7 +90,9 @@ def _cut(words: Sequence[Word], place: int, lexicon: Lexicon) -> list[Word]:
     if owner != word.text and _is_owner(owner, lexicon) and not _continues(words, place, lexicon):
         middle = word.end - 2
         return [replace(word, text=owner, end=middle), Word("'s", middle, word.end, glued=True)]
-    known = base in lexicon.numbers or base in lexicon.entries
+    # "On the 25thish"
+    ordinal = place > 0 and words[place - 1].is_digits and base in lexicon.beside.ordinal_endings
+    known = ordinal or base in lexicon.numbers or base in lexicon.entries
     # "Dish" is no day.
     if base != word.text and len(base) > 1 and known and word.text not in lexicon.entries:
         middle = word.end - 3

@@ -44,7 +44,8 @@ def asked_of(
             past = was and is_over(sketch)
             found.append(replace(sketch, operation=None, clauses=clauses, doubted=True, past=past))
         elif operation is None:
-            nothing = list(nothing_to_do(draft.text, sketch.part, draft.scanned.words, sketch.heard))
+            heard = [*sketch.heard, *sketch.joints]
+            nothing = list(nothing_to_do(draft.text, sketch.part, draft.scanned.words, heard))
             remarks += nothing
             found.append(replace(sketch, doubted=bool(nothing)))
         else:

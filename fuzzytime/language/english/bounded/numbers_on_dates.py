@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.english.at_times import goals, prepositions
 from fuzzytime.language.english.bounded import bounds
+from fuzzytime.language.english.intervals.ranges import range_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar
@@ -28,6 +29,17 @@ def hedged_number_on_date(hedge: str, clock: Clock, days: Calendar) -> Goal | No
     """About six on the 28th."""
     found = number_on_date(clock, days)
     return None if found is None else replace(found, hedges=(hedge,))
+
+
+@grammar.rule(
+    "said",
+    "from <number on date> to|-|until|till|til|through the? <number on date>|<goal>",
+    "between <number on date> and the? <number on date>|<goal>",
+    weight=1.4,
+)
+def from_to(first: Goal, last: Goal) -> Said | None:
+    """From nine on the second till six on the fourth, between ten on the 5th and noon on the 6th."""
+    return range_of(first, last)
 
 
 @grammar.rule("said", "<preposition_before> <number on date>", weight=0.8)

@@ -1,6 +1,7 @@
 """Times that go on with another and could not stand alone: "at seven and nine", "on the 1st and 15th"."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.judging.beside.cuts import Cuts
@@ -8,13 +9,18 @@ from fuzzytime.language.grammar.judging.beside.doses import Doses
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.meaning.calendar import Fields, is_day_of_month
-from fuzzytime.language.meaning.expressions import Range, Said, Wall, wall_of
+from fuzzytime.language.meaning.expressions import HourMark, Range, Said, Wall, wall_of
+from fuzzytime.language.meaning.joined.beside import joined
 
-JOINTS = frozenset({"and", "or", ",", "then"})
+JOINTS = frozenset({"and", "&", "or", ",", "then"})
 """What joins times of the same thing."""
 
 ENDS = frozenset({"", ".", "!", ";", ","})
 """What may stand behind a number that is then: "at nine then five", not "at nine, then five eggs"."""
+
+
+DAY_NAMED = "further.numbered_days"
+"""The rule of a day of the month that only a list makes one."""
 
 
 class Further(Standing):
@@ -24,56 +30,95 @@ class Further(Standing):
         super().__init__(around)
         self.cuts, self.doses = Cuts(around), Doses(around)
 
-    def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
-        """Give the number behind a clock time and "and" or "or": "at seven and nine"."""
-        time = piece.value.time
-        place = piece.end + 1
-        if not isinstance(time, (Wall, Range)) or place >= len(self.words):
-            return []
-        if isinstance(time, Range):
-            return self._further_stretches(piece, cells, chosen) or self._further_days(piece, cells, chosen)
-        if time.clock is None:
-            return self._further_days(piece, cells, chosen)
-        run_on = self.run_on.behind(time.clock, piece.end) if _is_open(piece) else []
+    def listed(self, chosen: Sequence[Piece], cells: Sequence[Cell]) -> list[Piece]:
+        """Give times with those that go on with them; what lies in one of these is no time of its own."""
+        found = list(chosen)
+        for piece in chosen:
+            further = [*self._behind(piece, cells, found), *self.before(piece, cells, found)]
+            starts = {one.start for one in found}
+            # "At nine, three and six on friday"
+            further = [one for one in further if one.start not in starts]
+            places = {place for one in further for place in range(one.start, one.end)}
+            found = [one for one in found if one.start not in places] + further
+        return found
+
+    def _behind(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
+        """Give the members of the list that a time begins, or goes on with: "at seven | and | nine"."""
+        clock = wall_of(piece.value.time).clock
+        run_on = self.run_on.behind(clock, piece.end) if _is_open(piece) else []
         if run_on:
             return [p for first, end in run_on for p in _clock_from(cells[first], end)]
         joint, place = self._joined(piece.end)
         if not joint or place >= len(self.words) or any(one.start == place for one in chosen):
             return []
-        if self.doses.count(place):
+        members = (p for p in self._members(piece, place, cells, chosen) if self._goes_on(p, joint))
+        one = next(members, None)
+        if one is None:
             return []
-        numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
+        more = self._behind(one, cells, chosen)
+        if joint != "," or more or _is_whole(one):
+            return [one, *more]
+        # "At seven, nine and again at six"; but "on the first, third and fifth skewers"
+        behind = self._joined(one.end)[1]
+        return [one] if any(other.start == behind for other in chosen) else []
+
+    def _members(
+        self, piece: Piece, place: int, cells: Sequence[Cell], chosen: Sequence[Piece]
+    ) -> Iterator[Piece]:
+        """Give the times at a place that may go on with one of their kind, the longest in front."""
+        said = sorted(cells[place].get("said", {}).values(), key=lambda p: -p.end)
+        if _is_day_of_month(piece):
+            yield from (p for p in said if _is_day_of_month(p) and isinstance(p.value.time, Wall))
+            yield from self._numbered_days(place, cells, chosen)
+        elif isinstance(piece.value.time, Range):
+            hours = cells[place].get("hours open", {}).values() if _has_hours(piece) else ()
+            yield from (p._replace(category="said") for p in hours if _has_hours(p))
+        elif _is_clocked(piece) or _is_mark(piece):
+            yield from (p for p in said if _is_mark(p))
+        yield from _other_halves(piece, cells[place])
+        if not (_is_clocked(piece) or _is_mark(piece)) or self.doses.count(place):
+            return
+        numbers = (p for p in said if isinstance(p.value.time, Wall))
         if self.measures.is_sure(place) and self.measures.is_sure(piece.end - 1):
             # "At 1400 and 2200": no year
             clocks = cells[place].get("clock", {}).values()
-            numbers = [p._replace(category="said", value=Said(Wall(clock=p.value))) for p in clocks]
-        found = [p for p in numbers if _is_open(p) and self.around.may_end(p) and not self.cuts.runs_on(p)][
-            :1
-        ]
+            numbers = (p._replace(category="said", value=Said(Wall(clock=p.value))) for p in clocks)
         # "One tablet at eight and one at noon"
-        found = [p for p in found if not any(one.start == p.end and _is_clocked(one) for one in chosen)]
-        if joint == "," and found and self.around.follower(found[0]) not in {",", "and", "or"}:
-            return []
-        if joint == "then" and found and self.around.follower(found[0]) not in ENDS:
-            return []
-        return found + [more for one in found for more in self.continued(one, cells, chosen)]
+        behind = {one.start for one in chosen if _is_clocked(one)}
+        yield from (p for p in numbers if _is_open(p) and p.end not in behind)
 
-    def _further_stretches(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
-        """Give the stretch of hours behind another: "from 9 to 12 and 1 to 5"."""
-        joint, place = self._joined(piece.end)
-        if not joint or place >= len(self.words) or any(one.start == place for one in chosen):
-            return []
-        hours = cells[place].get("hours open", {}).values() if _has_hours(piece) else ()
-        found = [p._replace(category="said") for p in hours if _has_hours(p) and self.around.may_end(p)][:1]
-        return found + [more for one in found for more in self._further_stretches(one, cells, chosen)]
+    def _numbered_days(self, place: int, cells: Sequence[Cell], chosen: Sequence[Piece]) -> Iterator[Piece]:
+        """Give a day of the month that is a word alone, at the hour behind it: "and fifteenth at six"."""
+        more = self.lexicon.ordinals.keys() | JOINTS | {"last"}
+        behind = next((at for at in range(place, len(self.texts)) if self.texts[at] not in more), place)
+        # "On the second, fourth and last friday"
+        days = () if self.around.is_weekday(behind) else cells[place].get("month day", {}).values()
+        for day in days:
+            if self.texts[day.end - 1] not in self.lexicon.ordinals:
+                continue
+            wall, end = Wall(Fields(day=day.value)), day.end
+            clocked = next((one for one in chosen if one.start == end and _is_clocked(one)), None)
+            timed = None if clocked is None else joined(wall, wall_of(clocked.value.time))
+            if clocked is not None and timed is not None:
+                wall, end = timed, clocked.end
+            yield Piece("said", place, end, Said(wall), day.weight, DAY_NAMED)
+
+    def _goes_on(self, piece: Piece, joint: str) -> bool:
+        """Whether what stands behind a member of a list lets it be one."""
+        if not self.around.may_end(piece) or self.cuts.runs_on(piece):
+            return False
+        if joint == "then":
+            return self.around.follower(piece) in ENDS
+        return _is_whole(piece) or joint != "," or self.around.follower(piece) in {",", "and", "or", "&"}
 
     def _joined(self, place: int) -> tuple[str, int]:
         """Give what joins a further time at a place, and where that begins: "or" of "at nine, or | ten"."""
         joint = ""
         for text in self.texts[place:]:
-            if text not in JOINTS or (joint and joint != "," and text != "then"):
+            again = joint and text in self.beside.again
+            if not again and (text not in JOINTS or (joint and joint != "," and text != "then")):
                 break
-            joint, place = text, place + 1
+            joint, place = text if text in JOINTS else joint, place + 1
         return joint, place
 
     def before(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
@@ -90,18 +135,20 @@ class Further(Standing):
         found = [p for p in said if _is_day_of_month(p) and isinstance(p.value.time, Wall)][:1]
         return found + [more for one in found for more in self.before(one, cells, chosen)]
 
-    def _further_days(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
-        """Give the days of a month behind another: "on the 1st and 15th", "on the 3rd, 10th and 17th"."""
-        place = piece.end + 1
-        listed = self.around.follower(piece) in {"and", "or", ","} and _is_day_of_month(piece)
-        if not listed or place >= len(self.words) or any(one.start == place for one in chosen):
-            return []
-        found = [
-            p
-            for p in cells[place].get("said", {}).values()
-            if _is_day_of_month(p) and isinstance(p.value.time, Wall) and self.around.may_end(p)
-        ][:1]
-        return found + [more for one in found for more in self._further_days(one, cells, chosen)]
+
+def _other_halves(piece: Piece, cell: Cell) -> Iterator[Piece]:
+    """Give the further half of the day, or the part of it, that a time is in: "at eight am and pm"."""
+    time = piece.value.time
+    wall = wall_of(time.first if isinstance(time, Range) else time)
+    clock = wall.clock
+    if clock is not None and wall.part is not None:
+        parts = (p for p in cell.get("part", {}).values() if not p.value.is_point and not p.value.meal)
+        yield from (p._replace(category="said", value=Said(Wall(part=p.value))) for p in parts)
+    if clock is not None and clock.half is not None and isinstance(time, Wall):
+        for half in cell.get("meridiem", {}).values():
+            yield half._replace(
+                category="said", value=Said(replace(time, clock=replace(clock, half=half.value)))
+            )
 
 
 def _clock_from(cell: Cell, end: int) -> list[Piece]:
@@ -110,10 +157,15 @@ def _clock_from(cell: Cell, end: int) -> list[Piece]:
     return [p for p in said if _is_open(p)][:1]
 
 
+def _is_whole(piece: Piece) -> bool:
+    """Whether a comma alone may stand before it: a typed day of the month, a stretch."""
+    return (piece.rule != DAY_NAMED and _is_day_of_month(piece)) or isinstance(piece.value.time, Range)
+
+
 def _is_open(piece: Piece) -> bool:
     """Whether it is a number alone, or two that a full stop joins: "12.30"."""
-    clock = piece.value.time.clock
-    return piece.value.time.bare or (clock is not None and clock.pair and piece.value.preposition is None)
+    wall = piece.value.wall
+    return wall.bare or (wall.clock is not None and wall.clock.pair and piece.value.preposition is None)
 
 
 def _is_dated(piece: Piece) -> bool:
@@ -138,3 +190,9 @@ def _has_hours(piece: Piece) -> bool:
 def _is_clocked(piece: Piece) -> bool:
     """Whether it is a time of day."""
     return piece.value.wall.clock is not None
+
+
+def _is_mark(piece: Piece) -> bool:
+    """Whether it is some minutes past an hour that is not said, or to it: "quarter past"."""
+    time = piece.value.time
+    return isinstance(time, HourMark) and time.open

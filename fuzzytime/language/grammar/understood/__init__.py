@@ -1,5 +1,6 @@
 """What is not said with a time, and is understood with it.
 
 What times lend each other (``lending``), and when a number without a unit is ``lent`` one; what is ``due``
-behind "for", and how long (``typed_hours``); what is ``denied``.
+behind "for", and how long (``typed_hours``); what is ``denied``. Several times of one thing are ``lists``,
+whose members are ``filled`` by each other.
 """

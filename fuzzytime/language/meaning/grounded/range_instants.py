@@ -6,6 +6,7 @@ from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.days.nested import Share
+from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import HourMark, Range, Time, TimeWord, Wall, wall_of
 from fuzzytime.language.meaning.grounded.standpoint import Standpoint
 from fuzzytime.language.meaning.instants import Instants, halved, midnight
@@ -73,7 +74,13 @@ def _on_last_day(clock: Standpoint, first: Time, last: Time) -> Time:
     """
     if not isinstance(first, Wall) or not isinstance(last, Wall) or first.part is None:
         return first
-    if first.days is not None or first.clock is not None or last.days is None or last.clock is None:
+    if first.days is not None or first.clock is not None or last.clock is None:
+        return first
+    if last.part == first.part and last.days is None:
+        # "In the morning until half past eight": of the next that has it.
+        away = (clock.wall(last).start.date() - clock.now.date()).days
+        return replace(first, days=Relative(away)) if away else first
+    if last.days is None:
         return first
     there = replace(first, days=last.days)
     return there if clock.wall(there).end <= clock.wall(last).start else first

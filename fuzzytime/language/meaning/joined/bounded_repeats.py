@@ -255,6 +255,11 @@ def is_of_day(time: object) -> TypeGuard[Wall]:
 
 def within_hours(repeat: Repeat, first: Wall, last: Wall) -> Repeat | None:
     """Give a repetition within hours of the day: every weekday from 9 to 5, every night from dusk on."""
+    if len({wall.part for wall in repeat.walls}) > 1:
+        # "From six to eight, morning and evening"
+        each = [within_hours(replace(repeat, walls=(wall,)), first, last) for wall in repeat.walls]
+        walls = tuple(wall for one in each if one is not None for wall in one.walls)
+        return None if None in each else replace(repeat, walls=walls)
     if first.clock is not None:
         clock = first.clock if first.part is None else halved(first.clock, first.part.half)
         begins = _hour_of(repeat, clock)

@@ -9,6 +9,8 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.typed_words import MARKS
 from fuzzytime.language.grammar.understood.denied import denied
+from fuzzytime.language.grammar.understood.filled import as_one
+from fuzzytime.language.grammar.understood.lists import closed_lists
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, wall_of
 from fuzzytime.language.meaning.phrases import places_in
@@ -169,7 +171,10 @@ def drafted(
 def _source_of(draft: Draft) -> Source:
     """Give what a draft is cut into parts by."""
     apart = tuple(orders_beside(draft.scanned.text, draft.messages))
-    source = Source(draft.now, draft.scanned, draft.phrases, draft.remarks, apart=apart)
+    lists = closed_lists(draft.phrases, draft.scanned.words, draft.lexicon)
+    phrases = tuple(as_one(lists, draft.phrases, draft.scanned.words))
+    source = Source(draft.now, draft.scanned, phrases, draft.remarks, apart=apart)
+    source = replace(source, further=tuple(times.further for times in lists))
     said = draft.scanned.words, source.covered, draft.lexicon
     openings = (*openings_inside(*said), *lengths_in_front(draft.scanned.words, draft.phrases))
     return replace(source, orders=tuple(order_words(*said)), openings=openings)

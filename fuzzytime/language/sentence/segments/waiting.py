@@ -65,7 +65,9 @@ class Part:
 class Source:
     """A text, scanned for times, words of order among others, and where orders begin beside what is told.
 
-    Its ``openings`` ask for something and say nothing of it: "at noon, why don't you …".
+    Of its ``phrases``, a list of times is one, and its ``further`` times are not heard: "let the dog out at
+    eleven, three and again at seven". Its ``openings`` ask for something and say nothing of it: "at noon,
+    why don't you …".
     """
 
     now: datetime | None
@@ -75,13 +77,16 @@ class Source:
     orders: tuple[tuple[Span, Order], ...] = ()
     apart: tuple[int, ...] = ()
     openings: tuple[Span, ...] = ()
+    further: tuple[Span, ...] = ()
 
     @property
     def sound(self) -> str:
         """The text with spaces for words taken back ("at five, I mean six"), words of order and openings."""
         taken_back = (remark.span for remark in self.remarks)
         words = [(self._behind_preposition(start, end), end) for start, end in taken_back]
-        text = blanked(self.scanned.text, [*(span for span, _ in self.orders), *self.openings, *words])
+        text = blanked(
+            self.scanned.text, [*(span for span, _ in self.orders), *self.openings, *self.further, *words]
+        )
         for heard, spans in (("if", self._conditions()), ("don't", self._denials())):
             for start, end in spans:
                 text = text[:start] + heard.ljust(end - start) + text[end:]

@@ -4,6 +4,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.words import joins
 from fuzzytime.language.meaning.expressions import TimeWord, Wall
+from fuzzytime.language.meaning.times_of_day import Half
 
 LAST_DAY = ["last", "day"]
 """Words for yesterday, which may be those for the end of something."""
@@ -29,13 +30,18 @@ class Cuts(Standing):
     def make(self, piece: Piece) -> bool:
         """Whether a reading is only a part of what is said."""
         within = self._begins_clause(piece) or self._is_now_and_again(piece) or self._is_in_name(piece)
-        within = within or self._counts_hourly(piece) or self._ends_in_next_day(piece)
+        within = within or self._counts_hourly(piece) or self._ends_in_next_time(piece)
         return within or self.runs_on(piece) or self._divides(piece) or self._opens_another(piece)
 
-    def _ends_in_next_day(self, piece: Piece) -> bool:
-        """Whether a comma parts it from the day of the next time: "at 2, friday | at 3"."""
+    def _ends_in_next_time(self, piece: Piece) -> bool:
+        """Whether a comma parts it from the next time, or its day: "at 2, friday | at 3"."""
         wall, texts = piece.value.time, self.texts[piece.start : piece.end]
-        if not isinstance(wall, Wall) or wall.clock is None or wall.days is None or "," not in texts:
+        if not isinstance(wall, Wall) or wall.clock is None or "," not in texts:
+            return False
+        if wall.part is not None and wall.part.half is not Half.NIGHT and texts[-2] == "at":
+            # "Call mum at ten, | at sunset", "hens out at ten, | in at sunset"
+            return self.around.is_part_or_meal(piece.end - 1)
+        if wall.days is None:
             return False
         number = piece.end + (self.around.follower(piece) in OF_CLOCKS)
         told = not self.beside.of_hours.isdisjoint(self.texts[number + 1 : number + 2])

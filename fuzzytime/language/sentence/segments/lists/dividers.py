@@ -11,6 +11,7 @@ from itertools import pairwise
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.understood.lists import closed_lists
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.segments.lists.chains import chained
@@ -72,7 +73,8 @@ def divided(text: str, grammar: Grammar, lexicon: Lexicon, *, listed: bool = Fal
             text = _with_stops(text, bullets)
         commas = _found(COMMA, text, line)
         items = _between(text, line, commas)
-        if commas and any(told(items, grammar, lexicon) for told in BY_COMMAS):
+        told = bool(commas) and any(told(items, grammar, lexicon) for told in BY_COMMAS)
+        if told and not _are_of_times(commas, line, grammar, lexicon):
             text = _with_stops(text, commas)
         elif commas and listed and any(map(str.isdigit, items[0])):
             starts = _timed_items(items, grammar, lexicon)
@@ -118,6 +120,14 @@ def _between(text: str, line: re.Match[str], marks: Sequence[Span]) -> list[str]
 def _is_bulleted(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether each bullet of a line stands before something."""
     return all(Entry.of(item, grammar, lexicon).things for item in items if item.strip())
+
+
+def _are_of_times(commas: Sequence[Span], line: re.Match[str], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether one of some commas joins times of one thing: "let the dog out at one, three and at six"."""
+    scanned = Scanned.of(line[0], grammar, lexicon)
+    lists = closed_lists(phrases_of(scanned), scanned.words, lexicon)
+    starts = {start - line.start() for start, _ in commas}
+    return any(not starts.isdisjoint(range(*times.further)) for times in lists)
 
 
 def _divide(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:

@@ -5,6 +5,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.understood.filled import apart
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.calendar import Cycle
@@ -15,7 +16,6 @@ from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.joined.throughout import THROUGHOUT, in_part, in_parts_of_each_day
 from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.times.said_again import apart
 from fuzzytime.requirement import Constraint, Reference, Unit
 
 

@@ -100,7 +100,7 @@ def _said_shortly(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
     # "Flight at ten, up at six": that is who flies.
     happens = before.stated and before.particle is None and before.verb in timed
     if particle is not None and not happens:
-        if before.lemma == "be" and before.due is not None:
+        if before.place in lexicon.particles:
             # "Heating on at five, off at nine"
             return replace(before, place=rest)
         # "And back up to 37 degrees at six"
