@@ -33,7 +33,7 @@ def entries(talk: Talk) -> dict[str, str]:
         ("no homework before six, Ann sleeps late", "s4", "homework for forty minutes not before six"),
         ("it's raining so leave the homework till five", "s4", "homework for forty minutes at five"),
         ("the homework probably takes an hour", "s4", "homework for an hour at one"),
-        ("Mum can't talk before eight", "s5", "call Mum at seven pm"),
+        ("Mum can't talk before eight", "s5", "call Mum not before eight"),
         ("Mum can't eat before eight", "s5", "call Mum at seven pm"),
         ("Mum can't come before eight", "s5", "call Mum not before eight"),
         ("make that half past eight, I misread the card", "s5", "call Mum at half past eight"),

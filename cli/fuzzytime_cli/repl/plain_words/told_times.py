@@ -12,7 +12,7 @@ from fuzzytime_cli.repl.plain_words.known import is_known, verbs_of
 from fuzzytime_cli.repl.scene import Scene, waiting
 from fuzzytime_cli.session import Entry
 
-TO = "to"
+TO, BEFORE = "to", "before "
 
 IT = " it "
 """What was spoken of last, in an order."""
@@ -70,7 +70,9 @@ def _as_planned(scene: Scene, order: str, lasts: float | None) -> str:
 def _is_so(scene: Scene, entry: Entry, about: About, beside: Entry | None, lasts: float | None) -> bool:
     """Whether what has a time of its own is over by then anyway: homework at four is done before tea."""
     read = find_times(about.time, scene.now, scene.lexicon).requirements[:1]
-    if not read or read[0].constraint is not Constraint.BEFORE:
+    if beside is None and (not read or read[0].constraint is not Constraint.BEFORE):
+        return False
+    if beside is not None and not about.time.lower().startswith(BEFORE):
         return False
     part = part_meant(scene, entry.number, about.names)
     mine = [(n, one) for n, one in waiting(scene, entry.number) if part in {None, one.identifier}]
@@ -80,9 +82,10 @@ def _is_so(scene: Scene, entry: Entry, about: About, beside: Entry | None, lasts
         if any(told.constraint is Constraint.AT for told in one.requirements)
         and (end := _end_of(scene, place, lasts or one.skill.time_until_done)) is not None
     ]
-    bound = read[0].t_spec if read[0].latest is None else read[0].latest
-    until = None if bound is None else instant_after(scene.now, bound)
-    if beside is not None:
+    if beside is None:
+        bound = read[0].t_spec if read[0].latest is None else read[0].latest
+        until = None if bound is None else instant_after(scene.now, bound)
+    else:
         starts = [_end_of(scene, place, 0.0) for place, _ in waiting(scene, beside.number)]
         until = min((start for start in starts if start is not None), default=None)
     return bool(ends) and len(ends) == len(mine) and until is not None and max(ends) <= until

@@ -2,7 +2,7 @@
 
 import re
 
-from fuzzytime.language.about_wishes import Said, about_wishes, bare, called_by_time
+from fuzzytime.language.about_wishes import NewsKind, Said, about_wishes, bare, called_by_time, news_in
 from fuzzytime_cli.repl.naming import entry_of
 from fuzzytime_cli.repl.plain_words.known import is_known
 from fuzzytime_cli.repl.plain_words.telling import is_news
@@ -14,7 +14,7 @@ from fuzzytime_cli.repl.which import with_label, with_labels_of_places
 JOINTS = re.compile(r"(,\s+|;\s+|\s+[-\u2013\u2014]+\s+|\s+(?:because|since|so)\s+)", re.IGNORECASE)
 """What stands between what is asked for and what is told beside it."""
 
-COMMA, IT = ", ", " it "
+COMMA = ", "
 
 LONGEST = 40
 """Words of a line that is about what was asked for, at most."""
@@ -95,11 +95,14 @@ def _usual(scene: Scene, clause: str) -> str | None:
     if not clause.strip():
         return None
     about = about_wishes(clause, scene.now, scene.lexicon)
-    order = order_told(scene, clause)
-    if order is not None and about is not None and about.certain and IT in order:
-        # "I need it by three"
-        order = None
-    if order is not None or is_news(scene, clause):
+    # "I need it by three"
+    needed = Said.of(clause, scene.now, scene.lexicon).opens_with("wanted by")
+    order = None if needed and about is not None and about.certain else order_told(scene, clause)
+    if is_news(scene, clause):
+        # What only is late may tell a bound: "lunch can't be later than half twelve".
+        told = news_in(clause, scene.now, scene.lexicon)
+        return order if all(one.kind is NewsKind.LATE for one in told) else None
+    if order is not None:
         return order
     clause = _of_whose(scene, clause)
     about = about_wishes(clause, scene.now, scene.lexicon)

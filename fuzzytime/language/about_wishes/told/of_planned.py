@@ -33,6 +33,9 @@ KINDS = (
 BY_A_LENGTH = ("late", "early", "more", *DIRECTIONS)
 """Tables of what may stand beside a length, and tells what that changes."""
 
+ASKING = ("what", "when", "why", "lasting", "supposing")
+"""Tables of what opens a question: "why is the call after the gym"."""
+
 SOONER = frozenset({"early", "earlier"})
 LATER = frozenset({"late", "later"})
 
@@ -42,7 +45,7 @@ LONGEST_NAME = 6
 LONGEST = 24
 """Words of a clause that is read so."""
 
-IT, NO, NOT, AND = "it", "no", "not", "and"
+IT, NO, NOT, AND, THE = "it", "no", "not", "and", "the"
 
 Knows = Callable[[Said], bool]
 """Whether words name something that was asked for; "it" is what was spoken of last."""
@@ -57,10 +60,13 @@ def of_planned(clause: Said, knows: Knows, does: Does) -> tuple[str, ...]:
     while (taken := said.opens_with("told openers")) and taken < len(said.words):
         said = said.behind(taken)
     # "They want us on at half eight now"
-    said = said.without_end(said.table("anew") | said.table("instead"))
+    now = said.without_end(said.table("anew") | said.table("instead"))
+    # "Before then"
+    said = now if now.forms[-1:] not in said.lexicon.clauses else said
     none_wanted = said.forms[:1] == (NO,) and said.forms[1:2] != (",",)
     said = said if none_wanted else said.behind(opening_correction(said))
-    if not 2 < len(said.words) <= LONGEST or "," in said.forms:
+    asks = any(said.opens_with(name) for name in ASKING)
+    if asks or not 2 < len(said.words) <= LONGEST or "," in said.forms:
         return ()
     for text in dict.fromkeys((said.text, written_out(said.text))):
         whole = Said(text, said.now, said.lexicon)
@@ -112,6 +118,9 @@ def _subjects(said: Said, knows: Knows, does: Does) -> Iterator[tuple[Said | Non
         return
     # "The lawn probably takes an hour"
     who = who.without_end(who.table("beside verbs"))
+    if len(who.words) == 1 and not knows(who):
+        # "Tutor wants to start at four", though to tutor is something to be done
+        who = Said(f"{THE} {who.text}", who.now, who.lexicon)
     told = who if len(who.words) == 1 or not does(who.behind(1), who.forms[0]) else who.behind(1)
     if knows(told) and not told.is_in("last") and not told.is_in("they"):
         # "Call the bank has been moved back half an hour"
@@ -161,6 +170,11 @@ class _Told:
     end: Said
     knows: Knows
 
+    @property
+    def name(self) -> str:
+        """What it is called in an order: "s3" of "step 3"."""
+        return self.thing.label or self.thing.text
+
     @cached_property
     def order(self) -> str:
         """Say it as an order; empty where that is not known."""
@@ -172,17 +186,17 @@ class _Told:
         if beside is None:
             return ""
         other = beside[1]
-        begins = other.lexicon.doing.arriving | other.lexicon.doing.beginning | {"is", "are"}
-        for end in range(len(other.words) - 1, 0, -1):
-            # "Before the tutor comes"
-            if other.forms[end].removesuffix("s") in begins and self.knows(other.until(end)):
-                other = other.until(end)
+        begins = other.lexicon.doing.arriving | other.lexicon.doing.beginning
+        end = len(other.words) - 1
+        if end and other.forms[end].removesuffix("s") in begins and self.knows(other.until(end)):
+            # "Before the tutor comes"; but "before the chicken comes out"
+            other = other.until(end)
         way = other.lexicon.clauses.get(self.end.forms[:1])
         if way not in {"before", "after"} or not self.knows(other) or other.text == self.thing.text:
             return ""
         if "denied" in self.kinds:
             way = "after" if way == "before" else ""
-        return f"move {self.thing.text} to {way} {other.text}" if way and not self.kinds <= {"whom"} else ""
+        return f"move {self.name} to {way} {other.text}" if way and not self.kinds <= {"whom"} else ""
 
     def _of_length(self) -> str:
         """Say by how much it moves, or how long it takes: "is running half an hour late", "takes an hour"."""
@@ -195,19 +209,19 @@ class _Told:
             return ""
         length = left.text.removeprefix("by ").removeprefix("for ")
         if "more" in ways:
-            return f"make {self.thing.text} {length} longer" if not ways & (SOONER | LATER) else ""
+            return f"make {self.name} {length} longer" if not ways & (SOONER | LATER) else ""
         if ways & SOONER:
-            return f"bring {self.thing.text} forward by {length}"
+            return f"bring {self.name} forward by {length}"
         if ways:
-            return f"push {self.thing.text} back by {length}"
+            return f"push {self.name} back by {length}"
         lasts = "going on for" in self.kinds and "being over" not in self.kinds
-        return f"make {self.thing.text} {length}" if lasts else ""
+        return f"make {self.name} {length}" if lasts else ""
 
     def _of_time(self) -> str:
         """Say when it is to be, by when, or from when on."""
         time, denied = self.end.as_time(), "denied" in self.kinds
         read = one_time(time, self.end.now, self.end.lexicon) if time else None
-        if read is None or read.constraint is Constraint.FOR:
+        if read is None or read.constraint is Constraint.FOR or (read.t_spec or read.latest) is None:
             return ""
         until = any(self.end.text.lower().startswith(to) for to in self.end.towards)
         over = "being over" in self.kinds and "able to" not in self.kinds
@@ -215,10 +229,10 @@ class _Told:
         if denied:
             return self._denied(time, read.constraint, until=until)
         if read.constraint is Constraint.BEFORE and self.kinds & {"wanting", "helping", "able to"}:
-            return f"move {self.thing.text} to {time}"
+            return f"move {self.name} to {time}"
         says_when = moves or (self.kinds & {"able to", "wanting"} and not until)
         # What "is at six" is told elsewhere; and what is over then begins before.
-        return f"move {self.thing.text} to {time.removeprefix('at ')}" if says_when and not over else ""
+        return f"move {self.name} to {time.removeprefix('at ')}" if says_when and not over else ""
 
     def _denied(self, time: str, constraint: Constraint, *, until: bool) -> str:
         """Say from when on something may be that cannot be before, or by when what cannot be later."""
@@ -226,8 +240,11 @@ class _Told:
         if until or constraint is Constraint.BEFORE:
             clock = next((end.text[len(to) :] for to in end.towards if end.text.lower().startswith(to)), "")
             bound = f"not before {clock}" if until else f"{NOT} {time}"
-        else:
+        elif end.opens_with("later") or end.lexicon.clauses.get(end.forms[:1]) == "after":
             bound = f"{NOT} {end.text}"
+        else:
+            # By how much "it can't go on past seven" shortens it, or when it begins then, is not said.
+            return ""
         read = one_time(bound, end.now, end.lexicon)
         known = {Constraint.AFTER} if until or constraint is Constraint.BEFORE else {Constraint.BEFORE}
-        return f"move {self.thing.text} to {bound}" if read is not None and read.constraint in known else ""
+        return f"move {self.name} to {bound}" if read is not None and read.constraint in known else ""
