@@ -118,9 +118,9 @@ def _subjects(said: Said, knows: Knows, does: Does) -> Iterator[tuple[Said | Non
         return
     # "The lawn probably takes an hour"
     who = who.without_end(who.table("beside verbs"))
-    if len(who.words) == 1 and not knows(who):
-        # "Tutor wants to start at four", though to tutor is something to be done
-        who = Said(f"{THE} {who.text}", who.now, who.lexicon)
+    opened = Said(f"{THE} {who.text}", who.now, who.lexicon)
+    # "Tutor wants to start at four", though to tutor is something to be done
+    who = opened if len(who.words) == 1 and not knows(who) and knows(opened) else who
     told = who if len(who.words) == 1 or not does(who.behind(1), who.forms[0]) else who.behind(1)
     if knows(told) and not told.is_in("last") and not told.is_in("they"):
         # "Call the bank has been moved back half an hour"
