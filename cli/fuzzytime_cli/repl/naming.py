@@ -16,6 +16,9 @@ LABEL = re.compile(r"s\d+(?:\.\d+)?")
 
 LABEL_NUMBERS = re.compile(r"\d+")
 
+BE = "be"
+"""The verb of what has only a name: "tea at six"."""
+
 FEW = 2
 """Words that are repeated at most."""
 
@@ -161,7 +164,8 @@ def starts_of_entry(scene: Scene, entry: Entry) -> list[datetime]:
 def words_of_entry(scene: Scene, entry: Entry) -> frozenset[str]:
     """Give the words that name what an entry asks for: its things, and its verbs as nouns too."""
     skills = [one for one in scene.plan.everything if one.wish.identifier == entry.identifier]
-    verbs = (one.operation.lemma for one in skills if one.operation is not None)
+    # What only is ("tea at six") has no verb that it could be called by.
+    verbs = (one.operation.lemma for one in skills if one.operation and one.operation.lemma != BE)
     nouns = frozenset(noun for verb in verbs for noun in _words_of_verb(scene, verb))
     begun = (content_words(one.name) for one in begun_parts(scene, entry.number))
     names = (content_words(one.skill.name) | occasion_words(scene, one) for one in skills)

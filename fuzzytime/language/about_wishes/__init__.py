@@ -15,7 +15,7 @@ from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, Ab
 from fuzzytime.language.about_wishes.called_by_time import called_by_time
 from fuzzytime.language.about_wishes.continued import continued, names_thing
 from fuzzytime.language.about_wishes.corrections import added_time, restated, without_closing
-from fuzzytime.language.about_wishes.lengths import by_how_much, later_by
+from fuzzytime.language.about_wishes.lengths import by_how_much, counted, later_by
 from fuzzytime.language.about_wishes.other_words.answers import choice_meant, chooses_none, lets_be
 from fuzzytime.language.about_wishes.other_words.merging import merged_time
 from fuzzytime.language.about_wishes.other_words.replacing import (
@@ -43,6 +43,7 @@ from fuzzytime.language.about_wishes.told.awaited import (
     written_out,
 )
 from fuzzytime.language.about_wishes.told.news import News, NewsKind, clauses_of, news_in
+from fuzzytime.language.about_wishes.told.of_planned import of_planned
 
 __all__ = [
     "AT_FIRST",
@@ -66,6 +67,7 @@ __all__ = [
     "clauses_of",
     "continued",
     "continuing",
+    "counted",
     "done_at_once",
     "in_its_place",
     "is_person",
@@ -77,6 +79,7 @@ __all__ = [
     "merged_time",
     "names_thing",
     "news_in",
+    "of_planned",
     "respelled",
     "restated",
     "reworded",

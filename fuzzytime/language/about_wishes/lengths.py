@@ -62,6 +62,11 @@ def by_how_much(text: str, asked: About, now: datetime, lexicon: Lexicon) -> Abo
     return replace(asked, by=-found.seconds if earlier else found.seconds)
 
 
+def counted(said: Said) -> Said:
+    """Give a number alone as so many minutes: "Tom is running fifteen late"."""
+    return Said(f"{said.text} {Unit.MINUTE}s", said.now, said.lexicon) if said.as_number() else said
+
+
 def minutes_alone(said: Said, *, directed: bool) -> Length | None:
     """Give the minutes that a number alone counts: "push it by ten", "push everything back ten"."""
     place = len(said.words) - 1

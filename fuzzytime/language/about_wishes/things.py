@@ -67,9 +67,8 @@ def about_things(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     instead = _instead(whole) or _instead(said)
     if instead is not None:
         return instead
-    staying = said.without_end(said.table("staying"))
-    if (place or staying != said) and said.forms[:1] and said.forms[0] in lexicon.doing.keeping:
-        return _kept(staying.behind(1))
+    if (kept := _to_be_kept(said, corrects=place > 0)) is not None:
+        return _kept(kept)
     denied = said.after("denying") if not place or said.forms[:1] == ("not",) else None
     if denied is not None and denied.names and "," not in denied.forms and not denied.has_time:
         # "Not the carrots"
@@ -101,6 +100,13 @@ def _without_and(said: Said) -> Said:
     """Leave out what goes on in front of another thing, or time: "and make it Ann", "and at six not five"."""
     rest = said.behind(1) if said.forms[:1] == ("and",) and len(said.words) > 1 else said
     return rest if rest.opens_with("naming anew") or "not" in rest.forms else said
+
+
+def _to_be_kept(said: Said, *, corrects: bool) -> Said | None:
+    """Give what is to be as it was: "keep the plumber", "leave the call where it is", "restore the call"."""
+    staying = said.without_end(said.table("staying"))
+    keeps = (corrects or staying != said) and bool(said.forms) and said.forms[0] in said.lexicon.doing.keeping
+    return staying.behind(1) if keeps else said.after("bringing back")
 
 
 def _kept(thing: Said) -> About | None:

@@ -181,6 +181,10 @@ def _instead(scene: Scene, about: About, taken: Taken) -> Reply | None:
 def _kept_after_all(scene: Scene, about: About, taken: Taken) -> Reply | None:
     """Leave out one of several that were dropped just before: "clear my afternoon", "wait, not the kids"."""
     planned, last = entry_of(scene, about.names), scene.taken
+    dropped = last is not None and last.kind is AboutKind.DROP and not last.everything
+    if dropped and last is not None and about.names <= last.names and scene.tried is None:
+        # "Restore the viewing", which was dropped just before, where there is another
+        return changing.undo(scene, "")
     if about.kind is AboutKind.UNDO and planned is not None:
         if last is not None and last.kind in CHANGED and planned.number == scene.told_last:
             # "Leave the gravy as it was", which was put off just before

@@ -84,11 +84,21 @@ def _asks(scene: Scene, reading: Reading) -> bool:
     """Whether words ask for something, or say a time."""
     asked = any(one.operation is not None and one.operation.is_asked for one in reading.instructions)
     lexicon = scene.lexicon
-    told = tells_what_is(reading, lexicon) or bool(told_of_whom(reading, lexicon))
+    told = tells_what_is(reading, lexicon) or bool(told_of_whom(reading, lexicon)) or _is_fact(scene, reading)
     asked = asked and not told and reported(reading, lexicon) is None
     # "They rang to say monday" says when nothing is to be done.
     told = tells_of_somebody(reading.tokens)
     return asked or (not told and any(one.requirements for one in reading.instructions))
+
+
+def _is_fact(scene: Scene, reading: Reading) -> bool:
+    """Whether words tell what somebody does, or did, and ask for nothing: "the neighbours sleep late"."""
+    lexicon = scene.lexicon
+    owed = any(
+        one.tag == "MD" or one.text.lower() in lexicon.closed.verbs_of_obligation for one in reading.tokens
+    )
+    timed = any(one.requirements for one in reading.instructions)
+    return not owed and not timed and tells_of_somebody(reading.tokens)
 
 
 def with_reason(scene: Scene, words: str, taken: Taken) -> Reply | None:

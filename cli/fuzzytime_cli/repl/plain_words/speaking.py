@@ -34,6 +34,7 @@ from fuzzytime_cli.repl.plain_words.happened import happened
 from fuzzytime_cli.repl.plain_words.has_done import done, perhaps_done
 from fuzzytime_cli.repl.plain_words.leaning import leaning, the_other
 from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, next_left_out
+from fuzzytime_cli.repl.plain_words.like_planned import wish_like_planned
 from fuzzytime_cli.repl.plain_words.meant import command_meant
 from fuzzytime_cli.repl.plain_words.offered import beside_what_is_meant, declines, offer_taken
 from fuzzytime_cli.repl.plain_words.perhaps import cancelled_elsewhere, check_who
@@ -94,7 +95,7 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
     let_be = lets_be(words, scene.now, scene.lexicon)
     if (asked is not None and let_be) or (scene.offer is not None and (let_be or declines(scene, words))):
         return Reply(("nothing is changed",))
-    wish = offer_taken(scene, words) or beside_what_is_meant(scene, words)
+    wish = offer_taken(scene, words) or beside_what_is_meant(scene, words) or wish_like_planned(scene, words)
     if wish is not None:
         return Reply((Text(plain(f"taken as: {wish}")),), anew=wish)
     if waited := happened(scene, words):

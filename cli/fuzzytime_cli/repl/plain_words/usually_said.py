@@ -2,19 +2,19 @@
 
 import re
 
-from fuzzytime.english import is_participle
-from fuzzytime.language import content_words, verb_forms
-from fuzzytime.language.about_wishes import Said, about_wishes, bare, called_by_time
-from fuzzytime_cli.repl.naming import entry_of, may_be_told_of, words_of_entry
+from fuzzytime.language.about_wishes import NewsKind, Said, about_wishes, bare, called_by_time, news_in
+from fuzzytime_cli.repl.naming import entry_of
+from fuzzytime_cli.repl.plain_words.known import is_known
 from fuzzytime_cli.repl.plain_words.telling import is_news
+from fuzzytime_cli.repl.plain_words.told_times import order_told
 from fuzzytime_cli.repl.plain_words.ways import MARK, in_usual_words, of_whom
 from fuzzytime_cli.repl.scene import Scene
 from fuzzytime_cli.repl.which import with_label, with_labels_of_places
 
-JOINTS = re.compile(r"(,\s+|;\s+|\s+[-\u2013\u2014]+\s+|\s+(?:because|since)\s+)", re.IGNORECASE)
+JOINTS = re.compile(r"(,\s+|;\s+|\s+[-\u2013\u2014]+\s+|\s+(?:because|since|so)\s+)", re.IGNORECASE)
 """What stands between what is asked for and what is told beside it."""
 
-COMMA, TO = ", ", "to"
+COMMA = ", "
 
 LONGEST = 40
 """Words of a line that is about what was asked for, at most."""
@@ -61,7 +61,7 @@ def _of_who_rang(scene: Scene, told: str, clause: str) -> str:
     said, behind = (Said.of(text, scene.now, scene.lexicon) for text in (told, clause))
     rang = next((n for n in range(1, len(said.words)) if said.behind(n).is_in("getting in touch")), 0)
     who = said.until(rang)
-    if not rang or not behind.words or not _is_known(scene, who, told=True):
+    if not rang or not behind.words or not is_known(scene, who, told=True):
         return clause
     if behind.opens_with("absent"):
         return f"{who.text} {behind.text}"
@@ -74,7 +74,7 @@ def _of_whose(scene: Scene, clause: str) -> str:
     for place in (n for n, form in enumerate(said.forms[1:-1], 1) if (form,) in said.table("belonging")):
         whole, owner = said.until(place + 1), MARK.sub("", said.until(place).text)
         who = Said(owner, said.now, said.lexicon)
-        if entry_of(scene, whole.names) is None and who.words and _is_known(scene, who, told=True):
+        if entry_of(scene, whole.names) is None and who.words and is_known(scene, who, told=True):
             return f"{who.text} {said.behind(place + 1).text}"
     return clause
 
@@ -92,15 +92,25 @@ def _with_labels(scene: Scene, words: str) -> str:
 
 def _usual(scene: Scene, clause: str) -> str | None:
     """Give a clause as it is usually said; None where it says nothing about wishes, or does so already."""
-    if not clause.strip() or is_news(scene, clause):
+    if not clause.strip():
         return None
+    about = about_wishes(clause, scene.now, scene.lexicon)
+    # "I need it by three"
+    needed = Said.of(clause, scene.now, scene.lexicon).opens_with("wanted by")
+    order = None if needed and about is not None and about.certain else order_told(scene, clause)
+    if is_news(scene, clause):
+        # What only is late may tell a bound: "lunch can't be later than half twelve".
+        told = news_in(clause, scene.now, scene.lexicon)
+        return order if all(one.kind is NewsKind.LATE for one in told) else None
+    if order is not None:
+        return order
     clause = _of_whose(scene, clause)
     about = about_wishes(clause, scene.now, scene.lexicon)
     # "Leave it" is said of what was changed.
     sure = about is not None and about.certain
 
     def known(thing: Said, told: bool) -> bool:  # noqa: FBT001 - as the ways ask
-        return _is_known(scene, thing, told or (sure and thing.is_in("last")))
+        return is_known(scene, thing, told=told or (sure and thing.is_in("last")))
 
     usual = in_usual_words(clause, scene.now, scene.lexicon, known)
     if usual is not None and about_wishes(usual, scene.now, scene.lexicon) is not None:
@@ -116,36 +126,3 @@ def _usual(scene: Scene, clause: str) -> str | None:
     about = about_wishes(plain.text, scene.now, scene.lexicon)
     named = about is not None and about.names and entry_of(scene, about.names) is not None
     return plain.text if named or (about is not None and about.certain) else None
-
-
-def _is_known(scene: Scene, thing: Said, told: bool) -> bool:  # noqa: FBT001 - as the language asks
-    """Whether words name something that was asked for, and nothing else that may be told of."""
-    if thing.label or thing.places or thing.is_in("the next"):
-        return True
-    if thing.is_in("last"):
-        return bool(scene.conversation.state.entries) and not told
-    if thing.forms[0] == TO:
-        # "To prove", of what is left to
-        verb = thing.behind(1)
-        return len(verb.words) == 1 and bool(verb.names) and entry_of(scene, verb.names) is not None
-    names, openers = thing.names, scene.lexicon.closed.noun_openers
-    # "The call", "Ann's call", "that call"
-    opened = thing.forms[0] in openers or thing.forms[:1] in thing.table("last")
-    if not content_words(thing.forms[-1]) or not (content_words(thing.forms[0]) or opened):
-        return False
-    entry = entry_of(scene, names) if names and thing.is_one and not thing.has_time else None
-    if entry is None or not names <= words_of_entry(scene, entry):
-        return False
-    timed = scene.lexicon.happening | scene.lexicon.taken
-    noun = is_participle(thing.forms[0]) or (len(thing.words) == 1 and names <= timed)
-    if thing.forms[0] in _verbs_of(scene, names) and not noun:
-        # "Feed the dog" may be done twice, but "feeding the dog", and a call, is what was asked for.
-        return False
-    return not told or may_be_told_of(scene, names)
-
-
-def _verbs_of(scene: Scene, names: frozenset[str]) -> frozenset[str]:
-    """Give the verbs of what is named, in any form."""
-    asked = (one.operation for one in scene.plan.everything if names <= content_words(one.skill.name))
-    verbs = (verb_forms(one.lemma, scene.lexicon) for one in asked if one is not None and not one.stated)
-    return frozenset[str]().union(*verbs)

@@ -6,8 +6,7 @@ from datetime import datetime
 
 from fuzzytime.english import is_participle
 from fuzzytime.language import Lexicon
-from fuzzytime.language.about_wishes import Said, bare, later_by, without_request, written_out
-from fuzzytime.requirement import Unit
+from fuzzytime.language.about_wishes import Said, bare, counted, later_by, without_request, written_out
 
 SLOT = "<"
 """How what is left open in a way to say something begins: "<thing>"."""
@@ -63,7 +62,7 @@ def in_usual_words(
     # "Sarah's late", but "Sarah's meeting"
     for line in dict.fromkeys(one for text in texts for one in (text, written_out(text))):
         for usual, way, found in _fitting(Said(line, now, lexicon)):
-            slots = {**found, LENGTH: _counted(found[LENGTH])} if usual.startswith(SHIFTING) else found
+            slots = {**found, LENGTH: counted(found[LENGTH])} if usual.startswith(SHIFTING) else found
             of_itself = usual.startswith(OF_ITSELF) and (_slot(way[0]) or THE in way[0])
             if not _is_meant(slots, is_known, told=bool(of_itself)):
                 continue
@@ -146,11 +145,6 @@ def _time(said: Said) -> str:
 def _is_length(said: Said) -> bool:
     found = said.length()
     return found is not None and not found.rest.words and not found.joint
-
-
-def _counted(said: Said) -> Said:
-    """Give a number alone as so many minutes: "Tom is running fifteen late"."""
-    return Said(f"{said.text} {Unit.MINUTE}s", said.now, said.lexicon) if said.as_number() else said
 
 
 def _with_slots(usual: str, slots: Slots) -> str:

@@ -15,7 +15,9 @@ OFF = frozenset({("off",)})
 
 def delayed(said: Said) -> About | None:
     """Read what is moved by a length, or only back or forward: "push the call back by ten minutes"."""
-    delaying = said.after("delaying")
+    delaying, pausing = said.after("delaying"), said.after("pausing")
+    # "Pause everything"; but "pause the film at eight"
+    delaying = pausing if pausing is not None and pausing.opens_with("everything") else delaying
     rest = delaying if delaying is not None else said.behind(1)
     if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
         return None

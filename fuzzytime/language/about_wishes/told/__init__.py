@@ -1,4 +1,4 @@
 """What is told of wishes: ``reports`` of how it goes and, of one thing, ``told_of``.
 
-``news`` of what happens, and what was ``awaited``.
+``news`` of what happens, what was ``awaited``, and what a clause tells ``of_planned`` things in any words.
 """

@@ -202,7 +202,9 @@ _ROWS = {
         "how to", "done with", "done next", "wanted by", "told of", "blocking", "keeping free",
         "kept free", "being away", "half of the day", "minding", "may be", "towards", "behind swapping",
         "in its place of", "going", "one", "clock", "parting", "asking for help", "asking for the list",
-        "asking to clear", "quitting",
+        "asking to clear", "quitting", "telling", "denied", "moving", "waiting", "able to", "wanting",
+        "being over", "going on for", "helping", "beside verbs", "whom", "told openers",
+        "pausing", "bringing back", "another of",
     ),
     "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "rating", "amounts"),
 }  # fmt: skip
