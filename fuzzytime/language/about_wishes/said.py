@@ -41,6 +41,10 @@ def one_time(text: str, now: datetime, lexicon: Lexicon) -> TimeRequirement | No
     return found[0] if len(found) == 1 and found[0].span == (0, len(text)) else None
 
 
+ASKING = ("what", "when", "why", "lasting", "supposing")
+"""Tables of what opens a question."""
+
+
 @dataclass(frozen=True)
 class Length:
     """A length of time in seconds, the word in front of it ("by", "for") if any, and the rest of the line."""
@@ -121,6 +125,11 @@ class Said:
         """The words between what is moved and the time that it is moved to, each with a space behind it."""
         found = (f"{' '.join(form)} " for form in self.table("towards"))
         return tuple(sorted(found, key=lambda words: (-len(words), words)))
+
+    @property
+    def asks(self) -> bool:
+        """Whether it opens a question: "why is the call after the gym"."""
+        return any(self.opens_with(name) for name in ASKING)
 
     def opens_with(self, name: str) -> int:
         """Give how many words an entry of a table has with which it begins; 0 for none."""

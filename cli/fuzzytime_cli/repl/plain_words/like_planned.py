@@ -10,6 +10,8 @@ BETWEEN = "between"
 def wish_like_planned(scene: Scene, words: str) -> str | None:
     """Give a wish for another of what is planned, or for what is between two, in other words; else None."""
     said = Said.of(words, scene.now, scene.lexicon).without_exclamations()
+    if said.asks:
+        return None
     more = said.after("another of")
     if more is not None and more.words:
         thing, time = more.parted()

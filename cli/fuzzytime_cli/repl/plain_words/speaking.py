@@ -95,13 +95,14 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
     let_be = lets_be(words, scene.now, scene.lexicon)
     if (asked is not None and let_be) or (scene.offer is not None and (let_be or declines(scene, words))):
         return Reply(("nothing is changed",))
-    wish = offer_taken(scene, words) or beside_what_is_meant(scene, words) or wish_like_planned(scene, words)
+    asks = asks_how_it_is(scene, words)
+    wish = offer_taken(scene, words) or beside_what_is_meant(scene, words)
+    wish = wish or (None if asks else wish_like_planned(scene, words))
     if wish is not None:
         return Reply((Text(plain(f"taken as: {wish}")),), anew=wish)
     if waited := happened(scene, words):
         reading = scene.language.read(words, now=scene.now)
         return told_state(scene, words, reading) or run_each(scene, waited)
-    asks = asks_how_it_is(scene, words)
     instead = None if asks else wished_instead(scene, words)
     if instead is not None:
         return run(scene, About(kind=AboutKind.MOVE), instead)

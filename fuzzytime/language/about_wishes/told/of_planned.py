@@ -33,9 +33,6 @@ KINDS = (
 BY_A_LENGTH = ("late", "early", "more", *DIRECTIONS)
 """Tables of what may stand beside a length, and tells what that changes."""
 
-ASKING = ("what", "when", "why", "lasting", "supposing")
-"""Tables of what opens a question: "why is the call after the gym"."""
-
 SOONER = frozenset({"early", "earlier"})
 LATER = frozenset({"late", "later"})
 
@@ -65,8 +62,7 @@ def of_planned(clause: Said, knows: Knows, does: Does) -> tuple[str, ...]:
     said = now if now.forms[-1:] not in said.lexicon.clauses else said
     none_wanted = said.forms[:1] == (NO,) and said.forms[1:2] != (",",)
     said = said if none_wanted else said.behind(opening_correction(said))
-    asks = any(said.opens_with(name) for name in ASKING)
-    if asks or not 2 < len(said.words) <= LONGEST or "," in said.forms:
+    if said.asks or not 2 < len(said.words) <= LONGEST or "," in said.forms:
         return ()
     for text in dict.fromkeys((said.text, written_out(said.text))):
         whole = Said(text, said.now, said.lexicon)
