@@ -51,7 +51,7 @@ class _Entry:
     def state(self) -> tuple[Node, ...]:
         """The words that say where, or how, a thing is to be: "hens in", "lights off", "sam to judo"."""
         lexicon, words = self.lexicon, [node.lower for node in self.name]
-        where = lexicon.beside.states | lexicon.particles.keys() | {"to"}
+        where = lexicon.beside.states | lexicon.particles.keys() | lexicon.doing.opening_up | {"to"}
         stated = (p for p, node in enumerate(self.name) if node.lower in where or (p and node.tag in PAST))
         first = next(stated, len(words))
         return self.name[-1:] if lexicon.results.issuperset(words[-1:]) else self.name[first:]
@@ -74,6 +74,12 @@ class _Entry:
         return len(self.thing) == 1 and any(verb.lemma in carried for carried in particles)
 
     @property
+    def tells(self) -> bool:
+        """Whether its words tell what somebody or something does: "swimming starts at four"."""
+        words = self.thing[1:] if self.thing else ()
+        return self.whole and any(node.tag in FINITE - {"VB", "MD"} for node in words)
+
+    @property
     def is_alone(self) -> bool:
         """Whether its name alone says what one does: "gym at six, a shower, bed at ten"."""
         lexicon, name = self.lexicon, [node.lower for node in self.thing]
@@ -89,10 +95,10 @@ class _Entry:
         called = first in lexicon.closed.universal_pronouns
         opens = called or first not in lexicon.function_words | lexicon.numbers.keys()
         worded = all(node.text[0].isalpha() for node in self.name)
-        tells = self.thing[-1].tag in INSIDE or any(
+        leads_on = self.thing[-1].tag in INSIDE or any(
             node.tag in FINITE or self._leads_on(before, node) for before, node in pairwise(self.thing)
         )
-        return opens and worded and not tells and not self._asks
+        return opens and worded and not leads_on and not self._asks
 
     @property
     def asks(self) -> bool:
@@ -105,8 +111,11 @@ class _Entry:
     def _asks(self) -> bool:
         """Whether its thing is a verb with what that is done with; "get up at seven" asks for no more."""
         lexicon, (first, *further) = self.lexicon, self.thing
-        if not further or not first.may_act or first.lower != first.lemma:
+        if not first.may_act or first.lower != first.lemma:
             return False
+        if not further:
+            # "Pick up ella from ballet"; but "get up", "tea on the table"
+            return self.carries and any(node.tag.startswith("NN") for node in self.state)
         # "Lunch with Dan", "dinner party"; but "bath the baby", "call Ann"
         timed = lexicon.happening | lexicon.taken | lexicon.lasting
         return first.lower not in timed or not (further[0].tag in INSIDE or further[-1].lower in timed)
@@ -114,7 +123,12 @@ class _Entry:
     def is_apart(self, before: "_Entry", *, listed: bool) -> bool:
         """Whether no verb of the entry before holds for it; a thing begins what is ``listed``."""
         if self.asks and (before.names or (self.leads and len(self.name) > 1)):
-            return True
+            # "The stalls open at ten and close at four"
+            return self.lexicon.doing.opening_up.isdisjoint(node.lower for node in before.state)
+        if before.tells:
+            # "Swimming starts at four, tea on the table by six"; but "bread comes out at ten, pies at noon"
+            placed = bool(self.state) and self.state[0].tag not in PAST
+            return self.names and placed and not (self.opened or self.asks)
         # "Gym at six, walk bella at seven, dinner at eight"; but "…, the dog at eight"
         return listed and self.names and not (self.opened and (before.asks or not before.names))
 
@@ -154,7 +168,7 @@ def _further(one: Waiting, part: Part) -> Iterator[tuple[int, tuple[Borrowed, ..
     """
     entries = _entries(one, part)
     before = next(entries, None)
-    if before is None or not before.whole or not (before.names or before.leads):
+    if before is None or not before.whole or not (before.names or before.leads or before.tells):
         return
     leads, listed, stated = before.leads, before.names, before
     for entry in entries:
@@ -164,6 +178,9 @@ def _further(one: Waiting, part: Part) -> Iterator[tuple[int, tuple[Borrowed, ..
         if entry.leads is not leads or not (entry.whole or entry.is_alone):
             return
         start = part.tree.nodes[entry.start].start + part.offset
+        if entry.is_state and before.tells:
+            # "The shop is open at nine and closed at six"
+            return
         if entry.is_state:
             # "Stew on at one, stir at two, off at five"; but "flight at ten, taxi at seven, up at six"
             thing = stated.thing if stated.state and not stated.carries else ()

@@ -49,6 +49,8 @@ def things_alone(sketches: Sequence[Sketch], text: str, apart: str, *, headed: b
         then = sketch.part.segment.connective == "then"
         chained = bool(found) and _is_named(found[-1])
         chained = chained and (then or are_steps(found[-1], sketch, text, apart))
+        # "Mrs Patel at ten, the twins at half ten"
+        chained = chained or sketch.part.segment.entry
         named = sketch.operation is None and (listed or chained or sketch.heard)
         found.append(_to_be_done(sketch, chained=chained) if named else sketch)
     return found
