@@ -71,11 +71,11 @@ def test_it_is_the_other_of_two_where_one_is_what_it_comes_before() -> None:
 
 def test_another_of_what_is_planned_is_named_so() -> None:
     talk = talk_of("viewing at two", "another viewing at half three")
-    assert talk.entries == ["viewing at two", "viewing at half three"]
+    assert talk.entries == ["viewing at two", "another viewing at half three"]
     talk.say("cancel the viewing")
     assert talk.entries == ["viewing at two"]
     talk.say("restore the viewing")
-    assert talk.entries == ["viewing at two", "viewing at half three"]
+    assert talk.entries == ["viewing at two", "another viewing at half three"]
 
 
 def test_what_is_between_two_comes_behind_the_first() -> None:

@@ -1,7 +1,7 @@
 """Plain words about what was asked for already: ``speaking`` tells which command they are, ``taking`` does.
 
 They are taken as ``usually_said``: by what is told (``told_times``) of what is ``known``, and by
-a table of ``ways``. Wishes may be ``like_planned`` things.
+a table of ``ways``. Wishes may be for what is ``between_planned`` things.
 
 The command that is ``meant``, of one or of several things: ``retiming``, what is ``said_again``,
 ``leaving_out``, ``progress``, and what is ``leaning`` on what was said before, or ``offered``, or said beside

@@ -30,11 +30,11 @@ from fuzzytime_cli.repl.naming import (
     may_be_told_of,
     unknown,
 )
+from fuzzytime_cli.repl.plain_words.between_planned import wish_between_planned
 from fuzzytime_cli.repl.plain_words.happened import happened
 from fuzzytime_cli.repl.plain_words.has_done import done, perhaps_done
 from fuzzytime_cli.repl.plain_words.leaning import leaning, the_other
 from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, next_left_out
-from fuzzytime_cli.repl.plain_words.like_planned import wish_like_planned
 from fuzzytime_cli.repl.plain_words.meant import command_meant
 from fuzzytime_cli.repl.plain_words.offered import beside_what_is_meant, declines, offer_taken
 from fuzzytime_cli.repl.plain_words.perhaps import cancelled_elsewhere, check_who
@@ -97,7 +97,7 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
         return Reply(("nothing is changed",))
     asks = asks_how_it_is(scene, words)
     wish = offer_taken(scene, words) or beside_what_is_meant(scene, words)
-    wish = wish or (None if asks else wish_like_planned(scene, words))
+    wish = wish or (None if asks else wish_between_planned(scene, words))
     if wish is not None:
         return Reply((Text(plain(f"taken as: {wish}")),), anew=wish)
     if waited := happened(scene, words):

@@ -54,8 +54,13 @@ def as_somewhere(tree: Tree) -> Tree:
 
 
 def as_thing(tree: Tree, timed: AbstractSet[int]) -> Tree:
-    """Give "porch light off at eleven" its thing, which a tree takes for what is done: nothing is porched."""
+    """Give "porch light off at one", "another viewing at two" the thing, which a tree has for what is done.
+
+    Nothing is porched, and nobody does the viewing.
+    """
     end, again = min(timed - {0}, default=0), tree.lexicon.closed.adverbs_of_repetition
+    if [node.tag for node in tree.nodes[:end]] == ["DT", "VBG"]:
+        return tree.changed(0, relation="det").changed(1, tag="NN")
     said = [node for node in tree.nodes[:end] if node.lower not in again]
     if len(said) < NAMED or said[-1].lower not in tree.lexicon.particles or said[0].may_act:
         return tree

@@ -106,8 +106,10 @@ def _is_several(tree: Tree, root: int) -> bool:
 
 
 def _is_counted(tree: Tree, root: int) -> bool:
-    """Whether words name one of several, which no order is: "last orders at 9:45", "second coffee"."""
-    led = tree.nodes[0].lower in tree.lexicon.ordinals.keys() | tree.lexicon.closed.ends_of_rows
+    """Whether words name one of several, which no order is: "last orders", "another viewing"."""
+    lexicon, first = tree.lexicon, tree.nodes[0].lower
+    led = first in lexicon.ordinals.keys() | lexicon.closed.ends_of_rows
+    led = led or (first,) in lexicon.conversation["more"]
     return led and root > 0 and all(node.tag in NOUN_TAGS for node in tree.nodes[1 : root + 1])
 
 

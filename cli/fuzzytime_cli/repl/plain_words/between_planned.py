@@ -1,4 +1,4 @@
-"""Wishes that lean on something planned: "another viewing at six", "a rest between the round and lunch"."""
+"""Wishes that lean on two planned things: "a rest between the round and lunch"."""
 
 from fuzzytime.language.about_wishes import Said
 from fuzzytime_cli.repl.plain_words.known import is_known
@@ -7,17 +7,11 @@ from fuzzytime_cli.repl.scene import Scene
 BETWEEN = "between"
 
 
-def wish_like_planned(scene: Scene, words: str) -> str | None:
-    """Give a wish for another of what is planned, or for what is between two, in other words; else None."""
+def wish_between_planned(scene: Scene, words: str) -> str | None:
+    """Give a wish for what is between two planned things in words that the language knows; else None."""
     said = Said.of(words, scene.now, scene.lexicon).without_exclamations()
     if said.asks:
         return None
-    more = said.after("another of")
-    if more is not None and more.words:
-        thing, time = more.parted()
-        named = Said(thing, scene.now, scene.lexicon)
-        # Trees take "another viewing" for somebody to whom something is to be shown.
-        return f"{thing} {time}" if thing and time and is_known(scene, named, told=False) else None
     for place in (n for n, word in enumerate(said.forms) if n and word == BETWEEN):
         front, behind = said.until(place), said.behind(place + 1)
         for joint in (n for n, word in enumerate(behind.forms) if n and word == "and"):
