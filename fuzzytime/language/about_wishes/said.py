@@ -30,6 +30,9 @@ MARK = re.compile(r"[,.;](?!\S)")
 ENDS = ".?! "
 """Marks at the ends of a line."""
 
+ASKING = ("what", "when", "why", "lasting", "supposing")
+"""Tables of what opens a question."""
+
 FOR = "for "
 AT = "at "
 FROM = "from "
@@ -39,10 +42,6 @@ def one_time(text: str, now: datetime, lexicon: Lexicon) -> TimeRequirement | No
     """Give the time that a text is, whole; None where it is none, or several."""
     found = find_times(text, now, lexicon).requirements
     return found[0] if len(found) == 1 and found[0].span == (0, len(text)) else None
-
-
-ASKING = ("what", "when", "why", "lasting", "supposing")
-"""Tables of what opens a question."""
 
 
 @dataclass(frozen=True)
