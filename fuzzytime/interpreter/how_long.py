@@ -10,6 +10,9 @@ from fuzzytime.rulebook import OperationDuration, Rulebook
 ATTEND = "attend"
 """The row of durations for what happens, by its name."""
 
+TURN = "turn"
+"""With "on" or "off", the row of what must be so: "heating on at five"."""
+
 
 @dataclass(frozen=True, slots=True)
 class HowLong:
@@ -112,4 +115,6 @@ class HowLong:
     def _of_table(self, operation: Operation | None) -> OperationDuration:
         if operation is None:
             return self.rulebook.duration_of(None)
+        if operation.lemma == "be" and operation.place in self.lexicon.beside.switched:
+            return self.rulebook.duration_of(f"{TURN} {operation.place}", operation.object)
         return self.rulebook.duration_of(operation.phrase, operation.object)

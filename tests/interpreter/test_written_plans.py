@@ -252,3 +252,9 @@ def test_what_is_to_be_done_at_the_same_time_ends_when_the_other_does() -> None:
     lines = ["Put the chicken in at 5 pm for an hour and a half"]
     made = told([*lines, "Put the potatoes on for 40 minutes so they're done at the same time"])
     assert starts(made) == {"s1": "17:00", "s2": "17:50"}
+
+
+@pytest.mark.parametrize("state", ["on", "off"])
+def test_what_must_be_on_or_off_is_turned_so(state: str) -> None:
+    turned = told([f"turn the heating {state} at five"]).schedule.skills[0].duration
+    assert told([f"heating {state} at five"]).schedule.skills[0].duration == turned
