@@ -104,8 +104,9 @@ def _usual(scene: Scene, clause: str) -> str | None:
         return order if all(one.kind is NewsKind.LATE for one in told) else None
     if order is not None:
         return order
-    clause = _of_whose(scene, clause)
-    about = about_wishes(clause, scene.now, scene.lexicon)
+    whose = _of_whose(scene, clause)
+    if whose != clause:
+        clause, about = whose, about_wishes(whose, scene.now, scene.lexicon)
     # "Leave it" is said of what was changed.
     sure = about is not None and about.certain
 

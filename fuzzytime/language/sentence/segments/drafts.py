@@ -173,8 +173,8 @@ def _source_of(draft: Draft) -> Source:
     apart = tuple(orders_beside(draft.scanned.text, draft.messages))
     lists = closed_lists(draft.phrases, draft.scanned.words, draft.lexicon)
     phrases = tuple(as_one(lists, draft.phrases, draft.scanned.words))
-    source = Source(draft.now, draft.scanned, phrases, draft.remarks, apart=apart)
-    source = replace(source, further=tuple(times.further for times in lists))
+    further = tuple(times.further for times in lists)
+    source = Source(draft.now, draft.scanned, phrases, draft.remarks, apart=apart, further=further)
     said = draft.scanned.words, source.covered, draft.lexicon
     openings = (*openings_inside(*said), *lengths_in_front(draft.scanned.words, draft.phrases))
     return replace(source, orders=tuple(order_words(*said)), openings=openings)

@@ -1,6 +1,7 @@
 """What is moved on: "help mr jones to the lounge at ten and back to his room at twelve", "…, off at five"."""
 
 from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import Stretch, Wish, front_of
+from fuzzytime.language.sentence.verbs.places import says_where
 
 NAMES = frozenset({"NN", "NNS", "NNP", "NNPS", "PRP", "CD"})
 """Tags of words that end what something is done with."""
@@ -31,7 +32,5 @@ def is_moved_on(wish: Wish) -> list[Stretch] | None:
 
 def _says_where(wish: Wish, place: int) -> bool:
     """Whether a word begins where something is to be, or what it is set to."""
-    lexicon = wish.lexicon
-    return wish.tree.nodes[
-        place
-    ].lower in lexicon.beside.states | lexicon.particles.keys() | lexicon.places | {"to"}
+    lexicon, word = wish.lexicon, wish.tree.nodes[place].lower
+    return says_where(word, lexicon) or word in lexicon.beside.states | lexicon.particles.keys() | {"to"}
