@@ -86,7 +86,10 @@ class BehindTimes(LookedUp):
         if verb in self.lexicon.particles.get(thing, ()):
             return True
         if not thing.isalpha() or thing in self.lexicon.function_words:
-            return False
+            # "If they're not here by ten start without them"
+            doing = self.lexicon.doing
+            ordered = self.lexicon.orders | self.lexicon.intransitive | doing.leaving | doing.beginning
+            return verb in ordered and counts_nothing(self.words, place, self.lexicon)
         if looks_plural(thing) and verb in self.lexicon.chores:
             # "At six water plants at seven"; but "stop at six water points"
             return not self.closed.prepositions_of_points.isdisjoint(self.texts[place + 2 :])

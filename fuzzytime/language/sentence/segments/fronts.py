@@ -108,7 +108,9 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
         if start <= first or here == 0 or not opens:
             continue
         timed = one.timed(tree)
-        if here in timed or _is_counted(tree, here) or binds(tree, here - 1):
+        # "If they're not here by ten | start without them": a time counts nothing
+        counted = here - 1 not in timed and _is_counted(tree, here)
+        if here in timed or counted or binds(tree, here - 1):
             continue
         if _is_event_before_order(tree, here):
             continue
@@ -245,7 +247,9 @@ def binds(tree: Tree, place: int) -> bool:
     node, before = tree.nodes[place], tree.nodes[place - 1]
     carried = before.is_verb and before.lemma not in lexicon.closed.lemmas_of_be
     # "When ann gets in book a table", "when the alarm goes off open the door"
-    led = carried and any(one.tag in DETERMINERS for one in tree.nodes[place + 2 : place + 3])
+    # "Each time a truck comes in weigh it"
+    behind = tree.nodes[place + 2 : place + 3]
+    led = any(one.tag in DETERMINERS or one.lower in lexicon.closed.it_or_them for one in behind) and carried
     apart = node.lower in lexicon.particles and (led or all(below < place for below in tree.children(place)))
     if node.tag == "DT" and node.head < place and node.relation != "det":
         # "When you're done with that do the stairs"
@@ -267,7 +271,11 @@ def _is_clause(tree: Tree, kind: str, *, wished: bool) -> bool:
     lexicon = tree.lexicon
     if not tree.nodes or binds(tree, len(tree.nodes) - 1):
         return False
-    tree = as_statement(tree, frozenset(range(len(tree.nodes))), lexicon.travelling)
+    named = lexicon.persons | lexicon.lasting | lexicon.happening | lexicon.taken
+    several = not named.isdisjoint({tree.nodes[tree.root].lower, tree.nodes[tree.root].lemma})
+    # The order behind it stands where a time would: "the ice melts | serve the drinks"
+    end = len(tree.nodes) + (not several)
+    tree = as_statement(tree, frozenset(range(end)), lexicon.travelling)
     root, node = tree.root, tree.nodes[tree.root]
     if tree.children(root, *SUBJECTS, "expl") and node.is_verb:
         # "When the timer goes"

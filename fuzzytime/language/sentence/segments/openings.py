@@ -33,6 +33,9 @@ def behind_opening(
             break
         elif _is_somewhere(words, begin, times, lexicon):
             break
+        elif begin + len(longest_match(words, begin, lexicon.clauses) or ()) in range(begin + 1, end):
+            # "So long as it is dry"
+            break
         elif words[begin + 1].text in lexicon.closed.stative_verbs:
             # "Everyone is picked up at six"
             break
