@@ -16,6 +16,8 @@ class Doing(NamedTuple):
     getting_there: Words
     beginning: Words
     ending: Words
+    at_levels: Words
+    beyond_levels: Words
     going_on: Words
     for_days: Words
     by_then: Words

@@ -250,6 +250,12 @@ class BesideTimes(NamedTuple):
     ways: Words
     done_upon: Words
     before_ways: Words
+    level_prepositions: Words
+    around_levels: Words
+    level_units: Words
+    level_scales: Words
+    levelled: Words
+    no_levels: Words
     each_time: Words
     as_long_as_it_is: Words
     at_the_same_time: Words

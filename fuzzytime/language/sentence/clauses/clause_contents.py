@@ -13,6 +13,7 @@ from fuzzytime.language.sentence.clauses.conditions import (
     compared,
     condition_of,
     happening,
+    levelled,
     state,
 )
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
@@ -47,7 +48,9 @@ class Contents:
             further = [self._done(clause, p, sorted({*nodes} & {*self.tree.below(p)})) for p in others if p]
             return replace(told, further=tuple(one for one in further if one.object is not None))
         if clause.kind in STATED:
-            condition = compared(self.tree, nodes, said) or happening(self.tree, nodes, said)
+            content, bare = self.tree.text[slice(*clause.content)], clause.kind == "until"
+            condition = levelled(said, content, self.lexicon, bare=bare)
+            condition = condition or compared(self.tree, nodes, said) or happening(self.tree, nodes, said)
             condition = condition or being(self.tree, nodes, said)
             if condition is None and clause.marker.startswith("the "):
                 # "The minute steak"

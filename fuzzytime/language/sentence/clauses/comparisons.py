@@ -26,24 +26,26 @@ class _Number:
     hedges: tuple[str, ...] = ()
 
 
-def comparisons_in(scanned: Scanned, span: Span) -> tuple[Comparison, ...]:
-    """Give the numbers that a stretch of a text measures something by."""
+def comparisons_in(scanned: Scanned, span: Span, *, bare: bool = False) -> tuple[Comparison, ...]:
+    """Give the numbers that a stretch of a text measures something by; a ``bare`` one may begin it."""
     inside = [p for p, word in enumerate(scanned.words) if span[0] <= word.start and word.end <= span[1]]
-    return tuple(_comparisons(scanned, inside)) if inside else ()
+    return tuple(_comparisons(scanned, inside, bare=bare)) if inside else ()
 
 
-def _comparisons(scanned: Scanned, inside: list[int]) -> Iterator[Comparison]:
+def _comparisons(scanned: Scanned, inside: list[int], *, bare: bool) -> Iterator[Comparison]:
     lexicon = scanned.lexicon
     words, last = scanned.words, inside[-1] + 1
     place = inside[0]
     while place < last:
         form = longest_match(words, place, lexicon.comparisons)
+        # "Until 80 degrees"
+        form = () if form is None and bare and place == inside[0] else form
         end = _number_place(words, place, form, lexicon) if form is not None else place
         number = _number(scanned, end, last) if form is not None else None
         if form is None or number is None:
             place += 1
             continue
-        side, until = lexicon.comparisons[form], None
+        side, until = lexicon.comparisons[form] if form else Side.AT, None
         if number.end < last and words[number.end].text in lexicon.closed.range_joints_or_and:
             until = _number(scanned, number.end + 1, last)
         ranges = side in (Side.AT, Side.BETWEEN) and until is not None and until.value > number.value

@@ -3,8 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.compared import NEARLY
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.sentence.clauses.levels import is_level
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Condition
@@ -141,6 +143,14 @@ def state(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     if named or not 0 < len(words) <= LONGEST_STATE or not all(word.isalpha() for word in words):
         return None
     return Condition(text=text, subject="it", word=words[-1], hedges=tuple(words[:-1]))
+
+
+def levelled(text: str, content: str, lexicon: Lexicon, *, bare: bool = False) -> Condition | None:
+    """Read "when at 60 degrees", and a ``bare`` "until 80%": what has that level is not said."""
+    if not is_level(content, lexicon) and not (bare and is_level(f"at {content}", lexicon)):
+        return None
+    named = (word for word in content.lower().split() if word in lexicon.beside.levelled)
+    return Condition(text=text, subject=next(named, "it"))
 
 
 def compared(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:

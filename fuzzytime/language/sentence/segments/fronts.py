@@ -9,19 +9,17 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.clauses.conditions import ITS, being, happening, state
+from fuzzytime.language.sentence.clauses.conditions import ITS
+from fuzzytime.language.sentence.clauses.levels import level_end
 from fuzzytime.language.sentence.segments.waiting import Waiting
+from fuzzytime.language.sentence.segments.whole_clauses import BINDING, EVENTFUL, binds, is_clause
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
 from fuzzytime.language.sentence.verbs.meant.actions import is_doubtful
 from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
-from fuzzytime.language.sentence.verbs.statements.statement_trees import as_statement
 
 CARRIER = "please "
 """Words behind which a parser sees an order."""
-
-BINDING = frozenset({"DT", "PRP$", "TO", "MD", "IN", "CC", "PDT", "WDT", "EX"})
-"""Tags of words that do not end a clause, and that no order follows."""
 
 OPENING = frozenset({"DT", "PRP", "PRP$"})
 """Tags of words that begin what an order is about."""
@@ -29,21 +27,14 @@ OPENING = frozenset({"DT", "PRP", "PRP$"})
 NAMING = frozenset({"JJ", "NN", "NNS", "NNP", "CD", "POS"})
 """Tags of words behind an article that name one thing."""
 
-HELPING = frozenset({"have", "do", "get"})
-"""Verbs that help another, beside "be" and the modals."""
-
 COMPARED = frozenset({"JJR", "RBR"})
 """Tags of words whose dictionary form is another, and that may be a verb: "lower the blinds"."""
 
 ENDING = frozenset({"JJ", "VBN", "RP"})
 """Tags of words that end what is said of something, and behind which no thing stands: "the pan is hot"."""
 
-COMPLEMENTS = ("acomp", "attr", "oprd", "prep", "advmod", "prt", "xcomp", "npadvmod", "dobj")
 OF_EVENTS = frozenset({"of", "during"})
 """The last words of markers behind which a noun stands: "on the day of the party", "during the film"."""
-
-EVENTFUL = frozenset({"after", "before", "until", "into"})
-"""Clauses that may be a noun: "after the meeting"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +67,11 @@ def fronts_of(
     tries = [
         attempt
         for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True))
-        for attempt in (*_tries(place, one, tree), *_with_order(place, one, tree, front))
+        for attempt in (
+            *_behind_level(place, one),
+            *_tries(place, one, tree),
+            *_with_order(place, one, tree, front),
+        )
     ]
     clauses = trees([_as_event(attempt) for attempt in tries])
     orders = trees([CARRIER + attempt.order for attempt in tries])
@@ -90,9 +85,22 @@ def fronts_of(
         governs = governs and bool(order.children(0, "dobj", "pobj"))
         beside = order.lexicon.places | order.lexicon.particles.keys()
         asks = asks or (governs and order.nodes[0].lower not in beside)
-        if attempt.one not in led and _is_clause(clause, attempt.kind, wished=wished) and asks:
+        if attempt.one not in led and is_clause(clause, attempt.kind, wished=wished) and asks:
             led[attempt.one] = attempt.front
     return led
+
+
+def _behind_level(place: int, one: Waiting) -> Iterator[_Try]:
+    """Give the place behind a level: "at 90% | stop charging"."""
+    words, source = one.source.scanned.words, one.source
+    first = next(iter(source.places(*one.segment.span)), None)
+    end = level_end(words, first, one.lexicon) if first is not None else None
+    if first is None or end is None or end >= len(words) or one.main != one.segment.span[0]:
+        return
+    start, main, last = words[first].start, words[end].start, one.segment.span[1]
+    if main < last:
+        clause = source.sound[start : words[end - 1].end]
+        yield _Try(place, one.lexicon.people, "when", Front(start, main), clause, source.sound[main:last])
 
 
 def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
@@ -239,58 +247,3 @@ def is_order(tree: Tree) -> bool:
     denied = denied_from(tree, tree.root)
     first = tree.root if denied is None else denied
     return first == 0 and not is_doubtful(tree) and not tree.children(0, *SUBJECTS)
-
-
-def binds(tree: Tree, place: int) -> bool:
-    """Whether a word needs others behind it; a particle needs none: "when the kettle clicks off"."""
-    lexicon = tree.lexicon
-    node, before = tree.nodes[place], tree.nodes[place - 1]
-    carried = before.is_verb and before.lemma not in lexicon.closed.lemmas_of_be
-    # "When ann gets in book a table", "when the alarm goes off open the door"
-    # "Each time a truck comes in weigh it"
-    behind = tree.nodes[place + 2 : place + 3]
-    led = any(one.tag in DETERMINERS or one.lower in lexicon.closed.it_or_them for one in behind) and carried
-    apart = node.lower in lexicon.particles and (led or all(below < place for below in tree.children(place)))
-    if node.tag == "DT" and node.head < place and node.relation != "det":
-        # "When you're done with that do the stairs"
-        return False
-    if node.lower in lexicon.particles and before.lemma in lexicon.closed.lemmas_of_be:
-        # "When the film is over dim the lights"
-        return False
-    # "If the parcel hasn't come"; but "as soon as the shop opens buy bread"
-    helping = node.tag == "MD" or node.lemma in HELPING | lexicon.closed.lemmas_of_be
-    helps = helping and node.relation in {"aux", "auxpass"} and node.head > place
-    # "If it rains I water the plants"
-    subject = (before if node.tag == "RB" and place else node).lower in lexicon.closed.first_and_third_person
-    denies = node.relation == "neg" and node.head > place
-    return helps or denies or subject or (node.tag in BINDING and not apart)
-
-
-def _is_clause(tree: Tree, kind: str, *, wished: bool) -> bool:
-    """Whether words say all that a clause says: that something is so, or done, or an event."""
-    lexicon = tree.lexicon
-    if not tree.nodes or binds(tree, len(tree.nodes) - 1):
-        return False
-    named = lexicon.persons | lexicon.lasting | lexicon.happening | lexicon.taken
-    several = not named.isdisjoint({tree.nodes[tree.root].lower, tree.nodes[tree.root].lemma})
-    # The order behind it stands where a time would: "the ice melts | serve the drinks"
-    end = len(tree.nodes) + (not several)
-    tree = as_statement(tree, frozenset(range(end)), lexicon.travelling)
-    root, node = tree.root, tree.nodes[tree.root]
-    if tree.children(root, *SUBJECTS, "expl") and node.is_verb:
-        # "When the timer goes"
-        does = node.lemma not in lexicon.doing.being or node.lemma in lexicon.doing.being_or_doing
-        # "When dad has been | I'll walk the dog"; but "once it has been cut"
-        return does or bool(tree.children(root, *COMPLEMENTS)) or (wished and node.tag == "VBN")
-    if node.tag in {"VBG", "VBN", "JJ"}:
-        return True
-    if kind in EVENTFUL:
-        # "Before the guests get here": a plural has its verb behind it; but "after three rings".
-        several = tree.children(root, "conj") or node.lower in lexicon.beside.plurals | lexicon.persons
-        return (node.tag in {"NN", "NNP"} and not several) or (
-            node.tag == "NNS" and bool(tree.children(root, "nummod"))
-        )
-    whole = range(len(tree.nodes))
-    # "When in doubt call Ann"
-    where = tree.nodes[0].lower in lexicon.places and state(tree, whole, tree.text) is not None
-    return where or any(read(tree, whole, tree.text) is not None for read in (happening, being))

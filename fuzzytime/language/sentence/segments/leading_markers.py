@@ -40,6 +40,17 @@ def marker_at(
     return None if form is None else Marker(lexicon.clauses[form], words[place].start, first + len(form))
 
 
+def second_marker(
+    words: Sequence[Word], phrases: Sequence[Phrase], place: int, end: int, lexicon: Lexicon
+) -> Marker | None:
+    """Give the marker of a further clause in front, behind the comma of the one before it."""
+    if place >= end:
+        return None
+    place += words[place].text in {"and", "but", "or"}
+    marker = marker_at(words, phrases, place, words[end].start, lexicon)
+    return marker if marker is not None and marker.end < end else None
+
+
 def _behind_day(words: Sequence[Word], place: int, lexicon: Lexicon) -> int:
     """Give the place of the marker that a day counts from: "(on) the evening before the party"."""
     begin = place + (words[place].text == "on")

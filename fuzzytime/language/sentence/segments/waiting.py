@@ -11,11 +11,13 @@ from fuzzytime.language.grammar.words import is_quoted
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 from fuzzytime.language.meaning.phrases import places_in
+from fuzzytime.language.sentence.clauses.levels import level_end, levels_behind_joints
 from fuzzytime.language.sentence.segments.leading_markers import (
     Marker,
     goes_on_behind,
     is_dated_behind,
     marker_at,
+    second_marker,
 )
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.trees.tree import Node, Tree
@@ -262,21 +264,10 @@ class Waiting:
         return self.behind_time if behind[1:] and behind[0].text not in joint else 0
 
     def timed(self, tree: Tree) -> frozenset[int]:
-        """Give the words of its tree that are about time."""
-        spans = (phrase.span for phrase in self.source.phrases)
+        """Give the words of its tree that are about time, or the level at which a further order is due."""
+        levels = levels_behind_joints(self.source.scanned.words, self.lexicon)
+        spans = (*(phrase.span for phrase in self.source.phrases), *levels)
         return frozenset(place for a, b in spans for place in tree.at(a - self.main, b - self.main))
-
-
-def _second_marker(source: Source, place: int, end: int) -> Marker | None:
-    """Give the marker of a further clause in front, behind the comma of the one before it."""
-    words = source.scanned.words
-    place += words[place].text in {"and", "but", "or"} if place < end else 0
-    marker = (
-        marker_at(words, source.phrases, place, words[end].start, source.scanned.lexicon)
-        if place < end
-        else None
-    )
-    return marker if marker is not None and marker.end < end else None
 
 
 def _main(source: Source, segment: Segment) -> int:
@@ -287,6 +278,10 @@ def _main(source: Source, segment: Segment) -> int:
     words, lexicon = source.scanned.words, source.scanned.lexicon
     places = source.places(*segment.span)
     marker = marker_at(words, source.phrases, places[0], segment.span[1], lexicon) if places else None
+    level = level_end(words, places[0], lexicon) if places else None
+    if level in places and words[level].text == "," and level + 1 in places:
+        # "At 60 degrees, add the yeast"
+        return words[level + 1].start
     inverted = bool(places) and words[places[0]].text in lexicon.closed.conditional_inversion
     if marker is None and not inverted:
         return segment.span[0]
@@ -295,7 +290,7 @@ def _main(source: Source, segment: Segment) -> int:
     comma = next(iter(commas), None)
     for following in commas[1:]:
         # "After the museum, but before it gets dark, find a place to eat"
-        leads = None if comma is None else _second_marker(source, comma + 1, following)
+        leads = None if comma is None else second_marker(words, source.phrases, comma + 1, following, lexicon)
         stated = comma is not None and (inverted or (marker is not None and marker.kind in STATED))
         goes_on = stated and comma is not None and goes_on_behind(words, comma, following, lexicon)
         dated = comma is not None and is_dated_behind(words, source.phrases, comma, following, lexicon)

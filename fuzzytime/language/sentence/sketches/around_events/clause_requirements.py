@@ -37,7 +37,7 @@ def of_clause(
     """Give what a clause requires: a condition, or where another instruction lies; and remarks on it."""
     text = draft.text[slice(*clause.span)]
     remarks: list[Remark] = []
-    numbers = comparisons_in(draft.scanned, clause.content)
+    numbers = comparisons_in(draft.scanned, clause.content, bare=clause.kind == "until")
     target, said = anchors.target_of(clause), clause.condition
     if said is not None and said.contrary:
         # "If the pan is hot fry it, otherwise wait": the words that say so are others.

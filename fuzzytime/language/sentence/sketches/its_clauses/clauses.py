@@ -6,7 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.judging.beside.titles import written_out
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.surroundings.looked_up import named_in
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Wall
 from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.meaning.phrases import places_in
@@ -22,6 +22,7 @@ from fuzzytime.language.sentence.clauses.clause_sides import (
     sided,
 )
 from fuzzytime.language.sentence.segments.events.event_edges import BY, OF_EDGES, is_length
+from fuzzytime.language.sentence.sketches.its_clauses.at_levels import clause_of_level
 from fuzzytime.language.sentence.sketches.its_clauses.ends import ClauseEnds
 from fuzzytime.language.sentence.sketches.its_clauses.markers import ClauseMarkers
 from fuzzytime.language.sentence.trees.tree import Tree
@@ -57,6 +58,11 @@ def clauses_of(
     place = 0
     while place < len(words):
         is_name = place in titled or (place > 0 and words[place - 1].text in lexicon.closed.sure_noun_openers)
+        level = None if place in covered else clause_of_level(tree, words, place)
+        if level is not None:
+            found.append(level)
+            place += len(words_of(tree.text[slice(*level.span)]))
+            continue
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         leads = form is not None and (
             reader.markers.begins_none(place, form) or reader.leads_to_distance(place, form)
