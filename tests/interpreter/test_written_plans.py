@@ -1,8 +1,10 @@
 """Lines of plans as people write them: headings, times, and what is said of other lines."""
 
+from datetime import timedelta
+
 import pytest
 
-from interpreter.telling import starts, told
+from interpreter.telling import SEVEN, starts, told
 
 pytestmark = pytest.mark.model
 
@@ -78,6 +80,28 @@ def test_what_the_calendar_knows_to_become_so_needs_no_reading() -> None:
     assert starts(made)["s3"] == "19:00"
     assert starts(made)["s2"] < "18:00"
     assert not [problem for problem in made.problems if "tells" in problem.message]
+
+
+@pytest.mark.parametrize(
+    ("clause", "start"),
+    [
+        ("when the sun sets", "19:00"),
+        ("once the sun has gone down", "19:00"),
+        ("when night falls", "19:00"),
+        ("as soon as the sun is up", "07:00"),
+        ("when day breaks", "07:00"),
+    ],
+)
+def test_what_the_sky_does_is_at_a_part_of_the_day(clause: str, start: str) -> None:
+    made = told([f"Feed the hens {clause}"], now=SEVEN - timedelta(hours=2))
+    assert starts(made) == {"s1": start}
+    assert not made.problems
+
+
+def test_a_level_is_waited_for_or_comes_by_what_is_done_before() -> None:
+    assert starts(told(["At 60 degrees add the honey"])) == {}
+    found = starts(told(["Heat the milk at 10 am", "At 60 degrees add the honey"]))
+    assert found["s1"] == "10:00" < found["s2"]
 
 
 def test_a_line_behind_several_times_of_one_thing_goes_on_at_the_first() -> None:

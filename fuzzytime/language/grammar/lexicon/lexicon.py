@@ -113,6 +113,7 @@ class Lexicon:
     no_times: NoTimes
     called: Mapping[str, frozenset[str]]
     past: Mapping[str, frozenset[str]]
+    sky: Mapping[str, frozenset[str]]
     undoing: Mapping[str, frozenset[str]]
     asides: Mapping[str, frozenset[str]]
     spacing: Mapping[str, frozenset[str]]

@@ -157,7 +157,7 @@ _SPEECH = (
     "happening", "frames", "standing", "conversation", "ways", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
     "passing", "doing", "past", "undoing", "circling", "dosing", "coming_in", "dining", "closed_classes",
-    "beside_times", "no_times", "called",
+    "beside_times", "no_times", "called", "sky",
 )  # fmt: skip
 _ROWS = {
     "indicators": ("start", "finish", "throughout"),
@@ -229,7 +229,7 @@ _LISTS = {
 }  # fmt: skip
 """Groups of words by their fields: the section of each, and the list in it."""
 
-_BY_USE = ("called", "past", "undoing", "told", "asides", "spacing")
+_BY_USE = ("sky", "called", "past", "undoing", "told", "asides", "spacing")
 """Sections whose words stand by what they do."""
 
 _CALENDAR = (

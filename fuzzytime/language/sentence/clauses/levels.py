@@ -12,21 +12,21 @@ POINTS = frozenset({".", ","})
 
 def level_end(words: Sequence[Word], place: int, lexicon: Lexicon) -> int | None:
     """Give where a level ends that is named at a place, with its number and unit; None where none is."""
-    said = lexicon.beside
-    if place >= len(words) or words[place].text not in said.level_prepositions:
+    beside = lexicon.beside
+    if place >= len(words) or words[place].text not in beside.level_prepositions:
         return None
     end = place + 1
-    while end < len(words) and (words[end].text in said.around_levels or words[end].text in said.minus):
+    while end < len(words) and (words[end].text in beside.around_levels or words[end].text in beside.minus):
         end += 1
     first = end
     while end < len(words) and _is_of_number(words, end, first, lexicon):
         end += 1
-    if first == end or end == len(words) or words[end].text not in said.level_units:
+    if first == end or end == len(words) or words[end].text not in beside.level_units:
         return None
     end += 1
-    while end < len(words) and words[end].text in said.level_scales | said.levelled:
+    while end < len(words) and words[end].text in beside.level_scales | beside.levelled:
         end += 1
-    return None if end < len(words) and words[end].text in said.no_levels else end
+    return None if end < len(words) and words[end].text in beside.no_levels else end
 
 
 def levels_behind_joints(words: Sequence[Word], lexicon: Lexicon) -> Iterator[Span]:

@@ -2,8 +2,8 @@
 
 A ``segment`` has ``openings``, and ends at a sentence, at "then" (``connectives``), at "otherwise"
 (``other_cases``), or before a verb. It waits for its tree (``waiting``), with its ``leading_markers`` and
-``fronts`` (up to where they are ``whole_clauses``), and is cut again in ``rounds`` once it has one (``cuts``, ``orders_beside_times``). What is
-``borrowed`` holds for both.
+``fronts`` (``whole_clauses``), and is cut again in ``rounds`` once it has one (``cuts``,
+``orders_beside_times``). What is ``borrowed`` holds for both.
 
 ``lists``
     Lines, their marks, and the entries on them.
