@@ -43,6 +43,8 @@ class Policy:
         Who speaks between these times of day is up at night, and means one within so many hours.
     ahead_from
         From when on people may be up on a day to come. A clock time that early is meant where it is usual.
+    begun_hours
+        How long ago the first lines may be of those that go through a day in its order.
     hours_before
         What is due at a time of a day may begin on it at ``plausible_from``, or so many hours before.
     workday_from
@@ -78,6 +80,7 @@ class Policy:
     night_to: time = time(4)
     night_hours: int = 5
     ahead_from: time = time(6)
+    begun_hours: int = 3
     hours_before: int = 2
     workday_from: time = time(6)
     same_weekday: SameWeekday = SameWeekday.NEXT

@@ -127,12 +127,16 @@ class Language:
     ) -> tuple[list[Reading], list[LastSaid], Mentions]:
         """Compose drafts so that their lines go through a day, if they may, and not through the night.
 
-        The first of them may be earlier in the day; in the evening, all may be of tomorrow. What is between
+        The first of them may be earlier in the day, or a little while ago where lines go on from there in
+        order; in the evening, all may be of tomorrow. What is between
         others may be at other hours than usual: "gym 9.45", "party 10.30", "lunch 12.30".
         """
         found = self._in_turn(drafts, given)
         if not found[1][-1].astray:
             return found
+        begun = self._in_turn(drafts, given, over=True)
+        if begun[1][-1].in_order and begun[1][-1].astray < found[1][-1].astray:
+            found = begun
         tomorrow = on_next_day(drafts)
         for days, early in ((drafts, True), (tomorrow, False), (tomorrow, True)):
             if days and found[1][-1].astray:
@@ -147,6 +151,7 @@ class Language:
         given: Sequence[Operation | None],
         *,
         early: bool = False,
+        over: bool = False,
         usual: bool = True,
     ) -> tuple[list[Reading], list[LastSaid], Mentions]:
         """Compose drafts, each with what those before it said last; the last of all stands behind those."""
@@ -154,7 +159,7 @@ class Language:
         for operation in given:
             mentions.add(operation)
         readings: list[Reading] = []
-        nothing = LastSaid(early=early, usual=usual)
+        nothing = LastSaid(early=early, over=over, usual=usual)
         said_before = [nothing]
         for draft in drafts:
             if readings and readings[-1].now != draft.now:

@@ -84,3 +84,16 @@ def test_what_is_said_one_after_the_other_is_no_file() -> None:
     lines = ["get up at 7:30", "make coffee", "have breakfast at eight", "leave at nine"]
     wishes = tuple(SpokenWish(text=line, given=SEVEN) for line in lines)
     assert plan(Request(now=SEVEN, wishes=wishes), interpreter()).interpretation.order == ()
+
+
+def test_lines_of_a_day_that_has_begun_stay_in_it() -> None:
+    lines = ["Answer the mails from half past eight", "Meet Ann at quarter past nine", "Send it by ten"]
+    said = datetime(2026, 3, 4, 8, 31)  # noqa: DTZ001 - the tests' moment is of no zone
+    found = starts(listed([*lines, "Give the talk at two"], now=said))
+    assert (found["s1"], found["s2"], found["s4"]) == ("08:31", "09:15", "14:00")
+
+
+def test_a_line_alone_is_of_what_is_to_come() -> None:
+    said = datetime(2026, 3, 4, 9, 5)  # noqa: DTZ001 - the tests' moment is of no zone
+    assert starts(listed(["Call mum at nine"], now=said)) == {"s1": "21:00"}
+    assert starts(listed(["Call mum at nine", "Dentist at ten"], now=said))["s1"] == "21:00"

@@ -78,6 +78,7 @@ class _Composer:
             since=since.since,
             carried=since.clock is not None,
             in_order=since.in_order,
+            begun=since.may_be_over,
             opened=since.opened,
             day=since.day,
             night=since.night,

@@ -185,8 +185,8 @@ def read_usual_hours(tables: Tables) -> Forms[Hours]:
 
 
 NAMES = (
-    "plausible", "soon_hours", "night", "ahead_from", "hours_before", "workday_from", "same_weekday",
-    "midnight", "week_starts", "weekend", "date_order", "bare_pair_from", "planned_from",
+    "plausible", "soon_hours", "night", "ahead_from", "begun_hours", "hours_before", "workday_from",
+    "same_weekday", "midnight", "week_starts", "weekend", "date_order", "bare_pair_from", "planned_from",
     "round_the_clock_hours", "kept_off", "ask",
 )  # fmt: skip
 """What a policy says: all of it."""
@@ -212,6 +212,7 @@ def read_policy(tables: Tables) -> Policy:
         night_to=_time(night, "to"),
         night_hours=night.whole("hours", 0, 12),
         ahead_from=_time(said, "ahead_from"),
+        begun_hours=said.whole("begun_hours", 0, 12),
         hours_before=said.whole("hours_before", 0, 24),
         workday_from=_time(said, "workday_from"),
         same_weekday=said.choice("same_weekday", SameWeekday.NEXT),

@@ -227,6 +227,16 @@ def same_day_after(here: Standpoint, clock: Clock) -> list[datetime]:
     return sorted(moment for moment in there if moment >= here.since)
 
 
+def just_over(here: Standpoint, clock: Clock) -> list[datetime]:
+    """Give the moments of a clock time that are a little while ago, where the day of the lines has begun."""
+    if not here.begun:
+        return []
+    first = here.now - timedelta(hours=here.policy.begun_hours)
+    there = (midnight(here.now.date()) + timedelta(seconds=seconds) for seconds in clock.candidates())
+    since = max(first, here.since) if here.since is not None else first
+    return sorted(moment for moment in there if since <= moment < here.now)
+
+
 def within_window(here: Standpoint, clock: Clock) -> list[datetime]:
     """Give the moments of a clock time in the hours that a line above names; none where none is in them."""
     if here.window is None:

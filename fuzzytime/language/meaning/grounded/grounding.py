@@ -25,6 +25,7 @@ from fuzzytime.language.meaning.grounded.chosen_clocks import (
     before_due,
     decided,
     is_unusual,
+    just_over,
     same_day_after,
     within_window,
 )
@@ -187,6 +188,10 @@ class Grounding(Standpoint):
         if self.past:
             return Instants(last := max(map(self._last, moments)), last, clock.grain, (), wall.zone)
         placed = within_window(self, clock) or before_due(self, clock) or same_day_after(self, clock)
+        over = just_over(self, clock)
+        if over and not placed:
+            other = (moment for moment in moments if moment.time() != over[0].time())
+            return Instants(over[0], over[0], clock.grain, (over[0], *other), wall.zone)
         return decided(self, placed or moments, clock, wall)
 
     def _next(self, seconds: int, *, later: bool) -> datetime:

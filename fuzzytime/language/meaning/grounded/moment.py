@@ -42,6 +42,7 @@ class Moment(Clues[float]):
             follows=self.follows,
             carried=self.carried,
             in_order=self.in_order,
+            begun=self.begun,
             opened=_at(here, self.opened),
             due=_at(here, self.due),
             usual=self.usual,

@@ -33,6 +33,8 @@ class Clues(Generic[At]):
         Whether another text said it, given at the same time: the line before.
     in_order
         Whether the lines so far go through a day in its order.
+    begun
+        Whether the day that the lines go through may have begun, so that it may be a little while ago.
     opened
         The earliest clock time that several lines so far said.
     due
@@ -64,6 +66,7 @@ class Clues(Generic[At]):
     follows: bool = False
     carried: bool = False
     in_order: bool = False
+    begun: bool = False
     opened: At | None = None
     due: At | None = None
     usual: bool = False

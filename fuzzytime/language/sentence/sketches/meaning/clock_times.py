@@ -27,7 +27,8 @@ class LastSaid:
     ``night`` is from when to when something goes on over midnight, as was told; ``begun`` is the first clock
     time of a line, ``forward`` how many of them came later than the one before, on ``lines`` before this, and
     ``earliest`` and ``latest`` the ends of all, ``nightly`` how many are at night. ``early`` says that the
-    first may be as early as people are up, ``usual`` that things are done at their usual hours.
+    first may be as early as people are up, ``over`` that it may be a little while ago, ``usual`` that things
+    are done at their usual hours.
     """
 
     clock: float | None = None
@@ -40,12 +41,18 @@ class LastSaid:
     latest: float | None = None
     nightly: int = 0
     early: bool = False
+    over: bool = False
     usual: bool = True
 
     @property
     def in_order(self) -> bool:
         """Whether lines go through a day in its order, as far as is known."""
         return self.forward >= IN_ORDER and self.forward >= MOSTLY * self.lines
+
+    @property
+    def may_be_over(self) -> bool:
+        """Whether the next line may be a little while ago, as all before it are."""
+        return self.over and (self.clock is None or self.clock < 0)
 
     @property
     def since(self) -> float | None:
