@@ -5,7 +5,7 @@ costs is then never understated.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from fuzzytime.satisfaction import Interval, Rectangle
@@ -68,12 +68,14 @@ def elsewhere(
     """
     watch = Stopwatch(limits or Limits(seconds=3.0))
     members = [position, *_near(schedule, position, within)]
+    around = _around(schedule, members, within)
     found = solve(
-        _around(schedule, members, within),
+        around,
         solver=solver or LocalSearch(),
         threshold=schedule.threshold,
         limits=replace(watch.limits, seconds=watch.remaining),
         objectives=(),
+        hints=_as_now(schedule, members, around, within),
     )
     waits_in_vain = any(entry.second == 0 and found.rejected[entry.first] for entry in found.task.precedences)
     if found.start_times[0] not in within or waits_in_vain:
@@ -137,6 +139,14 @@ def _around(schedule: Schedule, members: list[int], within: Interval) -> FuzzyTa
     ]
     part = task.select([*members, *pinned])
     return replace(part, skills=tuple(skills), busy=(*task.busy, *busy))
+
+
+def _as_now(schedule: Schedule, members: Sequence[int], around: FuzzyTask, within: Interval) -> list[float]:
+    """Give the starts from which a search may go on: all others as they are, the first as near as it may be."""
+    starts = [math.nan if schedule.rejected[member] else schedule.skills[member].start for member in members]
+    pinned = [skill.satisfaction.best.low for skill in around.skills[len(members) :]]
+    own = schedule.skills[members[0]].start
+    return [min(max(own, within.low), within.high), *starts[1:], *pinned]
 
 
 def _bound_to(task: FuzzyTask, members: Iterable[int]) -> set[int]:

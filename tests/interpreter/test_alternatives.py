@@ -26,8 +26,8 @@ def test_what_follows_one_of_several_times_follows_the_one_that_is_taken() -> No
         "Ten minutes later call dad",
         "Mow the lawn from half past five to half past seven",
     ]
-    assert starts(told(lines)) == {"s1": "20:00", "s2": "20:20", "s3": "17:30"}
-    assert starts(told(lines[:2])) == {"s1": "18:00", "s2": "18:20"}
+    assert starts(told(lines)) == {"s1": "20:00", "s2": "20:10", "s3": "17:30"}
+    assert starts(told(lines[:2])) == {"s1": "18:00", "s2": "18:10"}
 
 
 def test_of_what_happens_nobody_chooses() -> None:

@@ -14,6 +14,7 @@ from fuzzytime.skills import Precedence
 from fuzzytime.times import seconds_between
 
 JUST_BEFORE = "just before"
+LATER = "later"
 FAR = 86400.0
 """A time far enough from now for words beside it to have all their width."""
 
@@ -37,7 +38,19 @@ class Tie:
         skill = self.target.skill
         if self.anchor.share is not None:
             return self.anchor.share * skill.time_until_done
+        if self._counts_from_start():
+            return 0.0
         return {Edge.START: 0.0, Edge.FREE: skill.duration, Edge.END: skill.time_until_done}[self.anchor.edge]
+
+    def _counts_from_start(self) -> bool:
+        """Whether "half an hour later" counts from a time that was said, not from an end that nobody said.
+
+        "Call mum at nine and dad half an hour later": at half past, as far as the call is over by then.
+        """
+        later = self.anchor.edge is Edge.END and self.requirement.preposition == LATER
+        said = any(part.constraint is Constraint.AT and not part.anchor for part in self.target.requirements)
+        over = self.anchor.lag >= self.target.skill.time_until_done
+        return later and self.anchor.exact and said and over and self.target.duration.assumed
 
     @property
     def beside(self) -> SatisfactionFunction | None:

@@ -2,6 +2,7 @@
 
 import re
 
+from fuzzytime.language import RemarkKind
 from fuzzytime.language.about_wishes import NewsKind, Said, about_wishes, bare, called_by_time, news_in
 from fuzzytime_cli.repl.naming import entry_of
 from fuzzytime_cli.repl.plain_words.known import is_known
@@ -37,12 +38,33 @@ def as_usually_said(scene: Scene, words: str) -> str:
     for place, told in enumerate(clauses[:-1]):
         clauses[place + 1] = _of_who_rang(scene, told, clauses[place + 1])
     usual = [_usual(scene, clause) for clause in clauses]
+    if len(clauses) > 1 and any(usual[1:]) and _asks_anew(scene, clauses[0], usual[0]):
+        # "Order the cake, it's needed by six" is of the cake, whatever was asked for before.
+        of_it = [place > 0 and _is_of_it(scene, clause) for place, clause in enumerate(clauses)]
+        usual = [None if own else one for own, one in zip(of_it, usual, strict=True)]
     for place, joint in enumerate(joints):
         said = usual[place] or clauses[place]
         known = usual[place] is not None or about_wishes(said, scene.now, scene.lexicon) is not None
         joints[place] = COMMA if known else joint
     said = [one or clause for one, clause in zip(usual, clauses, strict=True)]
     return "".join(part for pair in zip(said, [*joints, ""], strict=True) for part in pair)
+
+
+def _asks_anew(scene: Scene, clause: str, usual: str | None) -> bool:
+    """Whether a clause asks for something new: "order the cake", but not "Tom rang" or "skip the gym"."""
+    if usual is not None or about_wishes(clause, scene.now, scene.lexicon) is not None:
+        return False
+    reading = scene.conversation.interpreter.language.read(clause, now=scene.now)
+    first = next((one.operation for one in reading.instructions), None)
+    told = any(remark.kind is RemarkKind.NOT_UNDERSTOOD for remark in reading.remarks)
+    return first is not None and not (first.stated or told or is_news(scene, clause))
+
+
+def _is_of_it(scene: Scene, clause: str) -> bool:
+    """Whether a clause is of what was named before it: "it takes an hour", "I can't do it before two"."""
+    closed = scene.lexicon.closed
+    said = {form for word in clause.lower().split() for form in re.split(r"['\u2019]", word)}
+    return not said.isdisjoint(closed.personal_pronouns | closed.it_or_them | closed.anaphors)
 
 
 def asks_how_it_is(scene: Scene, words: str) -> bool:

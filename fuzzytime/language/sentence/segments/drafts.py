@@ -36,6 +36,7 @@ from fuzzytime.language.sentence.segments.rounds import parted
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
 from fuzzytime.language.sentence.segments.told.asides import Aside, asides_of, beside_each_other
 from fuzzytime.language.sentence.segments.told.asides_of_hours import asides_of_hours
+from fuzzytime.language.sentence.segments.told.asides_of_needs import asides_of_needs
 from fuzzytime.language.sentence.segments.told.gaps import with_gaps
 from fuzzytime.language.sentence.segments.told.messages import Message, messages_of, orders_beside, remarks_of
 from fuzzytime.language.sentence.segments.told.notes import notes_of
@@ -197,7 +198,8 @@ def _without_parts(
     messages, notes = messages_of(scanned), [*notes_of(scanned)]
     scanned = _again(scanned, blanked(scanned.text, (*notes, *(one.span for one in messages))), grammar)
     lengths = beside_each_other(asides_of(scanned), told_lengths(scanned))
-    asides = beside_each_other(lengths, asides_of_hours(scanned))
+    bounds = beside_each_other(asides_of_hours(scanned), asides_of_needs(scanned))
+    asides = beside_each_other(lengths, bounds)
     scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides)), grammar)
     for said in (with_gaps, said_apart, with_prepared_for, without_threats):
         scanned = _again(scanned, said(scanned), grammar)

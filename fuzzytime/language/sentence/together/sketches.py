@@ -31,7 +31,7 @@ from fuzzytime.language.sentence.together.times.turns import counted_apart
 from fuzzytime.language.sentence.together.told.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.told.reasons_told import due_before_told
 from fuzzytime.language.sentence.together.told.told_beside import steps_in_turn, told_beside
-from fuzzytime.requirement import MOMENTS, Constraint
+from fuzzytime.requirement import MOMENTS, Constraint, Reference
 
 
 def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
@@ -104,7 +104,7 @@ def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
         # "Text Sam, who lands at ten, at noon"
         return replace(sketch, named=(*sketch.named, aside.length))
     if aside.bounds:
-        return sketch.also(aside.length)
+        return sketch.also(aside.length, about=Reference.FINISH if aside.done else None)
     if aside.way:
         return replace(
             sketch, way=aside.length.said.time if isinstance(aside.length.said.time, Duration) else None

@@ -23,7 +23,8 @@ class Aside:
     """An aside: its stretch, and the length that it says.
 
     ``way`` says that this is how long one goes there, ``left`` that what was done is left alone so long,
-    ``bounds`` that it is no length, but a time before or after which something can be done.
+    ``bounds`` that it is no length, but a time before or after which something can be done, or has to be
+    ``done``.
     """
 
     span: Span
@@ -31,6 +32,7 @@ class Aside:
     way: bool = False
     left: bool = False
     bounds: bool = False
+    done: bool = False
 
 
 def asides_of(scanned: Scanned) -> tuple[Aside, ...]:

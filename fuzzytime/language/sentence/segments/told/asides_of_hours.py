@@ -46,7 +46,7 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
     if words[verb].text not in doing.hours:
         return _of_somebody(words, phrase, lexicon)
     opening, named = _opening(words, verb, lexicon)
-    if opening is None or not any(word.is_letters for word in _sentence_before(words, opening)):
+    if opening is None or not any(word.is_letters for word in before_in_sentence(words, opening)):
         return None
     bracketed = words[opening].text == "(" and words[behind : behind + 1] and words[behind].text == ")"
     closing = words[verb].text in doing.closing_up | doing.closing_there
@@ -68,7 +68,7 @@ def _of_somebody(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Asi
     ends = words[phrase.end : phrase.end + 1]
     if not led or not does or any(word.text not in lexicon.closed.end_of_an_event for word in ends):
         return None
-    before = _sentence_before(words, opening)
+    before = before_in_sentence(words, opening)
     events = any(longest_match(before, place, lexicon.clauses) is not None for place in range(len(before)))
     if events or not any(word.is_letters for word in before):
         # "Feed the cat before the film, which starts at nine"
@@ -101,7 +101,7 @@ def _opening(words: Sequence[Word], verb: int, lexicon: Lexicon) -> tuple[int | 
     return place if told else None, place + 1
 
 
-def _sentence_before(words: Sequence[Word], place: int) -> Sequence[Word]:
+def before_in_sentence(words: Sequence[Word], place: int) -> Sequence[Word]:
     """Give the words of the same sentence before a place."""
     start = place
     while start > 0 and words[start - 1].text not in ENDS:

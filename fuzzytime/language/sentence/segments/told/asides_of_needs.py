@@ -1,0 +1,75 @@
+"""Asides that say by when something is needed, or that somebody cannot do it before: "it's needed by six"."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.segments.told.asides import Aside
+from fuzzytime.language.sentence.segments.told.asides_of_hours import before_in_sentence, bounding
+from fuzzytime.requirement import BOUNDS, MOMENTS, Constraint
+
+MARKS = frozenset({",", "(", "-", "\u2013", "\u2014", ";"})
+"""What stands between an order and what is told of it."""
+
+LONGEST = 8
+"""Words of "the boys from next door need it", at most."""
+
+APOSTROPHE = "'"
+
+
+def asides_of_needs(scanned: Scanned) -> tuple[Aside, ...]:
+    """Give the asides of a text that say by when something is needed, or can be done, in order."""
+    told = scanned.lexicon.asides
+    known = told["needing"] | told["needed"] | told["having to be"] | told["unable"]
+    if known.isdisjoint(word.text for word in scanned.words):
+        return ()
+    found = (_aside(scanned.words, phrase, scanned.lexicon) for phrase in phrases_of(scanned))
+    return tuple(aside for aside in found if aside is not None)
+
+
+def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | None:
+    """Give the aside that ends with a time, as a bound of what it stands behind; None where it is none."""
+    opening = phrase.first - 1
+    marks = MARKS | lexicon.beside.reasons
+    while opening > max(0, phrase.first - LONGEST - 1) and words[opening].text not in marks:
+        opening -= 1
+    ends = words[phrase.end : phrase.end + 1]
+    over = all(word.text in lexicon.closed.end_of_an_aside for word in ends)
+    asks = any(word.is_letters for word in before_in_sentence(words, opening))
+    if words[opening].text not in marks or not (over and asks):
+        return None
+    said = [word.text for word in words[opening + 1 : phrase.first]]
+    constraint, needed = phrase.said.constraint, _is_needed(said, lexicon)
+    if needed and constraint in {Constraint.BEFORE, *MOMENTS}:
+        told = bounding(phrase, closing=True)
+    elif constraint in BOUNDS and _is_unable(said, lexicon):
+        told = bounding(phrase, closing=constraint is Constraint.AFTER)
+    else:
+        return None
+    marked = opening > 0 and words[opening - 1].text in MARKS
+    last = phrase.end + any(word.text == ")" for word in ends)
+    span = (words[opening - marked].start, words[last - 1].end)
+    return Aside(span, told, bounds=True, done=needed)
+
+
+def _is_needed(said: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether words say that "it" is needed, or has to be so: "it's needed", "Ann needs those"."""
+    told, things = lexicon.asides, lexicon.closed.anaphors
+    if not told["needing"].isdisjoint(said[-2:-1]) and said[-1] in things:
+        return True
+    first, *helping = (part for word in said[:-1] for part in word.split(APOSTROPHE)) if said[1:] else ("",)
+    if not helping or first not in things:
+        return False
+    if said[-1] in told["needed"]:
+        return told["being needed"].issuperset(helping)
+    so = said[-1] in lexicon.results and helping[-1] == "be" and len(helping) > 1
+    return so and told["having to be"].issuperset(helping)
+
+
+def _is_unable(said: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether words say that somebody cannot do it: "I can't do it", "Ann won't be there"."""
+    place = next((place for place, word in enumerate(said) if word in lexicon.asides["unable"]), 0)
+    behind = said[place + 1 :]
+    return place > 0 and bool(behind) and lexicon.asides["unable to"].issuperset(behind)
