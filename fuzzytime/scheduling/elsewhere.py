@@ -142,7 +142,7 @@ def _around(schedule: Schedule, members: list[int], within: Interval) -> FuzzyTa
 
 
 def _as_now(schedule: Schedule, members: Sequence[int], around: FuzzyTask, within: Interval) -> list[float]:
-    """Give the starts from which a search may go on: all others as they are, the first as near as it may be."""
+    """Give starts from which a search may go on: all others as they are, the first as near as may be."""
     starts = [math.nan if schedule.rejected[member] else schedule.skills[member].start for member in members]
     pinned = [skill.satisfaction.best.low for skill in around.skills[len(members) :]]
     own = schedule.skills[members[0]].start

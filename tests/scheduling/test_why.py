@@ -166,3 +166,20 @@ def test_what_comes_after_a_skill_moves_along_with_it() -> None:
         other = elsewhere(schedule, 0, Interval(start, start))
         assert other is not None
         assert other.satisfactions == (1, 1)
+
+
+def test_a_minute_that_no_other_needs_costs_nothing() -> None:
+    # "Feed the cat in 20 minutes, then water the plants", "make dinner at two", "call mum in ten minutes"
+    call = FuzzySkill("call", Trapezoid(0, 300, 900, 1200), duration=600)
+    feed = FuzzySkill("feed", Triangle(900, 1200, 1500), duration=120)
+    water = FuzzySkill("water", ALWAYS, duration=360)
+    dinner = FuzzySkill("dinner", Triangle(17400, 18000, 18600), duration=1800)
+    made = solve(FuzzyTask((call, feed, water, dinner), precedences=(Precedence(1, 2),)))
+    start = made.start_times[0]
+    for other in (start - 60, start + 60):
+        found = elsewhere(made, 0, Interval(other, other))
+        fits = other + 600 <= made.start_times[1]
+        assert found is not None
+        assert (
+            found.product == pytest.approx(made.satisfaction) if fits else found.product <= made.satisfaction
+        )
