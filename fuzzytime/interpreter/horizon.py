@@ -10,7 +10,7 @@ from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, Request
 from fuzzytime.satisfaction import NEVER, Either, Rectangle, SatisfactionFunction, Trapezoid, Triangle
 from fuzzytime.scheduling import THRESHOLD
 from fuzzytime.skills import FuzzySkill
-from fuzzytime.times import format_duration
+from fuzzytime.times import DAY, HOUR, MINUTE, SECOND, format_duration
 
 ROOM = 600.0
 """Seconds that a plan has to spare behind all its work."""
@@ -58,7 +58,9 @@ def _waits(interpreted: Interpreted) -> float:
 
 def passed(since: float) -> str:
     """Say that the last time that would satisfy is over, since so many seconds."""
-    return f"its time passed {format_duration(since)} ago"
+    # How wide words are, and so when their time is over, is known to no second.
+    unit = HOUR if since >= DAY else MINUTE if since >= MINUTE else SECOND
+    return f"its time passed {format_duration(round(since / unit) * unit)} ago"
 
 
 def within_horizon(interpreted: Interpreted, horizon: float, request: Request) -> Interpreted:

@@ -51,7 +51,7 @@ def _in_order(calendar: Fields, today: Today) -> Iterator[Days]:
     upcoming, past = dated.upcoming(today, today.day), dated.past(today, today.day)
     ahead, behind = next(upcoming, None), next(past, None)
     if ahead is None:
-        raise UngroundedError("a date must exist")
+        raise UngroundedError("there is no such date")
     if behind is not None and today.day - behind.first > PASSED:
         behind = None
     fitting = (days for days in (ahead, behind) if days and days.first.weekday() == calendar.weekday)

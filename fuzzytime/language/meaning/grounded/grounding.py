@@ -131,7 +131,7 @@ class Grounding(Standpoint):
         upcoming = islice(calendar.upcoming(today, today.day), 3)
         first = next(upcoming, None)
         if first is None:
-            raise UngroundedError("a date must exist")
+            raise UngroundedError("there is no such date")
         yield first
         yield from upcoming
 
