@@ -87,6 +87,7 @@ def rules_lines(plan: Plan, width: int, *, unicode: bool) -> list[str]:
         first, *others = occurrences
         if not first.requirements:
             lines.append(UNTIMED)
+            continue
         for requirement, resolution in zip(first.requirements, first.resolutions, strict=False):
             lines += _wrapped(requirement_lines(requirement, clock), width)
             lines += [INDENT + line for line in _wrapped(resolution_lines(resolution), width - len(INDENT))]
