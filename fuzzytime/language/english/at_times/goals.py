@@ -119,6 +119,12 @@ def before_goal(duration: Duration, goal: Goal) -> Goal | None:
     return replace(goal, time=Offset(duration, -1, goal.time)) if counts else None
 
 
+@grammar.rule("goal", "<duration> before the <clock>", weight=0.3)
+def before_train(duration: Duration, clock: Clock) -> Goal:
+    """Twenty minutes before the 7:52."""
+    return Goal(Offset(duration, -1, Wall(clock=clock)))
+
+
 @grammar.rule("goal", "<duration> after|past|following|from <goal>", weight=0.1)
 def after_goal(duration: Duration, goal: Goal) -> Goal | None:
     """Two hours after lunch, 15 minutes from 1pm."""

@@ -6,7 +6,7 @@ from fuzzytime.language.english.bounded.bounds import deadline, release
 from fuzzytime.language.english.intervals.ranges import between
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.expressions import Edge, Ending, Goal, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Offset, Said, Wall
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -33,6 +33,15 @@ def release_off(preposition: Preposition, goal: Goal) -> Said | None:
     """From just after three, not before a bit after five."""
     said = release(preposition, goal)
     return None if said is None else replace(said, edge=_edge_of(goal))
+
+
+@grammar.rule("said", "with at? least? <duration> to spare before|for the? <goal>", weight=2.0)
+def with_time_to_spare(duration: Duration, goal: Goal) -> Said | None:
+    """(be there) with twenty minutes to spare before the 7:52."""
+    clocked = goal.wall.clock is not None and isinstance(goal.time, Wall)
+    return (
+        Said(Offset(duration, -1, goal.time), Constraint.BEFORE, "before", goal.hedges) if clocked else None
+    )
 
 
 def _edge_of(goal: Goal) -> Edge:
