@@ -160,7 +160,8 @@ class Grounding(Standpoint):
             inside = None if self.window is None else part_within(wall.part, *self.window)
             return inside or part_alone(wall.part, self.now, self.since, follows=self.follows)
         if wall.clock is not None:
-            return self._clock_on(wall, wall.days, wall.clock)
+            found = self._clock_on(wall, wall.days, wall.clock)
+            return self._as_on_others(wall.others, wall, found) if wall.others else found
         days = self._chosen_day(wall.days, wall.part)
         if wall.part is not None:
             return part_on(days.first, wall.part, self.policy.ahead_from)
@@ -229,6 +230,16 @@ class Grounding(Standpoint):
                 moments = prepared
             return decided(self, sorted(moments), clock, wall)
         raise UngroundedError("a time of day must lie on its day")
+
+    def _as_on_others(self, days: Iterable[Calendar], wall: Wall, found: Instants) -> Instants:
+        """Give a clock time the half of the day that alone is left on another of several days.
+
+        "On monday, wednesday and friday at eight", said on a wednesday at nine: all in the evening.
+        """
+        others = [self.wall(replace(wall, days=other, others=())) for other in days]
+        left = {other.start.time() for other in others if not other.choices}
+        told = next((choice for choice in found.choices if choice.time() in left), found.start)
+        return replace(found, start=told, end=told)
 
     def _beginning_today(self, periods: Iterable[Days]) -> Iterator[Days]:
         """Give what is to come of periods of several days: "at six this week" is no day that is over."""
