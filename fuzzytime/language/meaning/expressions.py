@@ -142,10 +142,14 @@ class Coming:
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """From one time to another."""
+    """From one time to another.
+
+    ``widest`` says that the words deny what lies outside: "not before eight or after ten" leaves the day.
+    """
 
     first: "Time"
     last: "Time"
+    widest: bool = field(default=False, kw_only=True)
 
 
 @dataclass(frozen=True, slots=True)
