@@ -202,6 +202,13 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     objects = part.tree.children(root, "dobj", "oprd")
     things = part.tree.said(objects)
     nodes = [*part.at((between[1].start, between[-1].end))]
+    restricted = part.tree.nodes[nodes[0]].lower in part.lexicon.beside.restricting if nodes else False
+    if restricted:
+        # "Wake both girls at seven, and only nina at eight"
+        nodes = nodes[1:]
+    if nodes[1:] and part.tree.nodes[nodes[-1]].lower in part.lexicon.closed.adverbs_of_repetition:
+        # "The pug at noon, the beagle at one and both again at seven"
+        nodes = nodes[:-1]
     others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
     happens = not part.lexicon.happening.isdisjoint(word.text for word in between)
     # "Lunch at one and dinner at seven", "yoga is at six and judo at eight"
@@ -291,4 +298,5 @@ def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:
     # "Dad's bike"; but "dad's home", "mum's at the vet"
     owned = part.tree.nodes[place + 1 : place + 2] if node.tag == "POS" else ()
     owns = any(one.tag.startswith("NN") and not says_where(one.lower, part.lexicon) for one in owned)
-    return node.tag in THINGS or node.lower in things or ordered or more or owns
+    whole = node.lower in part.lexicon.closed.universal_pronouns
+    return node.tag in THINGS or node.lower in things or ordered or more or owns or whole

@@ -1,5 +1,6 @@
 """What is done again, with another thing or at another time: "feed the cat at eight and the dog at nine"."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.english import singular
@@ -8,7 +9,8 @@ from fuzzytime.language.instruction import Operation, Span, overlap
 from fuzzytime.language.meaning.expressions import Offset, Repeat, Said
 from fuzzytime.language.meaning.joined.distances import LATER
 from fuzzytime.language.sentence.segments.other_cases import OTHER_CASE
-from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.trees.named import takes_verb
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint
@@ -16,18 +18,19 @@ from fuzzytime.requirement import Constraint
 AGAIN = frozenset({"then", OTHER_CASE})
 """Connectives behind which what is done before may be done again: "if it's dry at six, otherwise at nine"."""
 
+TWO = 2
+
 
 def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | None:
     """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
     lexicon = sketch.lexicon
     closed = lexicon.closed
     part = sketch.part
-    spans = list(map(part.span, part.tree.nodes))
-    said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
-    while said and text[slice(*said[-1])] == ",":
-        # "… and with Dominic at eleven, 45 minutes each"
-        said.pop()
+    said = _beside_times(sketch, text)
     rest = text[said[0][0] : said[-1][1]] if said else ""
+    if sketch.phrases and tuple(rest.lower().split()) in lexicon.conversation["again"]:
+        # "Feed the cat at eight and the same again at nine"
+        return before
     if rest and part.segment.entry:
         return None
     shortly = _said_shortly(before, rest, lexicon) if sketch.heard else None
@@ -58,8 +61,38 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
             return placed
     if not rest or before.object is None:
         return None
-    first = rest.split()[0] if _is_led_later(sketch, said[0]) else text[slice(*spans[0])]
+    first = rest.split()[0] if _is_led_later(sketch, said[0]) else text[slice(*part.span(part.tree.nodes[0]))]
     return _with_another_thing(before, before.object, rest, first, sketch)
+
+
+def all_again(found: Sequence[Sketch], sketch: Sketch, text: str) -> list[Sketch]:
+    """Give what several orders before a time say together is done then, too; none elsewhere.
+
+    "Walk the pug at noon and the beagle at one and both again at seven", "…, then do both again at six".
+    """
+    closed = sketch.lexicon.closed
+    said = [text[slice(*span)].lower() for span in _beside_times(sketch, text)]
+    named = [word for word in said if word not in closed.adverbs_of_repetition | {"do", ","}]
+    if len(named) != 1 or named[0] not in closed.universal_pronouns or not sketch.phrases:
+        return []
+    before: list[Sketch] = []
+    for one, behind in zip(reversed(found), (sketch, *reversed(found)), strict=False):
+        if not one.asks or not one.phrases or not ENDS.isdisjoint(text_between(one, behind, text)):
+            break
+        before.insert(0, one)
+    before = before[-TWO:] if named[0] in closed.both else before
+    return [replace(sketch, operation=one.operation) for one in before]
+
+
+def _beside_times(sketch: Sketch, text: str) -> list[Span]:
+    """Give the own words of a sketch that are about no time, without a comma behind them."""
+    first = sketch.part.segment.span[0]
+    spans = (span for span in map(sketch.part.span, sketch.part.tree.nodes) if span[0] >= first)
+    said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
+    while said and text[slice(*said[-1])] == ",":
+        # "… and with Dominic at eleven, 45 minutes each"
+        said.pop()
+    return said
 
 
 def _with_another_thing(
