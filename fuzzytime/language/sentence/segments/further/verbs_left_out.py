@@ -198,6 +198,12 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     if len(between) == SHORTEST_GAP and between[1].text in part.lexicon.ordinals:
         # "The first dose at ten, second at two"
         return True
+    words = one.source.scanned.words
+    if _is_value(between[1:], part.lexicon) and _is_value(
+        words[max(old.first - 2, 0) : old.first], part.lexicon
+    ):
+        # "Thermostat to 21 at seven, 17 at eleven"
+        return True
     # "Tomorrow call Ann at eight and Bob at nine": a tree may have whom for what it becomes.
     objects = part.tree.children(root, "dobj", "oprd")
     things = part.tree.said(objects)
@@ -236,6 +242,12 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     own = len(between) == SHORTEST_GAP and between[1].text in takes_time and not says_how
     named = led or opened or listed or own or (has_object and between[0].text in {"and", ",", "or"})
     return named and not others
+
+
+def _is_value(said: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words are a number, or end with one and a unit: "to 21", "21 degrees"."""
+    numbers = [word.text.isdecimal() or word.text in lexicon.numbers for word in said]
+    return numbers[-1:] == [True] or (numbers[-2:] == [True, False] and said[-1].text.isalpha())
 
 
 def _is_elsewhere(

@@ -31,8 +31,9 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
     if sketch.phrases and tuple(rest.lower().split()) in lexicon.conversation["again"]:
         # "Feed the cat at eight and the same again at nine"
         return before
-    if rest and part.segment.entry:
-        return None
+    value = _valued_again(before, rest, lexicon) if sketch.phrases else None
+    if value is not None or (rest and part.segment.entry):
+        return value
     shortly = _said_shortly(before, rest, lexicon) if sketch.heard else None
     if shortly is not None:
         return shortly
@@ -181,6 +182,16 @@ def _counted_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation 
     noun = words[place + 1 :]
     noun = [singular(noun[0]), *noun[1:]] if noun and rest.lower() in {"one", "1"} else noun
     return replace(before, object=" ".join((*words[:place], rest, *noun)))
+
+
+def _valued_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before with another value: "heating to eighteen at ten, twenty at six"."""
+    led, _, value = (before.place or "").partition(" ")
+    values = [one.lower().strip("%°").split() for one in (value, rest.removeprefix(f"{led} "))]
+    numbered = all(words[:1] and (words[0].isdecimal() or words[0] in lexicon.numbers) for words in values)
+    # "To 21 degrees at seven, 17 at eleven"; but "to 21 at seven, 17 chairs at eleven"
+    alike = numbered and values[1][1:] in ([], values[0][1:])
+    return replace(before, place=f"{led} {rest.removeprefix(f'{led} ')}") if alike else None
 
 
 def _goes_on(said: Said) -> bool:
