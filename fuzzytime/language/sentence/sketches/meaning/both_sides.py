@@ -78,4 +78,6 @@ def _stretch(begin: Wall, end: Wall) -> Range | None:
     """Give what lies between two times of day; the day of the end is that of both."""
     if not begin.is_timed or not end.is_timed:
         return None
-    return Range(begin if begin.days is not None else replace(begin, days=end.days), end, widest=True)
+    # "Before ten or after six" is not ten to six.
+    clock = begin.clock and replace(begin.clock, hours=False)
+    return Range(replace(begin, clock=clock, days=begin.days or end.days), end, widest=True)

@@ -60,8 +60,8 @@ def repeated(sketches: list[Sketch], text: str) -> list[Sketch]:
     found: list[Sketch] = []
     for sketch in sketches:
         several = all_again(found, sketch, text)
-        if several:
-            found += several
+        if several is not None:
+            found = several
             continue
         before = _done_before(found, sketch)
         again = None if before is None else done_again_of(before, sketch, text)

@@ -6,7 +6,7 @@ from dataclasses import replace
 from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
-from fuzzytime.language.meaning.expressions import Offset, Repeat, Said
+from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.distances import LATER
 from fuzzytime.language.sentence.segments.other_cases import OTHER_CASE
 from fuzzytime.language.sentence.segments.segment import ENDS
@@ -28,10 +28,12 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
     part = sketch.part
     said = _beside_times(sketch, text)
     rest = text[said[0][0] : said[-1][1]] if said else ""
-    if sketch.phrases and tuple(rest.lower().split()) in lexicon.conversation["again"]:
+    own = [span for span in said if span[0] >= part.segment.span[0]]
+    anew = text[own[0][0] : own[-1][1]] if own and sketch.phrases else ""
+    if tuple(anew.lower().split()) in lexicon.conversation["again"]:
         # "Feed the cat at eight and the same again at nine"
         return before
-    value = _valued_again(before, rest, lexicon) if sketch.phrases else None
+    value = _valued_again(before, anew, lexicon)
     if value is not None or (rest and part.segment.entry):
         return value
     shortly = _said_shortly(before, rest, lexicon) if sketch.heard else None
@@ -66,29 +68,48 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
     return _with_another_thing(before, before.object, rest, first, sketch)
 
 
-def all_again(found: Sequence[Sketch], sketch: Sketch, text: str) -> list[Sketch]:
-    """Give what several orders before a time say together is done then, too; none elsewhere.
+def all_again(found: Sequence[Sketch], sketch: Sketch, text: str) -> list[Sketch] | None:
+    """Give what was said before with a time that is of several of it; None where none is.
 
-    "Walk the pug at noon and the beagle at one and both again at seven", "…, then do both again at six".
+    "Walk the pug at noon and the beagle at one and both again at seven"; but "rent on the first, gas on the
+    tenth, all at nine" says when on those days.
     """
     closed = sketch.lexicon.closed
     said = [text[slice(*span)].lower() for span in _beside_times(sketch, text)]
     named = [word for word in said if word not in closed.adverbs_of_repetition | {"do", ","}]
     if len(named) != 1 or named[0] not in closed.universal_pronouns or not sketch.phrases:
-        return []
+        return None
     before: list[Sketch] = []
-    for one, behind in zip(reversed(found), (sketch, *reversed(found)), strict=False):
-        if not one.asks or not one.phrases or not ENDS.isdisjoint(text_between(one, behind, text)):
+    for one in reversed(found):
+        done = one.operation is not None and not one.operation.negated
+        ended = not ENDS.isdisjoint(text_between(one, (before or [sketch])[0], text))
+        if not done or not one.phrases or ended:
             break
         before.insert(0, one)
     before = before[-TWO:] if named[0] in closed.both else before
-    return [replace(sketch, operation=one.operation) for one in before]
+    if not before:
+        return None
+    earlier = found[: -len(before)]
+    clock = sketch.phrases[0].said.time
+    if isinstance(clock, Wall) and clock.days is None and all(map(_is_on_day, before)):
+        return [*earlier, *(one.keeping(lambda _: False).also(_at(one.phrases[0], clock)) for one in before)]
+    return [*found, *(replace(sketch, operation=one.operation) for one in before)]
+
+
+def _is_on_day(sketch: Sketch) -> bool:
+    """Whether all that is said of when is the day."""
+    wall = sketch.phrases[0].said.wall
+    return len(sketch.phrases) == 1 and wall.days is not None and not wall.is_timed
+
+
+def _at(day: Phrase, time: Wall) -> Phrase:
+    """Give a day with a time of day."""
+    return day.at(replace(time, days=day.said.wall.days))
 
 
 def _beside_times(sketch: Sketch, text: str) -> list[Span]:
-    """Give the own words of a sketch that are about no time, without a comma behind them."""
-    first = sketch.part.segment.span[0]
-    spans = (span for span in map(sketch.part.span, sketch.part.tree.nodes) if span[0] >= first)
+    """Give the words of a sketch that are about no time, without a comma behind them."""
+    spans = map(sketch.part.span, sketch.part.tree.nodes)
     said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
     while said and text[slice(*said[-1])] == ",":
         # "… and with Dominic at eleven, 45 minutes each"
