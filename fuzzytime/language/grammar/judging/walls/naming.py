@@ -94,10 +94,20 @@ class Naming(Standing):
         if said.preposition is None and self.around.before(piece) == "the":
             # As in "Cancel the 7:42".
             return True
+        met = self.is_met(piece.start) or self.around.before(piece) in self.lexicon.doing.meeting
+        if wall.clock.pair and said.preposition == "at" and met and self._is_at_clock(piece.end):
+            # "Meet at seven eleven at noon": that is where.
+            return True
         # As in "Book me on the 7:42", "on the nine thirty".
         pair = wall.clock.pair and said.preposition != "on"
         minutes = wall.clock.grain is Unit.MINUTE and not pair
         return minutes and said.preposition in {"on", "for"} and self.texts[piece.start + 1] == "the"
+
+    def _is_at_clock(self, place: int) -> bool:
+        """Whether "at" and a clock time stand at a place."""
+        led = self.texts[place : place + 1] == ["at"]
+        parts = (one.value for one in self.around.pieces(place + 1) if one.category == "part")
+        return led and (self.measures.is_number(place + 1) or any(part.is_point for part in parts))
 
 
 class Counts(Standing):
