@@ -265,12 +265,7 @@ def until_other_day(first: Goal, days: Calendar, clock: Clock) -> Said | None:
 )
 def after_and_before(after: Preposition, first: Goal, before: Preposition, last: Goal) -> Said | None:
     """Later than 3:30pm but before 6pm, not before three but by five at the latest."""
-    said = range_of(first, last)
-    if said is None or not isinstance(said.time, Range):
-        return None
-    # "Not before nine and not after six"
-    denied = (after.name, before.name) == ("not before", "no later than")
-    return replace(said, time=replace(said.time, widest=denied))
+    return range_of(first, last)
 
 
 @grammar.rule(

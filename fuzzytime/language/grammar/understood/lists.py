@@ -87,6 +87,9 @@ def _joined(
         if not between or between - lexicon.closed.additions - lexicon.closed.alternatives:
             break
         pair = (group[-1], following)
+        if between == {","} and len({*map(_is_counted, pair)}) > 1:
+            # "Twice tomorrow, at eight and six"
+            break
         either = not between.isdisjoint(lexicon.closed.alternatives)
         both = not either and _are_two_of_a_day(*pair)
         if not both and not all(_is_when(one) or (either and one.said.constraint in BOUNDS) for one in pair):
