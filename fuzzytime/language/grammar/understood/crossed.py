@@ -13,8 +13,13 @@ from fuzzytime.requirement import Unit
 SEVERAL = 2
 
 
-def crossed(members: Sequence[Phrase], ends_with_day: Callable[[Phrase], bool]) -> list[Phrase]:
-    """Give each day of a list the times said behind it, in front of it, or else of the days before."""
+def crossed(
+    members: Sequence[Phrase], ends_with_day: Callable[[Phrase], bool], *, either: bool
+) -> list[Phrase]:
+    """Give each day of a list the times said behind it, in front of it, or else of the days before.
+
+    Of days of which ``either`` will do, a part of the last is of all: "saturday or sunday morning".
+    """
     found: list[Phrase] = []
     times: list[Phrase] = []
     for group in _groups(members, ends_with_day):
@@ -23,7 +28,7 @@ def crossed(members: Sequence[Phrase], ends_with_day: Callable[[Phrase], bool]) 
         alone = any(not first_of(day.said).is_timed for day in days)
         several = len(days) >= SEVERAL or (alone and len(group) == 1)
         held = all(member in days or member in times for member in group)
-        found += _pairs(days, times) if several and held and _are_given(times) else group
+        found += _pairs(days, times) if several and held and _are_given(times, either=either) else group
     return _of_one_half(found)
 
 
@@ -53,13 +58,13 @@ def _groups(members: Sequence[Phrase], ends_with_day: Callable[[Phrase], bool]) 
     yield group
 
 
-def _are_given(times: Sequence[Phrase]) -> bool:
-    """Whether times are those of all days beside them: "saturday and sunday morning" are two of one each."""
+def _are_given(times: Sequence[Phrase], *, either: bool) -> bool:
+    """Whether times are those of all days beside them, as "saturday and sunday morning" are not."""
     walls = [first_of(time.said) for time in times]
     clocked = [wall for wall in walls if wall.clock is not None]
     ranges = (time.said.time for time in times if isinstance(time.said.time, Range))
     lasting = all(isinstance(one.last, Wall) for one in ranges)
-    parts = len(walls) >= SEVERAL and not clocked
+    parts = (either or len(walls) >= SEVERAL) and not clocked
     return lasting and any(map(is_listed, walls)) and (parts or len(clocked) == len(walls))
 
 

@@ -10,7 +10,7 @@ from functools import partial
 from fuzzytime.language.grammar.understood.crossed import crossed, first_of, is_listed
 from fuzzytime.language.grammar.understood.lists import TimeList
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields, is_day_of_month, is_weekday
+from fuzzytime.language.meaning.calendar import Fields, is_day_of_month
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -37,14 +37,12 @@ HOUR, MINUTE = 3600, 60
 def filled(times: TimeList, words: Sequence[Word]) -> list[Phrase]:
     """Give the members of a list with what their neighbours give; of several kept, the others say so."""
     members = _with_part_of(_with_month_behind(times.members), words)
-    members = _before_day(_with_part_behind(members) if times.either else apart(members), words)
+    members = _before_day(members if times.either else apart(members), words)
     # "Today if you can, otherwise tomorrow at ten": today at any time
     near = times.either and any(isinstance(one.said.wall.days, Relative) for one in members)
-    members = (
-        members
-        if near
-        else crossed(_in_hour_behind(_in_other_parts(members)), partial(_ends_with_day, words=words))
-    )
+    if not near:
+        hourly = _in_hour_behind(_in_other_parts(members))
+        members = crossed(hourly, partial(_ends_with_day, words=words), either=times.either)
     if not times.either:
         return members
     first, *others = _behind_day(members)
@@ -144,17 +142,6 @@ def _with_month_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
         else:
             found.append(phrase)
     return found
-
-
-def _with_part_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
-    """Give weekdays the part of the day behind the last of them: "saturday or sunday morning"."""
-    said = phrases[-1].said
-    part = said.wall.part if said.wall.clock is None else None
-    weekdays = all(is_weekday(phrase.said.wall.days) for phrase in phrases)
-    if part is None or said.preposition is not None or not weekdays:
-        return list(phrases)
-    walls = ((phrase, phrase.said.wall) for phrase in phrases)
-    return [phrase if wall.is_timed else phrase.at(replace(wall, part=part)) for phrase, wall in walls]
 
 
 def _before_day(members: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase]:

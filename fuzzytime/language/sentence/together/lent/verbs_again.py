@@ -29,20 +29,17 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
     said = _beside_times(sketch, text)
     rest = text[said[0][0] : said[-1][1]] if said else ""
     own = [span for span in said if span[0] >= part.segment.span[0]]
-    anew = text[own[0][0] : own[-1][1]] if own and sketch.phrases else ""
+    anew = text[own[0][0] : own[-1][1]] if own and sketch.heard else ""
     if tuple(anew.lower().split()) in lexicon.conversation["again"]:
-        # "Feed the cat at eight and the same again at nine"
+        # "Feed the cat at eight and the same again at nine", "baste the roast and repeat this every hour"
         return before
-    value = _valued_again(before, anew, lexicon)
+    value = _valued_again(before, anew, lexicon) if sketch.phrases else None
     if value is not None or (rest and part.segment.entry):
         return value
     shortly = _said_shortly(before, rest, lexicon) if sketch.heard else None
     if shortly is not None:
         return shortly
     said_again = sketch.operation
-    if said_again is not None and said_again.lemma in lexicon.doing.repeating and sketch.phrases:
-        # "Baste the roast, and repeat this every ten minutes"
-        return before if (said_again.object or "it").lower() in closed.singular_anaphors else None
     if said_again is not None and _is_it_after_all(before, said_again, lexicon) and sketch.phrases:
         # "Don't water the plants today, do it tomorrow"
         return replace(before, negated=False)
@@ -160,11 +157,7 @@ def _said_shortly(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
             return replace(before, place=rest)
         # "And back up to 37 degrees at six"
         return replace(before, particle=particle, place=f"to {level}" if level else before.place)
-    # "Ring the bell at six, then again at seven"
-    again = (
-        rest and set(rest.lower().split()) <= lexicon.closed.adverbs_of_repetition - lexicon.particles.keys()
-    )
-    return before if again else None
+    return None
 
 
 def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
