@@ -49,9 +49,11 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
     if here.leads is not None and not here.leads.is_open and moments[0].date() == moments[-1].date():
         # "Milk them tomorrow at five and again at half past four pm": the first, however early that is.
         chosen = next((moment for moment in moments if _leads(here, moment, here.leads)), chosen)
-    told = _of_night(here, moments)
+    # "The cat at eight, the dog at nine and both at ten": both in the evening
+    same = here.since in moments and not here.usual and not here.carried
+    told = _of_night(here, moments) or (here.since if same else None)
     if told is not None:
-        choices = tuple(moments) if told in moments else ()
+        choices = tuple(moments) if len(moments) > 1 and told in moments else ()
         return Instants(told, told, clock.grain, choices, wall.zone)
     morning = _of_morning(here, moments, clock, named=named)
     if morning is not None and (not here.usual or morning in plausible):

@@ -1,8 +1,9 @@
 """From what was said to instants: the time now and the policy decide what the words leave open."""
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import replace
-from datetime import date, datetime, timedelta
+from datetime import date, datetime, time, timedelta
 from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today, is_weekday, moved
@@ -236,8 +237,12 @@ class Grounding(Standpoint):
 
         "On monday, wednesday and friday at eight", said on a wednesday at nine: all in the evening.
         """
-        others = [self.wall(replace(wall, days=other, others=())) for other in days]
-        left = {other.start.time() for other in others if not other.choices}
+        left = set[time]()
+        for other in days:
+            # "On the 28th and 30th of february at six"
+            with suppress(UngroundedError):
+                there = self.wall(replace(wall, days=other, others=()))
+                left |= set() if there.choices else {there.start.time()}
         told = next((choice for choice in found.choices if choice.time() in left), found.start)
         return replace(found, start=told, end=told)
 

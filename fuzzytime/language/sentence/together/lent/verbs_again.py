@@ -6,7 +6,7 @@ from dataclasses import replace
 from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
-from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Offset, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.distances import LATER
 from fuzzytime.language.sentence.segments.other_cases import OTHER_CASE
 from fuzzytime.language.sentence.segments.segment import ENDS
@@ -74,7 +74,7 @@ def all_again(found: Sequence[Sketch], sketch: Sketch, text: str) -> list[Sketch
     closed = sketch.lexicon.closed
     said = [text[slice(*span)].lower() for span in _beside_times(sketch, text)]
     named = [word for word in said if word not in closed.adverbs_of_repetition | {"do", ","}]
-    if len(named) != 1 or named[0] not in closed.universal_pronouns or not sketch.phrases:
+    if len(named) != 1 or named[0] not in closed.wholes | closed.both or not sketch.phrases:
         return None
     before: list[Sketch] = []
     for one in reversed(found):
@@ -86,22 +86,19 @@ def all_again(found: Sequence[Sketch], sketch: Sketch, text: str) -> list[Sketch
     before = before[-TWO:] if named[0] in closed.both else before
     if not before:
         return None
-    earlier = found[: -len(before)]
     clock = sketch.phrases[0].said.time
     if isinstance(clock, Wall) and clock.days is None and all(map(_is_on_day, before)):
-        return [*earlier, *(one.keeping(lambda _: False).also(_at(one.phrases[0], clock)) for one in before)]
-    return [*found, *(replace(sketch, operation=one.operation) for one in before)]
+        days = ((one, one.phrases[0]) for one in before)
+        timed = (replace(one, phrases=(p.at(replace(clock, days=p.said.wall.days)),)) for one, p in days)
+        return [*found[: -len(before)], *timed]
+    told = replace(sketch, joints=(*sketch.joints, sketch.part.segment.span))
+    return [*found, *(replace(told, operation=one.operation) for one in before)]
 
 
 def _is_on_day(sketch: Sketch) -> bool:
     """Whether all that is said of when is the day."""
     wall = sketch.phrases[0].said.wall
     return len(sketch.phrases) == 1 and wall.days is not None and not wall.is_timed
-
-
-def _at(day: Phrase, time: Wall) -> Phrase:
-    """Give a day with a time of day."""
-    return day.at(replace(time, days=day.said.wall.days))
 
 
 def _beside_times(sketch: Sketch, text: str) -> list[Span]:
