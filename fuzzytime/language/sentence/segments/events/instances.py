@@ -92,7 +92,9 @@ def _marked(scanned: Scanned) -> Instances:
         ):
             continue
         behind = place if form is None else place + len(form)
-        if form is None or behind >= len(words):
+        # "The first | one" is marked already.
+        inside = bool(starts) and words[place].start < starts[-1]
+        if form is None or inside or behind >= len(words):
             continue
         starts.append(words[behind - 1].end)
         marked = len(starts) == 1 and not spoken
