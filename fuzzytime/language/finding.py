@@ -13,7 +13,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.understood.denied import denied
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
-from fuzzytime.language.meaning.expressions import HourMark, Phrase, Wall
+from fuzzytime.language.meaning.expressions import HourMark, Phrase, Repeat, Wall
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.required.offered import alternative_to
 from fuzzytime.language.meaning.required.requirements import Grounded, grounded
@@ -183,6 +183,13 @@ def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
         if before is not None and phrase.said.alternative and _is_part_alone(phrase):
             # "Tonight or in the morning": the morning behind that night.
             here = replace(moment, since=before[1].requirement.earliest, follows=True)
+        if phrase.said.denied:
+            # "Every half hour except at three": half past two is another turn.
+            every = [p.said.time.every for p in phrases if isinstance(p.said.time, Repeat)]
+            halves = [int(length.seconds / 120) for length in every if length is not None]
+            here = replace(
+                here, policy=replace(moment.policy, kept_off=min((moment.policy.kept_off, *halves)))
+            )
         try:
             some = grounded(alternative_to(before, phrase, moment), text, here)
         except UngroundedError as error:

@@ -93,7 +93,8 @@ class Duration:
 class Wall:
     """A wall-clock expression: any of a day, a part of the day and a clock time, and the zone of its clock.
 
-    ``weak`` says that the words alone are no sure time ("May", "2000").
+    ``weak`` says that the words alone are no sure time ("May", "2000"); ``others`` are the further days of a
+    list with the same clock time, which is in one half of the day on all.
     """
 
     days: Calendar | None = None
@@ -101,6 +102,7 @@ class Wall:
     clock: Clock | None = None
     zone: str | None = None
     weak: bool = False
+    others: tuple[Calendar, ...] = ()
 
     @property
     def bare(self) -> bool:
@@ -140,10 +142,14 @@ class Coming:
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """From one time to another."""
+    """From one time to another.
+
+    ``widest`` says that the words deny what lies outside: "not before eight or after ten" leaves the day.
+    """
 
     first: "Time"
     last: "Time"
+    widest: bool = field(default=False, kw_only=True)
 
 
 @dataclass(frozen=True, slots=True)

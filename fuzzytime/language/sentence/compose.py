@@ -24,6 +24,7 @@ from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.around_events.days_of_events import on_days_of_events
 from fuzzytime.language.sentence.sketches.around_events.prepared import due_of
 from fuzzytime.language.sentence.sketches.meaning.alternatives import offered
+from fuzzytime.language.sentence.sketches.meaning.both_sides import between_sides
 from fuzzytime.language.sentence.sketches.meaning.clock_times import NOTHING, LastSaid, last_said
 from fuzzytime.language.sentence.sketches.meaning.negations import awaiting, without_denial
 from fuzzytime.language.sentence.sketches.meaning.usual_hours import at_usual_hours
@@ -170,7 +171,7 @@ class _Composer:
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
         """Ground a sketch: its requirements, how long it takes, whose length or time it tells."""
-        sketch, text = awaiting(sketch), self.draft.text
+        sketch, text = between_sides(awaiting(sketch), self.draft.scanned.words), self.draft.text
         anchors = self._anchors_at(position, operations)
         self.explained += sketch.heard
         sketch, event, remarks = on_days_of_events(sketch, anchors, text)

@@ -23,6 +23,7 @@ from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.around_events.at_events import at_events
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.sketches.around_events.in_turns import in_turns
+from fuzzytime.language.sentence.sketches.meaning.both_sides import BOTH_SIDES
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Anchor, TimeRequirement
 
@@ -94,6 +95,7 @@ def _of_phrases(
             continue
         if phrase.rule == HEADED and draft.heading is not None:
             requirement = replace(requirement, text=draft.heading.name)
+        requirement = replace(requirement, denied=requirement.denied or phrase.rule == BOTH_SIDES)
         if phrase.said.alternative and sketch.clauses:
             # "When the tank is full, or at noon"
             requirement = replace(requirement, alternative=True)

@@ -235,12 +235,18 @@ def so_often_within(number: int, within: Wall | Rest) -> Repeat | None:
     return Repeat(times=number, starting=within, until=within)
 
 
+WITHIN = frozenset({"on", "in", "at", "during", "over"})
+"""Prepositions of a stretch in which something is done so often: "twice at night"."""
+
+
 @grammar.rule("repeat", "<times> ,? <said>", weight=0.5)
 def so_often_by(number: int, said: Said) -> Repeat | None:
-    """Three times before lunch, twice between two and four, twice on friday."""
+    """Three times before lunch, twice between two and four, twice on friday, twice in the afternoon."""
     time = said.time
-    if isinstance(time, Wall) and said.preposition in {"on", "in", "during", "over"} and not said.hedges:
-        return so_often_within(number, time)
+    if isinstance(time, Wall) and said.preposition in WITHIN and not said.hedges:
+        part = time.part is not None and not time.part.meal and time.clock is None and time.days is None
+        many = number > 1 and part
+        return Repeat(times=number, starting=time, until=time) if many else so_often_within(number, time)
     if number == 1 or said.lasting is not None:
         return None
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):

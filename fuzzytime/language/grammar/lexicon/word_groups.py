@@ -200,6 +200,7 @@ class BesideTimes(NamedTuple):
     again: Words
     twice: Words
     beside_twice: Words
+    one_time: Words
     thereafter: Words
     shifts: Words
     behind_gaps: Words

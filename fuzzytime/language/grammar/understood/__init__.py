@@ -2,5 +2,6 @@
 
 What times lend each other (``lending``), and when a number without a unit is ``lent`` one; what is ``due``
 behind "for", and how long (``typed_hours``); what is ``denied``. Several times of one thing are ``lists``,
-whose members are ``filled`` by each other.
+whose members
+are ``filled`` by each other, and whose days and times are ``crossed``.
 """

@@ -5,10 +5,12 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
+from fuzzytime.language.grammar.understood.crossed import crossed, first_of, is_listed
 from fuzzytime.language.grammar.understood.lists import TimeList
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields, is_day_of_month, is_weekday
+from fuzzytime.language.meaning.calendar import Fields, is_day_of_month
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -16,13 +18,12 @@ from fuzzytime.language.meaning.expressions import (
     Phrase,
     Range,
     Repeat,
-    Said,
     Time,
     Wall,
     wall_of,
 )
 from fuzzytime.language.meaning.times_of_day import Half, Part
-from fuzzytime.requirement import BOUNDS, Unit
+from fuzzytime.requirement import BOUNDS
 
 ON_CONDITION = "if_it_is.at_on_condition"
 """The rule of a clock time that a condition of the calendar stands behind."""
@@ -36,10 +37,12 @@ HOUR, MINUTE = 3600, 60
 def filled(times: TimeList, words: Sequence[Word]) -> list[Phrase]:
     """Give the members of a list with what their neighbours give; of several kept, the others say so."""
     members = _with_part_of(_with_month_behind(times.members), words)
-    members = _before_day(_with_part_behind(members) if times.either else apart(members), words)
+    members = _before_day(members if times.either else apart(members), words)
     # "Today if you can, otherwise tomorrow at ten": today at any time
     near = times.either and any(isinstance(one.said.wall.days, Relative) for one in members)
-    members = members if near else _timed(_in_hour_behind(_in_other_parts(members)))
+    if not near:
+        hourly = _in_hour_behind(_in_other_parts(members))
+        members = crossed(hourly, partial(_ends_with_day, words=words), either=times.either)
     if not times.either:
         return members
     first, *others = _behind_day(members)
@@ -77,48 +80,6 @@ def _open(phrase: Phrase) -> tuple[int, int, int] | None:
     return None if clock is None or not clock.is_open else (clock.hour, clock.minute, clock.shift)
 
 
-def _timed(members: Sequence[Phrase]) -> list[Phrase]:
-    """Give days without a time that of the next that has one, or else of the one before.
-
-    "Monday and friday at six and sunday at ten", "at eleven on tuesday and thursday".
-    """
-    found = []
-    for place, member in enumerate(members):
-        wall = member.said.wall
-        others = (*members[place + 1 :], *reversed(members[:place]))
-        giver = next((one.said for one in others if _first_of(one.said).is_timed), None)
-        alone = _is_listed(wall) and not wall.is_timed
-        given = None if giver is None or not alone else _on(wall, giver)
-        found.append(member if given is None else replace(member, said=_bound(given, member.said)))
-    return found
-
-
-def _on(day: Wall, giver: Said) -> Said | None:
-    """Give the clock time, or the hours, of one day on another."""
-    first = _first_of(giver)
-    if first.clock is None or not _is_listed(first):
-        return None
-    if not isinstance(giver.time, Range):
-        return replace(giver, time=replace(day, clock=first.clock))
-    if not isinstance(giver.time.last, Wall):
-        return None
-    last = giver.time.last
-    ends = replace(last, days=day.days) if last.days is not None else last
-    return replace(giver, time=Range(replace(first, days=day.days), ends))
-
-
-def _bound(given: Said, said: Said) -> Said:
-    """Give a time that binds as a day of the list says, and hours as they do."""
-    if isinstance(given.time, Range):
-        return replace(given, preposition=said.preposition)
-    return replace(said, time=given.time)
-
-
-def _first_of(said: Said) -> Wall:
-    """Give the time of day that something is at, or from."""
-    return wall_of(said.time.first if isinstance(said.time, Range) else said.time)
-
-
 def _in_hour_behind(members: Sequence[Phrase]) -> list[Phrase]:
     """Give minutes of no hour that which is said behind: "at ten to, quarter past and half past three"."""
     found = list(members)
@@ -137,7 +98,7 @@ def _in_other_parts(members: Sequence[Phrase]) -> list[Phrase]:
     for member in members[1:]:
         wall, giver = member.said.wall, found[-1].said
         part = wall.part if wall == Wall(part=wall.part) and member.said.preposition is None else None
-        first = _first_of(giver)
+        first = first_of(giver)
         clock = None if first.part is None or first.clock is None else replace(first.clock, half=None)
         hours = () if clock is None or part is None else clock.candidates()
         if part is not None and any(part.start - HOUR <= seconds < part.end for seconds in hours):
@@ -160,7 +121,7 @@ def _with_part_of(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phra
     walls = [phrase.said.wall for phrase in phrases]
     of = "of" in (word.text for word in words[phrases[0].first : phrases[0].end])
     parted = walls[0].part is not None and not any(wall.part for wall in walls[1:])
-    if not of or not parted or not all(map(_is_listed, walls)):
+    if not of or not parted or not all(map(is_listed, walls)):
         return list(phrases)
     clock = walls[0].clock or walls[-1].clock
     told = (replace(wall, part=walls[0].part, clock=wall.clock or clock, weak=False) for wall in walls)
@@ -181,17 +142,6 @@ def _with_month_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
         else:
             found.append(phrase)
     return found
-
-
-def _with_part_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
-    """Give weekdays the part of the day behind the last of them: "saturday or sunday morning"."""
-    said = phrases[-1].said
-    part = said.wall.part if said.wall.clock is None else None
-    weekdays = all(is_weekday(phrase.said.wall.days) for phrase in phrases)
-    if part is None or said.preposition is not None or not weekdays:
-        return list(phrases)
-    walls = ((phrase, phrase.said.wall) for phrase in phrases)
-    return [phrase if wall.is_timed else phrase.at(replace(wall, part=part)) for phrase, wall in walls]
 
 
 def _before_day(members: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase]:
@@ -250,8 +200,3 @@ def _bound_as(first: Phrase, phrase: Phrase) -> Phrase:
     if bound.constraint in BOUNDS and said.preposition is None and phrase.said.constraint is None:
         said = replace(said, constraint=bound.constraint, preposition=bound.preposition)
     return replace(phrase, said=said)
-
-
-def _is_listed(wall: Wall) -> bool:
-    """Whether it is on a day, as a list may have several."""
-    return wall.days is not None and wall.days.grain is Unit.DAY

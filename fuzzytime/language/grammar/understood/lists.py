@@ -72,8 +72,9 @@ def closed_lists(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexi
 def _are_several(group: Sequence[Phrase]) -> bool:
     """Whether times that only commas join are no one time."""
     several = len(group) > LIST and (all(map(_is_weekday, group)) or all(map(_is_clock, group)))
-    # "Friday at nine, saturday at ten", "at ten, at sunset"
-    return several or all(map(_is_whole, group)) or all(map(_is_at, group))
+    # "Friday at nine, saturday at ten", "at ten, at sunset", "twice in the morning, once at night"
+    alike = all(map(_is_whole, group)) or all(map(_is_at, group))
+    return several or alike or any(map(_is_counted, group))
 
 
 def _joined(
@@ -86,6 +87,9 @@ def _joined(
         if not between or between - lexicon.closed.additions - lexicon.closed.alternatives:
             break
         pair = (group[-1], following)
+        if between == {","} and len({*map(_is_counted, pair)}) > 1:
+            # "Twice tomorrow, at eight and six"
+            break
         either = not between.isdisjoint(lexicon.closed.alternatives)
         both = not either and _are_two_of_a_day(*pair)
         if not both and not all(_is_when(one) or (either and one.said.constraint in BOUNDS) for one in pair):
@@ -102,11 +106,14 @@ def _between(first: Phrase, second: Phrase, words: Sequence[Word], lexicon: Lexi
         lexicon.beside,
         (first, second),
     )
-    joined = between & {"and", "&", ","}
+    joined: set[str] = between & {"and", "&", ","}
     again = (beside.again | beside.beside_twice) - {"then"}
     if joined and between & beside.twice & beside.again and between <= again:
         # "At eight, again at ten and once more at noon"; but "one at eight and another one at noon"
         return {"and"}
+    if joined and between - joined <= beside.one_time:
+        # "Once in the morning and once at night"
+        return joined
     if between & beside.second_choice:
         # "Today if you can, otherwise tomorrow", "at noon or, failing that, at two"
         between -= beside.courteous | lexicon.closed.singular_anaphors
@@ -148,7 +155,15 @@ def _is_when(phrase: Phrase) -> bool:
         return (said.constraint or said.time.constraint) is Constraint.AT
     if isinstance(said.time, Duration):
         return said.constraint is Constraint.AT
+    if _is_counted(phrase):
+        return True
     return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(said.time, Repeat)
+
+
+def _is_counted(phrase: Phrase) -> bool:
+    """Whether it is so many times in one stretch: "twice in the afternoon"."""
+    time = phrase.said.time
+    return isinstance(time, Repeat) and time.times is not None and time.every is None and not time.apart
 
 
 def _is_weekday(phrase: Phrase) -> bool:

@@ -49,9 +49,11 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
     if here.leads is not None and not here.leads.is_open and moments[0].date() == moments[-1].date():
         # "Milk them tomorrow at five and again at half past four pm": the first, however early that is.
         chosen = next((moment for moment in moments if _leads(here, moment, here.leads)), chosen)
-    told = _at_same_hour(here, moments) or _of_night(here, moments)
+    # "The cat at eight, the dog at nine and both at ten": both in the evening
+    same = here.since in moments and not here.usual and not here.carried
+    told = _of_night(here, moments) or (here.since if same else None)
     if told is not None:
-        choices = tuple(moments) if told in moments else ()
+        choices = tuple(moments) if len(moments) > 1 and told in moments else ()
         return Instants(told, told, clock.grain, choices, wall.zone)
     morning = _of_morning(here, moments, clock, named=named)
     if morning is not None and (not here.usual or morning in plausible):
@@ -113,18 +115,6 @@ def _in_day(
     known = moments if here.opened.hour >= NOON else plausible
     later = (moment for moment in known if here.opened < moment and moment.date() == chosen.date())
     return next(later, chosen)
-
-
-def _at_same_hour(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:
-    """Give the moment in the half of the day that the same number was in before, of the same thing.
-
-    "At six on wednesday, thursday and friday": all in the evening, or none.
-    """
-    since = here.since
-    if since is None or not here.listed or len({moment.date() for moment in moments}) > 1 or len(moments) < 2:
-        return None
-    days_apart = since.date() != moments[0].date()
-    return next((moment for moment in moments if days_apart and moment.time() == since.time()), None)
 
 
 def _of_night(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:

@@ -1,8 +1,9 @@
 """From what was said to instants: the time now and the policy decide what the words leave open."""
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import replace
-from datetime import date, datetime, timedelta
+from datetime import date, datetime, time, timedelta
 from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today, is_weekday, moved
@@ -161,7 +162,8 @@ class Grounding(Standpoint):
             inside = None if self.window is None else part_within(wall.part, *self.window)
             return inside or part_alone(wall.part, self.now, self.since, follows=self.follows)
         if wall.clock is not None:
-            return self._clock_on(wall, wall.days, wall.clock)
+            found = self._clock_on(wall, wall.days, wall.clock)
+            return self._as_on_others(wall.others, wall, found) if wall.others else found
         days = self._chosen_day(wall.days, wall.part)
         if wall.part is not None:
             return part_on(days.first, wall.part, self.policy.ahead_from)
@@ -234,6 +236,20 @@ class Grounding(Standpoint):
                 moments = prepared
             return decided(self, sorted(moments), clock, wall)
         raise UngroundedError("a time of day must lie on its day")
+
+    def _as_on_others(self, days: Iterable[Calendar], wall: Wall, found: Instants) -> Instants:
+        """Give a clock time the half of the day that alone is left on another of several days.
+
+        "On monday, wednesday and friday at eight", said on a wednesday at nine: all in the evening.
+        """
+        left = set[time]()
+        for other in days:
+            # "On the 28th and 30th of february at six"
+            with suppress(UngroundedError):
+                there = self.wall(replace(wall, days=other, others=()))
+                left |= set() if there.choices else {there.start.time()}
+        told = next((choice for choice in found.choices if choice.time() in left), found.start)
+        return replace(found, start=told, end=told)
 
     def _beginning_today(self, periods: Iterable[Days]) -> Iterator[Days]:
         """Give what is to come of periods of several days: "at six this week" is no day that is over."""

@@ -34,7 +34,7 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
     """
     first, last = at_middle(said.first), at_middle(said.last)
     if isinstance(first, Wall) and isinstance(last, Wall) and first.clock and last.clock:
-        return _clock_range(clock, first, last)
+        return _day_between(clock, first, last) if said.widest else _clock_range(clock, first, last)
     if (
         isinstance(first, Wall)
         and isinstance(last, Wall)
@@ -215,6 +215,29 @@ def _clock_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
             end = _after(clock, start.start).wall(there)
         return replace(grounded, end=end.start)
     return replace(grounded, end=first_after(start.start, end_clock), zone=first.zone)
+
+
+def _day_between(clock: Standpoint, first: Wall, last: Wall) -> Instants:
+    """Ground what lies between two denied sides: of clock times without am or pm, while people are up.
+
+    "Not before eight or after ten" is from the morning to the evening, what is left of that today.
+    """
+    if first.clock is None or last.clock is None:
+        raise UngroundedError("a range of clock times must have two")
+    policy, open_first = clock.policy, first.clock.is_open
+    up, down = ((end.hour * 60 + end.minute) * 60 for end in (policy.ahead_from, policy.plausible_to))
+    starts = first.clock.candidates()
+    start = next((seconds for seconds in starts if seconds >= up), starts[-1])
+    ends = [seconds for seconds in last.clock.candidates() if seconds > start]
+    end = max((seconds for seconds in ends if seconds <= down), default=min(ends, default=None))
+    begins = replace(first, clock=_settled(first.clock, start) if open_first else first.clock)
+    closes = last.clock if end is None or not last.clock.is_open else _settled(last.clock, end)
+    found = _clock_range(clock, begins, replace(last, clock=closes))
+    begun = found.start - timedelta(days=1)
+    if first.days is last.days is None and (over := first_after(begun, closes)) > clock.now:
+        found = replace(found, start=begun, end=over)
+    halves = sorted((found.start, found.start + timedelta(hours=NOON if start < DAY_SECONDS // 2 else -NOON)))
+    return replace(found, choices=tuple(halves) if open_first else ())
 
 
 def first_after(moment: datetime, clock: Clock) -> datetime:

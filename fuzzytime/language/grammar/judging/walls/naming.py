@@ -94,10 +94,20 @@ class Naming(Standing):
         if said.preposition is None and self.around.before(piece) == "the":
             # As in "Cancel the 7:42".
             return True
+        met = self.is_met(piece.start) or self.around.before(piece) in self.lexicon.doing.meeting
+        if wall.clock.pair and said.preposition == "at" and met and self._is_at_clock(piece.end):
+            # "Meet at seven eleven at noon": that is where.
+            return True
         # As in "Book me on the 7:42", "on the nine thirty".
         pair = wall.clock.pair and said.preposition != "on"
         minutes = wall.clock.grain is Unit.MINUTE and not pair
         return minutes and said.preposition in {"on", "for"} and self.texts[piece.start + 1] == "the"
+
+    def _is_at_clock(self, place: int) -> bool:
+        """Whether "at" and a clock time stand at a place."""
+        led = self.texts[place : place + 1] == ["at"]
+        parts = (one.value for one in self.around.pieces(place + 1) if one.category == "part")
+        return led and (self.measures.is_number(place + 1) or any(part.is_point for part in parts))
 
 
 class Counts(Standing):
@@ -106,24 +116,30 @@ class Counts(Standing):
     def hold(self, piece: Piece, wall: Wall) -> bool:
         """Whether one of its numbers counts something else."""
         several = self._counts_several(piece, wall) or self._counts_feast(piece, wall)
-        return several or self._is_of_parts(piece, wall) or self._goes_on(piece, wall)
-
-    def _goes_on(self, piece: Piece, wall: Wall) -> bool:
-        """Whether what is behind it, or in it, makes it what a thing is for, or one of several things."""
-        joints = self.closed.coordinators_of_days | self.closed.range_joints
-        return self.around.follower(piece) in joints and self._counts_things(piece, wall)
+        return several or self._is_of_parts(piece, wall) or self._counts_things(piece, wall)
 
     def _counts_things(self, piece: Piece, wall: Wall) -> bool:
-        """Whether ordinals count things and no days: "on the first and second floor", "on the 2nd to 3rd"."""
+        """Whether ordinals count things and no days: "on the first, second and fifth floors"."""
         numbered = is_day_of_month(wall.days) and wall.clock is None
         last = piece.end - 1
         if not numbered or not (self.is_ordinal(last) or self.is_ordinal(last - 1)):
             return False
-        behind = piece.end + 1 + (self.texts[piece.end + 1 : piece.end + 2] == ["the"])
-        if not self.is_ordinal(behind):
-            return False
-        typed = self.words[behind].is_digits
-        return not self.around.may_end(piece._replace(end=behind + 1 + typed))
+        end = self._end_of_ordinals(piece.end)
+        return end is not None and not self.around.may_end(piece._replace(end=end))
+
+    def _end_of_ordinals(self, place: int) -> int | None:
+        """Give where ordinals end that are joined at a place: "on the 2nd | to 3rd"; None without one."""
+        joints = self.closed.coordinators_of_days | self.closed.range_joints
+        end, at = place, place
+        while at < len(self.texts):
+            if self.is_ordinal(at) and at > end:
+                at += 1 + self.words[at].is_digits
+                end = at
+            elif self.texts[at] in joints | {",", "the"}:
+                at += 1
+            else:
+                break
+        return end if joints.intersection(self.texts[place:end]) else None
 
     def _counts_feast(self, piece: Piece, wall: Wall) -> bool:
         """Whether its first number counts what a feast has: "two christmas cards"."""

@@ -32,8 +32,8 @@ class WeakWalls(Standing):
         if said.preposition == "to" and self.given.gets_month(piece, wall):
             # "Move the wedding to June"
             return self.around.may_end(piece)
-        if self._is_left_out(piece) and wall.part is None:
-            # "Every monday except the 16th"
+        if self._is_left_out(piece):
+            # "Every monday except the 16th", "every hour from nine to five but lunch"
             return self.around.may_end(piece)
         if numbered and said.preposition is None and self.around.follower(piece) == "as":
             # "Mark the 28th as a holiday"; but "mark the third as done"

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.understood.lists import lists_of
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span, blanked
 
@@ -36,6 +37,9 @@ NONE = Instances()
 
 def instances_of(scanned: Scanned, grammar: Grammar) -> tuple[Scanned, Instances]:
     """Give a text without the words that tell several of one kind apart, each of which has a time."""
+    counts = list(_counts_of_lists(scanned))
+    if counts:
+        scanned = Scanned.of(blanked(scanned.text, counts), grammar, scanned.lexicon, hours=scanned.hours)
     found = _marked(scanned)
     if len(found.starts) < 2 or _begins_alone(scanned, found):
         return scanned, NONE
@@ -45,6 +49,20 @@ def instances_of(scanned: Scanned, grammar: Grammar) -> tuple[Scanned, Instances
     # "Two visits today, one at nine": the first may have its day in front.
     timed = [any(first <= begin < end for first, end in times) for begin in begins]
     return (bare, found) if all(timed) else (scanned, NONE)
+
+
+def _counts_of_lists(scanned: Scanned) -> Iterator[Span]:
+    """Give the words that say how many times stand behind them: "twice, at noon and at five"."""
+    words, pieces = scanned.words, scanned.pieces("times")
+    phrases = phrases_of(scanned) if pieces else ()
+    listed = {times.members[0].first: times for times in lists_of(phrases, words, scanned.lexicon)}
+    whole = {phrase.first: phrase.end for phrase in phrases}
+    for piece in pieces:
+        # "Twice tomorrow, at eight and six"
+        end = whole.get(piece.start, piece.end)
+        times = listed.get(end + (end < len(words) and words[end].text in MARKS))
+        if times is not None and not times.either and len(times.members) == piece.value:
+            yield words[piece.start].start, words[piece.end - 1].end
 
 
 def _begins_alone(scanned: Scanned, found: Instances) -> bool:
@@ -74,7 +92,9 @@ def _marked(scanned: Scanned) -> Instances:
         ):
             continue
         behind = place if form is None else place + len(form)
-        if form is None or behind >= len(words):
+        # "The first | one" is marked already.
+        inside = bool(starts) and words[place].start < starts[-1]
+        if form is None or inside or behind >= len(words):
             continue
         starts.append(words[behind - 1].end)
         marked = len(starts) == 1 and not spoken

@@ -198,10 +198,23 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     if len(between) == SHORTEST_GAP and between[1].text in part.lexicon.ordinals:
         # "The first dose at ten, second at two"
         return True
+    words = one.source.scanned.words
+    if _is_value(between[1:], part.lexicon) and _is_value(
+        words[max(old.first - 2, 0) : old.first], part.lexicon
+    ):
+        # "Thermostat to 21 at seven, 17 at eleven"
+        return True
     # "Tomorrow call Ann at eight and Bob at nine": a tree may have whom for what it becomes.
     objects = part.tree.children(root, "dobj", "oprd")
     things = part.tree.said(objects)
     nodes = [*part.at((between[1].start, between[-1].end))]
+    restricted = part.tree.nodes[nodes[0]].lower in part.lexicon.beside.restricting if nodes else False
+    if restricted:
+        # "Wake both girls at seven, and only nina at eight"
+        nodes = nodes[1:]
+    if nodes[1:] and part.tree.nodes[nodes[-1]].lower in part.lexicon.closed.adverbs_of_repetition:
+        # "The pug at noon, the beagle at one and both again at seven"
+        nodes = nodes[:-1]
     others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
     happens = not part.lexicon.happening.isdisjoint(word.text for word in between)
     # "Lunch at one and dinner at seven", "yoga is at six and judo at eight"
@@ -229,6 +242,12 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     own = len(between) == SHORTEST_GAP and between[1].text in takes_time and not says_how
     named = led or opened or listed or own or (has_object and between[0].text in {"and", ",", "or"})
     return named and not others
+
+
+def _is_value(said: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words are a number, or end with one and a unit: "to 21", "21 degrees"."""
+    numbers = [word.text.isdecimal() or word.text in lexicon.numbers for word in said]
+    return numbers[-1:] == [True] or (numbers[-2:] == [True, False] and said[-1].text.isalpha())
 
 
 def _is_elsewhere(
@@ -291,4 +310,5 @@ def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:
     # "Dad's bike"; but "dad's home", "mum's at the vet"
     owned = part.tree.nodes[place + 1 : place + 2] if node.tag == "POS" else ()
     owns = any(one.tag.startswith("NN") and not says_where(one.lower, part.lexicon) for one in owned)
-    return node.tag in THINGS or node.lower in things or ordered or more or owns
+    whole = node.lower in part.lexicon.closed.universal_pronouns
+    return node.tag in THINGS or node.lower in things or ordered or more or owns or whole

@@ -28,7 +28,17 @@ class ClauseMarkers:
             or self._marks(place, form)
             or self._is_any_time(place, form)
             or self._is_of_verb(place)
+            or self._counts(place, form)
         )
+
+    def _counts(self, place: int, form: tuple[str, ...]) -> bool:
+        """Whether it says how often, of a time that is all behind it: "once at noon and twice at night"."""
+        end = place + len(form)
+        if not self.lexicon.beside.one_time.issuperset(form) or end not in self.covered:
+            return False
+        end = next((p for p in range(end, len(self.words)) if p not in self.covered), len(self.words))
+        behind = {word.text for word in self.words[end : end + 1]}
+        return behind <= self.lexicon.closed.additions | self.lexicon.beside.polite_ends
 
     def _is_any_time(self, place: int, form: tuple[str, ...]) -> bool:
         """Whether it is any time of whatever happens: "I don't have any time left"."""

@@ -8,7 +8,7 @@ from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Rep
 from fuzzytime.language.meaning.joined.distances import HALFWAY, INTO, LATER
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.lent.requested_too import requested_too
-from fuzzytime.language.sentence.together.lent.verbs_again import done_again_of
+from fuzzytime.language.sentence.together.lent.verbs_again import all_again, done_again_of
 from fuzzytime.requirement import Constraint, Reference, Unit
 
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
@@ -59,6 +59,10 @@ def repeated(sketches: list[Sketch], text: str) -> list[Sketch]:
     """Let a time or a thing alone be of what was done before: "then five minutes on high"."""
     found: list[Sketch] = []
     for sketch in sketches:
+        several = all_again(found, sketch, text)
+        if several is not None:
+            found = several
+            continue
         before = _done_before(found, sketch)
         again = None if before is None else done_again_of(before, sketch, text)
         if again is None:

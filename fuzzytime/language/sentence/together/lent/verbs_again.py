@@ -1,14 +1,16 @@
 """What is done again, with another thing or at another time: "feed the cat at eight and the dog at nine"."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
-from fuzzytime.language.meaning.expressions import Offset, Repeat, Said
+from fuzzytime.language.meaning.expressions import Offset, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.distances import LATER
 from fuzzytime.language.sentence.segments.other_cases import OTHER_CASE
-from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.trees.named import takes_verb
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint
@@ -16,27 +18,28 @@ from fuzzytime.requirement import Constraint
 AGAIN = frozenset({"then", OTHER_CASE})
 """Connectives behind which what is done before may be done again: "if it's dry at six, otherwise at nine"."""
 
+TWO = 2
+
 
 def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | None:
     """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
     lexicon = sketch.lexicon
     closed = lexicon.closed
     part = sketch.part
-    spans = list(map(part.span, part.tree.nodes))
-    said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
-    while said and text[slice(*said[-1])] == ",":
-        # "… and with Dominic at eleven, 45 minutes each"
-        said.pop()
+    said = _beside_times(sketch, text)
     rest = text[said[0][0] : said[-1][1]] if said else ""
-    if rest and part.segment.entry:
-        return None
+    own = [span for span in said if span[0] >= part.segment.span[0]]
+    anew = text[own[0][0] : own[-1][1]] if own and sketch.heard else ""
+    if tuple(anew.lower().split()) in lexicon.conversation["again"]:
+        # "Feed the cat at eight and the same again at nine", "baste the roast and repeat this every hour"
+        return before
+    value = _valued_again(before, anew, lexicon) if sketch.phrases else None
+    if value is not None or (rest and part.segment.entry):
+        return value
     shortly = _said_shortly(before, rest, lexicon) if sketch.heard else None
     if shortly is not None:
         return shortly
     said_again = sketch.operation
-    if said_again is not None and said_again.lemma in lexicon.doing.repeating and sketch.phrases:
-        # "Baste the roast, and repeat this every ten minutes"
-        return before if (said_again.object or "it").lower() in closed.singular_anaphors else None
     if said_again is not None and _is_it_after_all(before, said_again, lexicon) and sketch.phrases:
         # "Don't water the plants today, do it tomorrow"
         return replace(before, negated=False)
@@ -58,8 +61,54 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
             return placed
     if not rest or before.object is None:
         return None
-    first = rest.split()[0] if _is_led_later(sketch, said[0]) else text[slice(*spans[0])]
+    first = rest.split()[0] if _is_led_later(sketch, said[0]) else text[slice(*part.span(part.tree.nodes[0]))]
     return _with_another_thing(before, before.object, rest, first, sketch)
+
+
+def all_again(found: Sequence[Sketch], sketch: Sketch, text: str) -> list[Sketch] | None:
+    """Give what was said before with a time that is of several of it; None where none is.
+
+    "Walk the pug at noon and the beagle at one and both again at seven"; but "rent on the first, gas on the
+    tenth, all at nine" says when on those days.
+    """
+    closed = sketch.lexicon.closed
+    said = [text[slice(*span)].lower() for span in _beside_times(sketch, text)]
+    named = [word for word in said if word not in closed.adverbs_of_repetition | {"do", ","}]
+    if len(named) != 1 or named[0] not in closed.wholes | closed.both or not sketch.phrases:
+        return None
+    before: list[Sketch] = []
+    for one in reversed(found):
+        done = one.operation is not None and not one.operation.negated
+        ended = not ENDS.isdisjoint(text_between(one, (before or [sketch])[0], text))
+        if not done or not one.phrases or ended:
+            break
+        before.insert(0, one)
+    before = before[-TWO:] if named[0] in closed.both else before
+    if not before:
+        return None
+    clock = sketch.phrases[0].said.time
+    if isinstance(clock, Wall) and clock.days is None and all(map(_is_on_day, before)):
+        days = ((one, one.phrases[0]) for one in before)
+        timed = (replace(one, phrases=(p.at(replace(clock, days=p.said.wall.days)),)) for one, p in days)
+        return [*found[: -len(before)], *timed]
+    told = replace(sketch, joints=(*sketch.joints, sketch.part.segment.span))
+    return [*found, *(replace(told, operation=one.operation) for one in before)]
+
+
+def _is_on_day(sketch: Sketch) -> bool:
+    """Whether all that is said of when is the day."""
+    wall = sketch.phrases[0].said.wall
+    return len(sketch.phrases) == 1 and wall.days is not None and not wall.is_timed
+
+
+def _beside_times(sketch: Sketch, text: str) -> list[Span]:
+    """Give the words of a sketch that are about no time, without a comma behind them."""
+    spans = map(sketch.part.span, sketch.part.tree.nodes)
+    said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
+    while said and text[slice(*said[-1])] == ",":
+        # "… and with Dominic at eleven, 45 minutes each"
+        said.pop()
+    return said
 
 
 def _with_another_thing(
@@ -105,11 +154,7 @@ def _said_shortly(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
             return replace(before, place=rest)
         # "And back up to 37 degrees at six"
         return replace(before, particle=particle, place=f"to {level}" if level else before.place)
-    # "Ring the bell at six, then again at seven"
-    again = (
-        rest and set(rest.lower().split()) <= lexicon.closed.adverbs_of_repetition - lexicon.particles.keys()
-    )
-    return before if again else None
+    return None
 
 
 def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
@@ -148,6 +193,16 @@ def _counted_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation 
     noun = words[place + 1 :]
     noun = [singular(noun[0]), *noun[1:]] if noun and rest.lower() in {"one", "1"} else noun
     return replace(before, object=" ".join((*words[:place], rest, *noun)))
+
+
+def _valued_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before with another value: "heating to eighteen at ten, twenty at six"."""
+    led, _, value = (before.place or "").partition(" ")
+    values = [one.lower().strip("%°").split() for one in (value, rest.removeprefix(f"{led} "))]
+    numbered = all(words[:1] and (words[0].isdecimal() or words[0] in lexicon.numbers) for words in values)
+    # "To 21 degrees at seven, 17 at eleven"; but "to 21 at seven, 17 chairs at eleven"
+    alike = numbered and values[1][1:] in ([], values[0][1:])
+    return replace(before, place=f"{led} {rest.removeprefix(f'{led} ')}") if alike else None
 
 
 def _goes_on(said: Said) -> bool:

@@ -48,6 +48,9 @@ def _is_again(before: Sketch, sketch: Sketch, draft: Draft) -> bool:
         return False
     if any((new.particle, new.place, new.complement, new.manner, new.order, new.addressee)):
         return False
+    if any(word.text == "again" for word in words_of(draft.text[slice(*sketch.part.segment.span)])):
+        # "Feed the cat at eight and do it again at nine" asks for both.
+        return False
     thing = (new.object or "").lower()
     if new.lemma == "do" and old.lemma != "do":
         return thing in draft.lexicon.closed.singular_anaphors

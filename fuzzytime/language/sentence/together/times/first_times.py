@@ -37,14 +37,15 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     if within is not None:
         return within
     counted, closed = repeat.times is not None, sketch.lexicon.closed
-    joints = closed.alternatives if counted else closed.coordinators
     clocks = [p for p in phrases if p.said.constraint in MOMENTS and p.said.wall.clock is not None]
     said = [
         place
         for place, phrase in enumerate(phrases)
         if first_time(phrase.said) is not None
         and (counted or is_release(phrase.said) or phrase in clocks)
-        and not _between(phrase, every, words) & joints
+        # "At ten and every two hours"; but "every two hours and at ten"
+        and not _between(phrase, every, words)
+        & (closed.alternatives if counted or phrase.first < every.first else closed.coordinators)
     ]
     moments = [place for place in said if not phrases[place].said.is_day] or said
     first = first_time(phrases[moments[0]].said) if len(moments) == 1 else None
