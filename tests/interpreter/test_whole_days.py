@@ -115,3 +115,10 @@ def test_what_goes_on_is_meant_and_not_what_is_done_with_it() -> None:
 def test_two_ends_behind_their_day_say_how_long(line: str, hours: tuple[float, float] | None) -> None:
     lasting = next(iter(_times(line).values()))
     assert lasting == hours if hours else lasting[1] - lasting[0] <= 1
+
+
+def test_a_listed_weekday_that_is_today_follows_the_one_before_it() -> None:
+    made = told(["Rehearse on tuesday and wednesday"])
+    assert [f"{made.instant(time):%a %d}" for time in made.schedule.start_times] == ["Tue 10", "Wed 11"]
+    made = told(["Rehearse on wednesday and thursday"])
+    assert [f"{made.instant(time):%a %d}" for time in made.schedule.start_times] == ["Wed 04", "Thu 05"]

@@ -6,9 +6,9 @@ from dataclasses import replace
 from datetime import date, datetime, time, timedelta
 from itertools import islice
 
-from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today, is_weekday, moved
+from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, is_weekday, moved
 from fuzzytime.language.meaning.days.nested import thirds
-from fuzzytime.language.meaning.days.relations import Following, Relative, days_onward
+from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Edge,
@@ -30,6 +30,7 @@ from fuzzytime.language.meaning.grounded.chosen_clocks import (
     same_day_after,
     within_window,
 )
+from fuzzytime.language.meaning.grounded.counted_from import day_counted_from
 from fuzzytime.language.meaning.grounded.dated_weekdays import nearest
 from fuzzytime.language.meaning.grounded.part_instants import part_alone, part_on, part_within
 from fuzzytime.language.meaning.grounded.range_instants import range_instants
@@ -125,7 +126,7 @@ class Grounding(Standpoint):
         UngroundedError
             If there is none.
         """
-        today = self._day_said(calendar)
+        today = day_counted_from(self, calendar)
         if isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None:
             yield from nearest(calendar, self.today)
             return
@@ -135,20 +136,6 @@ class Grounding(Standpoint):
             raise UngroundedError("there is no such date")
         yield first
         yield from upcoming
-
-    def _day_said(self, calendar: Calendar) -> Today:
-        """Give the day to count from: today, or for "the day after" that said before, if it is to come."""
-        # "The weekend after" is behind that day.
-        base = calendar.anchor if isinstance(calendar, Following) else calendar
-        onward = days_onward(base)
-        said = self.day or self.since
-        if isinstance(base, Relative) and base.event:
-            said = self.event or said
-        if said is None and onward == 0:
-            raise UngroundedError("which day is meant is not said")
-        if onward is not None and said is not None and said.date() > self.now.date():
-            return replace(self.today, day=said.date())
-        return self.today
 
     # -- wall-clock expressions -------------------------------------------------------------------------
 
