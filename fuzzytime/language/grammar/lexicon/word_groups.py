@@ -24,6 +24,7 @@ class ClosedClasses(NamedTuple):
     sure_noun_openers: Words
     before_numbers: Words
     of_units: Words
+    ways: Words
     distributives: Words
     each_of_several: Words
     coming: Words

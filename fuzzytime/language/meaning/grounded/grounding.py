@@ -164,6 +164,8 @@ class Grounding(Standpoint):
             return next((days for days in candidates if midnight(days.first) > self.now), first)
         if is_weekday(calendar) and first.first == self.now.date():
             over = part is not None and midnight(first.first) + timedelta(seconds=part.end) <= self.now
+            # "On tuesday and wednesday", said on a wednesday, is the wednesday that follows.
+            over = over or (self.listed and self.day is not None and self.day.date() > first.first)
             if over or (part is None and self.policy.same_weekday is SameWeekday.NEXT):
                 return next(candidates, first)
         return first
