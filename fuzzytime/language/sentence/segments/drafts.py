@@ -31,6 +31,7 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.lists.runs import run_apart, switched_apart
 from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed, timed_lines
+from fuzzytime.language.sentence.segments.lists.unmarked import with_commas
 from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside
 from fuzzytime.language.sentence.segments.rounds import parted
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
@@ -189,7 +190,7 @@ def _without_parts(
     """
     marks, tags = list_marks(entry, lexicon), leading_tags(text)
     timed = max(timed, how_timed([entry], lexicon))
-    plain = blanked(without_marks(entry, marks), tags)
+    plain = with_commas(blanked(without_marks(entry, marks), tags), grammar, lexicon)
     hours, listed = hours_in(plain, lexicon, timed), timed >= Timed.MOST
     plain = without_joints(plain, hours, lexicon, listed=listed)
     plain = blanked(plain, leading_labels(plain, lexicon))

@@ -1,13 +1,12 @@
 """Entries that follow each other without a mark, told apart by their times: "8:00 up 8:15 mails 9:00 tea".
 
-Three at least, of which each begins with its time, or each ends with it. One that begins with the number of
-what hardly has another is an entry too: "10am vet 12 lunch 3pm pick up car".
+Three at least, of which each begins with its time. One that begins with the number of what hardly has another
+is an entry too: "10am vet 12 lunch 3pm pick up car". Those that end in their times are ``unmarked``.
 """
 
 import re
 from collections.abc import Iterator, Sequence
 from functools import cache
-from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.timetables import HALF_DAY
@@ -52,21 +51,17 @@ def _pauses(text: str, line: Span, lexicon: Lexicon) -> Iterator[int]:
     tokens = list(_numbers(lexicon.beside.of_hours).finditer(text, *line))
     if len(tokens) < (LEAST if all(found[0].startswith("@") for found in tokens) else SHORTEST):
         return
-    leads = not text[line[0] : tokens[0].start()].strip(" -*")
-    last = text[tokens[-1].end() : line[1]].strip(" .!")
-    if not leads and last:
+    if text[line[0] : tokens[0].start()].strip(" -*"):
         return
-    tokens = [found for found in tokens if found["sure"] or (leads and _is_hour(text, found, lexicon))]
+    tokens = [found for found in tokens if found["sure"] or _is_hour(text, found, lexicon)]
     if len(tokens) < LEAST or tokens[0]["sure"] is None:
         return
-    bounds = [found.span() for found in tokens]
-    things = _behind(text, line, bounds) if leads else _in_front(text, line, bounds)
-    if not all(_names(thing, lexicon, leads=leads) for thing in things):
+    things = _behind(text, line, [found.span() for found in tokens])
+    if not all(_names(thing, lexicon) for thing in things):
         return
-    for before, found in pairwise(tokens):
-        place = found.start() - 1 if leads else before.end()
-        if text[place].isspace():
-            yield place
+    for found in tokens[1:]:
+        if text[found.start() - 1].isspace():
+            yield found.start() - 1
 
 
 def _behind(text: str, line: Span, times: Sequence[Span]) -> list[str]:
@@ -75,22 +70,15 @@ def _behind(text: str, line: Span, times: Sequence[Span]) -> list[str]:
     return [text[time[1] : end] for time, end in zip(times, ends, strict=True)]
 
 
-def _in_front(text: str, line: Span, times: Sequence[Span]) -> list[str]:
-    """Give what stands in front of each time of a line."""
-    begins = (line[0], *(end for _, end in times[:-1]))
-    return [text[begin : time[0]] for begin, time in zip(begins, times, strict=True)]
-
-
-def _names(thing: str, lexicon: Lexicon, *, leads: bool) -> bool:
+def _names(thing: str, lexicon: Lexicon) -> bool:
     """Whether words name something, right beside the time that they are said of."""
     words = words_of(thing)
     if not words or not words[0].is_letters:
         return False
-    beside = words[0] if leads else words[-1]
-    own = beside.is_letters and beside.text not in lexicon.function_words
+    own = words[0].text not in lexicon.function_words
     # As in "walk the dog and | 8:00".
     open_ended = words[-1].text in lexicon.function_words - lexicon.places
-    return own and not open_ended and not lexicon.means(beside.text, "unit", "preposition_before")
+    return own and not open_ended and not lexicon.means(words[0].text, "unit", "preposition_before")
 
 
 def _is_hour(text: str, found: re.Match[str], lexicon: Lexicon) -> bool:
