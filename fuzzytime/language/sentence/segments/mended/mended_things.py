@@ -34,7 +34,9 @@ def with_whole_things(tree: Tree) -> Tree:
         _with_next_one(
             _with_numbered_subject(
                 _with_last_noun(
-                    _with_second(_with_somebody(_with_people(_with_apposed(_with_surname(_with_title(tree))))))
+                    _with_second(
+                        _with_somebody(_with_people(_with_apposed(_with_surname(_with_title(tree)))))
+                    )
                 )
             )
         )
