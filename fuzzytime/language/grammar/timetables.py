@@ -9,6 +9,8 @@ from fuzzytime.language.grammar.words import Word
 
 SEPARATORS = frozenset({",", ";", "\n"})
 """Marks between entries."""
+NEXT = "then"
+"""Word between entries, alone or behind a mark."""
 JOINTS = frozenset({":", "."})
 """Marks between hour and minute."""
 TO = frozenset({"to", "till", "til", "until"})
@@ -249,7 +251,7 @@ def _entries(words: Sequence[Word]) -> Iterator[tuple[int, int]]:
     """Give where each entry begins, and one past where it ends, without the full stop."""
     first = 0
     for place in range(len(words) + 1):
-        if place < len(words) and words[place].text not in SEPARATORS:
+        if place < len(words) and words[place].text not in {*SEPARATORS, NEXT}:
             continue
         last = place - (place > first and words[place - 1].text == ".")
         if last > first:

@@ -98,21 +98,21 @@ def _named_itself(thing: str, lexicon: Lexicon) -> list[str]:
 
 
 def names_one(nodes: Sequence[Node], lexicon: Lexicon) -> bool:
-    """Whether nouns name one thing, whatever the first may ask for: "weight check"; but "clean bathroom".
+    """Whether nouns name one thing, whatever the first may ask for: "weight check"; but "grease tin".
 
-    What is often asked for is a noun in front of what happens alone: "press conference". Nor is anybody
-    asked to miss "miss finch".
+    That is so by the last: it happens, is done, is looked up, or comes. Who is often asked for something is
+    only in front of what happens: "press conference". Nor is anybody asked to miss "miss finch".
     """
     further = nodes[1:]
     if not further or any(node.tag not in {"NN", "NNP"} for node in further):
         return False
-    first = nodes[0]
-    doing, last = lexicon.doing, further[-1].lower
+    first, last, doing = nodes[0], further[-1].lower, lexicon.doing
     if first.lower in lexicon.beside.titles_of_persons and not has_time(last, lexicon):
         return True
+    if not first.may_name or first.relation != "compound" or first.tag not in {"NN", "JJ"}:
+        return False
     appoints = doing.of_events | lexicon.appointing | lexicon.rescheduling
-    asked = appoints.union(lexicon.orders, lexicon.addressing, doing.errands)
     happens = last in lexicon.happening | lexicon.taken and not lexicon.means(last, "meal")
-    happens = happens and first.lower not in appoints
-    kinds = {"compound"} if first.tag in {"NN", "JJ"} else ()
-    return first.may_name and first.relation in kinds and (happens or first.lower not in asked)
+    asked = lexicon.orders | lexicon.addressing | doing.errands
+    known = lexicon.orders.union(lexicon.amount_nouns, lexicon.workers, lexicon.reading)
+    return first.lower not in appoints and (happens or (last in known and first.lower not in asked))

@@ -120,8 +120,9 @@ def _others(wish: Wish, here: int, end: int, first: int) -> int:
     acts = node.may_act and not numbered
     acts = acts or node.lower in lexicon.addressing | lexicon.closed.negative_pronouns
     # "Clean kitchen at ten, windows at noon", "revise biology at ten, french at noon"
-    moving = lexicon.doing.moments | lexicon.orders | lexicon.results | lexicon.particles.keys()
-    alone = node.tag in {"VBZ", "JJ"} and here + 1 in wish.timed and node.may_name
+    moving = lexicon.orders | lexicon.needing_nothing | lexicon.timing | lexicon.doing.moments
+    moving |= lexicon.results | lexicon.particles.keys()
+    alone = node.tag in {"VBZ", "JJ", "NN"} and here + 1 in wish.timed and node.may_name
     named = (alone and node.lower not in moving) or (node.tag.startswith("NN") and not acts)
     bare = named and nodes[first].lower not in openers
     if not (somebody or called or bare):

@@ -27,6 +27,7 @@ MARKS = (
     re.compile(r"(?<=\s)\|{1,2}(?=\s)"),
     re.compile(r"(?<=\s)/{1,2}(?=\s)"),
     re.compile(r"(?<=\s)>(?=\s)"),
+    re.compile(r"(?<=\s)[+*](?=\s)"),
     re.compile(r"(?<=\s)[-–—]{1,2}(?=\s)"),
     re.compile(r"(?<=\S)(?:[ \t]{2,}|\t)(?=\S)"),
 )
