@@ -172,7 +172,7 @@ def _are_chores(entries: Sequence[Sequence[Word]], lexicon: Lexicon) -> bool:
     numbers = [entry[-1] for entry in entries]
     hours = [lexicon.numbers.get(word.text, int(word.text) if word.is_digits else 0) for word in numbers]
     since = [(hour - FIRST_HOUR) % HALF_DAY for hour in hours]
-    ordered = entries[0][0].text in lexicon.orders and len(entries[0]) > SHORTEST
+    ordered = entries[0][0].text in lexicon.chores and len(entries[0]) > SHORTEST
     # "Water beds 3, pots 4"
     ordered = ordered and not all(map(looks_plural, named))
     called = lexicon.called_by_number.issuperset(named) or len(set(named)) < len(named)

@@ -195,8 +195,10 @@ def happens_too(wish: Wish) -> list[Stretch] | None:
     alone = said and not tree.children(root, "dobj", "neg", "aux", "expl") and wish.names(0, root)
     bare = alone and not wish.is_name(0) and not wish.is_name(wish.start)
     named = bare and wish.end < len(tree.nodes) and wish.names(wish.start, wish.end)
-    # "The taxi comes at eight, flight at ten"
-    apart = named and is_of_its_own(wish.text(wish.start, wish.end), wish.lexicon)
+    # "The taxi comes at eight, flight at ten", "the shop opens at nine and the bus leaves at ten"
+    moving = wish.lexicon.doing.moments | wish.lexicon.doing.several_timed
+    apart = named and (tree.nodes[wish.end - 1].lower in moving)
+    apart = apart or (named and is_of_its_own(wish.text(wish.start, wish.end), wish.lexicon))
     return [(wish.end, range(root, end))] if named and not apart else None
 
 
