@@ -1,7 +1,7 @@
 """Lists in which each entry ends, or begins, with its hour: "vet 10, dentist 3", "10am vet; 12 lunch"."""
 
 from collections.abc import Iterator, Sequence
-from itertools import takewhile
+from itertools import pairwise, takewhile
 
 from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -9,6 +9,8 @@ from fuzzytime.language.grammar.words import Word
 
 SEPARATORS = frozenset({",", ";", "\n"})
 """Marks between entries."""
+NEXT = "then"
+"""Word between entries, alone or behind a mark."""
 JOINTS = frozenset({":", "."})
 """Marks between hour and minute."""
 TO = frozenset({"to", "till", "til", "until"})
@@ -35,6 +37,8 @@ MINUTED = 3
 """Words of an hour with its minutes: "7:30"."""
 SURELY = 2
 """Entries with minutes or a half of the day beside which a number alone is an hour of what lasts, too."""
+FIRST_HOUR = 7
+"""Hour from which those of a list go up."""
 LONGEST_STREET = 3
 """Words of the name of a street at most."""
 CALLED = 3
@@ -145,8 +149,8 @@ def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexico
         words[first].text in goes_on and length == 1
         for (first, _), length in zip(entries, lengths, strict=True)
     )
-    if lasting and exact < SURELY:
-        # "Shape it 6:30, bake 40"; but "dough out 6am, shape 6:30, bake 7"
+    if lasting and exact + sum(has_time(text, lexicon) for text in named) < SURELY:
+        # "Shape it 6:30, bake 40"; but "dough out 6am, shape 6:30, bake 7", "swim 9, brunch 11, film 3.30"
         return False
     led = any(words[last - 1].text.startswith("0") for _, last in entries)
     # "Call ann 9, feed the cat at 10"
@@ -155,7 +159,24 @@ def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexico
     )
     # "Lights on 6; off 8"
     switched = len(set(named)) > 1 and lexicon.beside.switched.issuperset(named)
-    return exact > 0 or led or called or switched or any(has_time(text, lexicon) for text in named)
+    timed = exact > 0 or led or called or switched or any(has_time(text, lexicon) for text in named)
+    return timed or _are_chores([words[first:last] for first, last in entries], lexicon)
+
+
+def _are_chores(entries: Sequence[Sequence[Word]], lexicon: Lexicon) -> bool:
+    """Whether one chore after another has its hour: "clean bathroom ten, kitchen eleven".
+
+    Nothing is only called by its number, and the hours go up from the first on in the morning.
+    """
+    named = [entry[-2].text for entry in entries]
+    numbers = [entry[-1] for entry in entries]
+    hours = [lexicon.numbers.get(word.text, int(word.text) if word.is_digits else 0) for word in numbers]
+    since = [(hour - FIRST_HOUR) % HALF_DAY for hour in hours]
+    ordered = entries[0][0].text in lexicon.chores and len(entries[0]) > SHORTEST
+    # "Water beds 3, pots 4"
+    ordered = ordered and not all(map(looks_plural, named))
+    called = lexicon.called_by_number.issuperset(named) or len(set(named)) < len(named)
+    return ordered and not called and all(a < b for a, b in pairwise(since))
 
 
 def _are_prices(said: Sequence[tuple[Sequence[Word], str]], lexicon: Lexicon) -> bool:
@@ -230,7 +251,7 @@ def _entries(words: Sequence[Word]) -> Iterator[tuple[int, int]]:
     """Give where each entry begins, and one past where it ends, without the full stop."""
     first = 0
     for place in range(len(words) + 1):
-        if place < len(words) and words[place].text not in SEPARATORS:
+        if place < len(words) and words[place].text not in {*SEPARATORS, NEXT}:
             continue
         last = place - (place > first and words[place - 1].text == ".")
         if last > first:

@@ -11,6 +11,7 @@ class Doing(NamedTuple):
     labels: Words
     arriving: Words
     loading: Words
+    with_the_living: Words
     leaving: Words
     being_there: Words
     getting_there: Words
@@ -70,6 +71,7 @@ class Doing(NamedTuple):
     phases: Words
     stopping: Words
     happening: Words
+    verb_prefixes: Words
     surely_timed: Words
     timed: Words
     several_timed: Words

@@ -33,6 +33,9 @@ class Compared(LookedUp):
             # "When it is past six"; but "when it climbs past 12"
             return bool(begin) and verb in self.beside.of_readings and self._compares(piece, verb)
         said = self.words[begin:place]
+        if len(said) == 1 and marker[-1] in self.lexicon.ordinals:
+            # "The second bell is at two"
+            return False
         # "If the meeting goes past 6", "if Bob works past six"
         untimed = not any(word.capital or has_time(word.text, self.lexicon) for word in said)
         if verb in SIGNS or verb in self.closed.stative_verbs:

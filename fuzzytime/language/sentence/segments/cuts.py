@@ -14,7 +14,7 @@ from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_le
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
-from fuzzytime.language.sentence.trees.named import takes_verb
+from fuzzytime.language.sentence.trees.named import may_have_it_done, takes_verb
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
 from fuzzytime.language.sentence.verbs.statements.called import person_due
@@ -140,10 +140,13 @@ def _due_too(part: Part, start: int) -> str | None:
 def _takes_verb(one: Waiting, part: Part, start: int) -> bool:
     """Whether the same is done with what is named there: not so of "ring bob at six, lunch at one"."""
     text, verb = one.source.scanned.text, part.tree.nodes[part.tree.root]
+    other = next(part.tree.at(start - part.offset, start - part.offset + 1), part.tree.root)
+    if not may_have_it_done(verb.lemma, part.tree.nodes[other], part.lexicon):
+        return False
     times = [phrase.span[0] for phrase in one.source.phrases]
     named = part.offset + verb.end, start
-    first, other = (text[at : min((t for t in times if t > at), default=None)] for at in named)
-    return takes_verb(verb.lemma, first, other, part.lexicon)
+    first, second = (text[at : min((t for t in times if t > at), default=None)] for at in named)
+    return takes_verb(verb.lemma, first, second, part.lexicon)
 
 
 def _is_told(one: Waiting, part: Part, start: int) -> bool:

@@ -29,8 +29,8 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
     without_bullets,
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
-from fuzzytime.language.sentence.segments.lists.runs import run_apart, switched_apart
 from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed, timed_lines
+from fuzzytime.language.sentence.segments.lists.unmarked import with_marks_between
 from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside
 from fuzzytime.language.sentence.segments.rounds import parted
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
@@ -190,7 +190,7 @@ def _without_parts(
     """
     marks, tags = list_marks(entry, lexicon), leading_tags(text)
     timed = max(timed, how_timed([entry], lexicon))
-    plain = blanked(without_marks(entry, marks), tags)
+    plain = with_marks_between(blanked(without_marks(entry, marks), tags), grammar, lexicon)
     hours, listed = hours_in(plain, lexicon, timed), timed >= Timed.MOST
     plain = without_joints(plain, hours, lexicon, listed=listed)
     plain = blanked(plain, leading_labels(plain, lexicon))
@@ -226,7 +226,6 @@ def _in_entries(
     """Scan a text with a stop between each two entries of a line; ``hours`` are marked as such."""
     marked = "".join(MARKS.get(c, c) if place in hours else c for place, c in enumerate(text))
     apart = divided(marked, grammar, lexicon, listed=listed)
-    apart = switched_apart(run_apart(apart, lexicon), lexicon)
     typed = "".join(text[place] if place in hours else c for place, c in enumerate(apart))
     return Scanned.of(typed, grammar, lexicon, hours=hours)
 

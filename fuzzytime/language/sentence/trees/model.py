@@ -37,6 +37,9 @@ GLUED_AT = re.compile(r"(?<=[a-z])@(?=\d{1,2}(?:[:.]\d\d)?(?:[ap]m)?(?![\w@-]|\.
 NAME = "Tim"
 """What stands for what is quoted: a tree has it for a thing that is named."""
 
+COMMA = r"(?<=\d),(?=[^\W\d])"
+"""A comma between an hour and the next word, without a space: "gym 9,shop 10"."""
+
 UNUSED = ("ner", "senter")
 """Components that change no parse."""
 
@@ -86,9 +89,12 @@ def _version(description: Path) -> str:
 @cache
 def _pipeline(name: str) -> Any:  # noqa: ANN401 - spaCy's type, which must not be imported
     try:
-        return importlib.import_module(name).load(exclude=list(UNUSED))
+        pipeline = importlib.import_module(name).load(exclude=list(UNUSED))
     except (ImportError, OSError, ValueError) as error:
         raise ModelError(f"the model {name} must load: {error}") from error
+    inside = "|".join((*pipeline.Defaults.infixes, COMMA))
+    pipeline.tokenizer.infix_finditer = re.compile(inside).finditer
+    return pipeline
 
 
 @cache
@@ -134,7 +140,7 @@ def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Ite
                 token.lemma_.lower(),
                 token.dep_,
                 token.head.i,
-                bool({token.lower_, token.lemma_} & verbs),
+                bool(_forms(token, verbs | names, lexicon) & verbs),
                 bool({token.lower_, token.lemma_} & names),
             )
             for token, (start, end) in zip(doc, spans, strict=True)
@@ -142,6 +148,14 @@ def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Ite
         )
         places = [token.i for token in doc if not token.is_space]
         yield Tree(text, _renumbered(nodes, places), lexicon)
+
+
+def _forms(token: Any, known: frozenset[str], lexicon: Lexicon) -> set[str]:  # noqa: ANN401 - spaCy's
+    """Give a word as it stands and as a dictionary has it; without "un" where that lacks it: "unclamp"."""
+    forms = {token.lower_, token.lemma_}
+    if not known.isdisjoint(forms):
+        return forms
+    return {form.removeprefix(prefix) for form in forms for prefix in lexicon.doing.verb_prefixes}
 
 
 def _spans(text: str, tokens: Iterable[tuple[int, int]]) -> Iterator[Span]:

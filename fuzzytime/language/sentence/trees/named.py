@@ -1,9 +1,13 @@
 """What an object names: a thing or a person, one or several; what pronouns may stand for."""
 
+from collections.abc import Sequence
+
 from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.trees.tree import Node
 
 
 def names_person(thing: str, lexicon: Lexicon) -> bool:
@@ -51,6 +55,12 @@ def takes_verb(verb: str, first: str, other: str, lexicon: Lexicon) -> bool:
     return called or for_events
 
 
+def may_have_it_done(verb: str, named: Node, lexicon: Lexicon) -> bool:
+    """Whether what a word begins to name may be what a verb is done with: to walk is no "biscuit"."""
+    alive = lexicon.people | lexicon.animals | lexicon.closed.noun_openers
+    return verb not in lexicon.doing.with_the_living or not named.may_name or named.lower in alive
+
+
 def is_of_its_own(thing: str, lexicon: Lexicon) -> bool:
     """Whether words name what happens, or is done, without a verb: "a nap", "the party"; but "the gym"."""
     words = _named_itself(thing, lexicon) or [""]
@@ -85,3 +95,24 @@ def _named_itself(thing: str, lexicon: Lexicon) -> list[str]:
     words = [word.text for word in words_of(thing)]
     inside = (place for place, word in enumerate(words) if word in lexicon.closed.prepositions_of_nouns)
     return words[: next((place for place in inside if place), len(words))]
+
+
+def names_one(nodes: Sequence[Node], lexicon: Lexicon) -> bool:
+    """Whether nouns name one thing, whatever the first may ask for: "weight check"; but "grease tin".
+
+    That is so by the last: it happens, is done, is looked up, or comes. Who is often asked for something is
+    only in front of what happens: "press conference". Nor is anybody asked to miss "miss finch".
+    """
+    further = nodes[1:]
+    if not further or any(node.tag not in {"NN", "NNP"} for node in further):
+        return False
+    first, last, doing = nodes[0], further[-1].lower, lexicon.doing
+    if first.lower in lexicon.beside.titles_of_persons and not has_time(last, lexicon):
+        return True
+    if not first.may_name or first.relation != "compound" or first.tag not in {"NN", "JJ"}:
+        return False
+    appoints = doing.of_events | lexicon.appointing | lexicon.rescheduling
+    happens = last in lexicon.happening | lexicon.taken and not lexicon.means(last, "meal")
+    asked = lexicon.orders | lexicon.addressing | doing.errands
+    known = lexicon.orders.union(lexicon.amount_nouns, lexicon.workers, lexicon.reading)
+    return first.lower not in appoints and (happens or (last in known and first.lower not in asked))

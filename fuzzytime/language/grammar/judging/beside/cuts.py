@@ -77,6 +77,8 @@ class Cuts(Standing):
                 after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
                 # "(Call mum at 9.)": what closes behind a full stop is no part of a number.
                 runs = after is not None and after.glued and (after.text[0].isalnum() or after.text == "-")
+                # "Dentist 9.30,gym 11"
+                runs = runs and not (word.text == "," and after is not None and after.is_letters)
                 if word.text in {"%", "°"} or runs:
                     return True
         return self._runs_before(piece)

@@ -93,11 +93,18 @@ def _is_share(piece: Piece, around: Surroundings) -> bool:
 
 
 def _is_title(piece: Piece, around: Surroundings) -> bool:
-    """Whether it is a part of the day that begins the name of a thing: "Evening tablets at nine"."""
+    """Whether it is a part of the day that begins the name of a thing: "Evening tablets at nine".
+
+    So it may behind a mark, where the thing has its own time: "lunch at one, afternoon tea at four".
+    """
     named = around.follower(piece)
+    bound = around.lexicon.closed.prepositions_of_points.intersection(
+        around.texts[piece.end + 1 : piece.end + 2]
+    )
+    opens = not piece.start or (bool(bound) and around.before(piece) in around.beside.sentence_starts)
     known = named in around.lexicon.function_words or around.timely(piece.end)
     told = named in around.lexicon.beside.saying
-    return piece.category == "part" and piece.start == 0 and (told or (named.isalpha() and not known))
+    return piece.category == "part" and opens and (told or (named.isalpha() and not known))
 
 
 def _is_from_the_past(piece: Piece, around: Surroundings) -> bool:
@@ -145,16 +152,19 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
         # "Rewind two minutes"
         return True
     numbered = piece.end < len(around.words) and around.words[piece.end].is_digits
-    if piece.category == "unit" and numbered and around.words[piece.start].capital:
-        # "Year 4"
+    # "Year 4", "a test for year two"
+    called = numbered and around.words[piece.start].capital
+    one = around.texts[piece.start] == Unit.YEAR
+    called = called or (unit is Unit.YEAR and one and around.is_number(piece.end))
+    if piece.category == "unit" and called:
         return True
-    called = around.before(piece)
+    before = around.before(piece)
     led = around.texts[max(0, piece.start - LED) : piece.start - 1]
-    one = bool(led) and BOUND.isdisjoint(led)
-    if piece.category == "unit" and called.isalpha() and (around.texts[piece.start].endswith("s") or one):
+    apart = bool(led) and BOUND.isdisjoint(led)
+    if piece.category == "unit" and before.isalpha() and (around.texts[piece.start].endswith("s") or apart):
         # "Visiting hours", "it's trash day"; but "on boss day"
-        known = called in around.lexicon.function_words or called in around.lexicon.entries
-        if not known and called not in around.lexicon.numbers:
+        known = before in around.lexicon.function_words or before in around.lexicon.entries
+        if not known and before not in around.lexicon.numbers:
             return True
     named = around.before(piece) in around.closed.of_units
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""

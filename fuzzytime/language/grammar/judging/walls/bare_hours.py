@@ -32,6 +32,10 @@ class BareHours(Standing):
     def accept_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
         listed = said.preposition in {"at", "for"} and bool(self.run_on.behind(wall.clock, piece.end))
+        # "Vet 9.15, pick up hay 10"; but "undock at 9.30, drive to shelf 4"
+        alone = said.preposition is None and self.words[piece.start].is_digits
+        alone = alone and not self.measures.named(piece)
+        listed = listed or (alone and self._is_listed(piece))
         if listed or self.reminds(piece) or self._leads_entry(piece, said) or self._opens_line(piece, said):
             return True
         # "@1415 upstairs"

@@ -7,6 +7,7 @@ from dataclasses import replace
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.borrowed_words.frames import (
     acts_too,
+    happens_too,
     is_asked_too,
     is_done_too,
     is_gone_for_too,
@@ -32,6 +33,7 @@ KINDS: tuple[Kind, ...] = (
     lets_too,
     is_gone_for_too,
     acts_too,
+    happens_too,
     is_done_too,
     is_given_too,
     is_done_elsewhere,

@@ -10,7 +10,7 @@ from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import (
     end_of,
     front_of,
 )
-from fuzzytime.language.sentence.trees.named import takes_verb
+from fuzzytime.language.sentence.trees.named import is_of_its_own, takes_verb
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, PAST, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
@@ -184,6 +184,22 @@ def acts_too(wish: Wish) -> list[Stretch] | None:
         tree.nodes[thing].tag in DETERMINERS or tree.nodes[thing].lower in tree.lexicon.closed.owning_alone
     )
     return [(thing, range(behind, end_of(wish, root)))] if opened else None
+
+
+def happens_too(wish: Wish) -> list[Stretch] | None:
+    """Give what other things do as well: "bread" comes out "at ten, pies at noon"."""
+    tree, root = wish.tree, wish.tree.root
+    end = root + 1
+    end += end < wish.start and tree.nodes[end].lower in wish.lexicon.particles
+    said = 0 < root < wish.start and tree.nodes[root].tag in {"VBZ", "VBP"} and end in wish.timed
+    alone = said and not tree.children(root, "dobj", "neg", "aux", "expl") and wish.names(0, root)
+    bare = alone and not wish.is_name(0) and not wish.is_name(wish.start)
+    named = bare and wish.end < len(tree.nodes) and wish.names(wish.start, wish.end)
+    # "The taxi comes at eight, flight at ten", "the shop opens at nine and the bus leaves at ten"
+    moving = wish.lexicon.doing.moments | wish.lexicon.doing.several_timed
+    apart = named and (tree.nodes[wish.end - 1].lower in moving)
+    apart = apart or (named and is_of_its_own(wish.text(wish.start, wish.end), wish.lexicon))
+    return [(wish.end, range(root, end))] if named and not apart else None
 
 
 def is_sure_too(wish: Wish) -> list[Stretch] | None:

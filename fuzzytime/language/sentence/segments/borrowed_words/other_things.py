@@ -6,7 +6,7 @@ from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import (
     front_of,
     ordered,
 )
-from fuzzytime.language.sentence.trees.named import is_of_its_own
+from fuzzytime.language.sentence.trees.named import is_of_its_own, may_have_it_done
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -35,8 +35,9 @@ def is_done_elsewhere(wish: Wish) -> list[Stretch] | None:
     said = range(here + named, end)
     if not named or any(_tells(wish, place, said.start) for place in range(here + 1, end)):
         return None
-    if is_of_its_own(wish.text(here, said.start), wish.lexicon):
-        # "Feed the cat at six and the match at eight"
+    done = may_have_it_done(tree.nodes[verb.start].lemma, tree.nodes[here], wish.lexicon)
+    if not done or is_of_its_own(wish.text(here, said.start), wish.lexicon):
+        # "Walk bella at six, biscuit at seven", "feed the cat at six and the match at eight"
         return None
     front = front_of(wish, verb.start)
     joined = any(tree.nodes[p].lower in closed.joints_of_orders for p in front)
@@ -89,6 +90,10 @@ def _acting(wish: Wish) -> range | None:
         verb = range(place, place + 1 + carried)
         thing = nodes[verb.stop]
         somebody = openers | lexicon.people
+        alone = place and verb.stop in wish.timed and node.is_verb and node.lower in lexicon.needing_nothing
+        if alone and nodes[wish.start].lower not in openers:
+            # "Pick up kids at 3, swim at 4, tea at 5.30"
+            return None
         if verb.stop in wish.timed or not (thing.lower in somebody or thing.tag.startswith("NN")):
             continue
         asked = lexicon.addressing - lexicon.doing.recalling
@@ -114,7 +119,12 @@ def _others(wish: Wish, here: int, end: int, first: int) -> int:
     numbered = all(nodes[p + 1].tag == "CD" for p in (here, first) if p + 1 < len(nodes))
     acts = node.may_act and not numbered
     acts = acts or node.lower in lexicon.addressing | lexicon.closed.negative_pronouns
-    bare = not acts and node.tag.startswith("NN") and nodes[first].lower not in openers
+    # "Clean kitchen at ten, windows at noon", "revise biology at ten, french at noon"
+    moving = lexicon.orders | lexicon.needing_nothing | lexicon.timing | lexicon.doing.moments
+    moving |= lexicon.results | lexicon.particles.keys()
+    alone = node.tag in {"VBZ", "JJ", "NN"} and here + 1 in wish.timed and node.may_name
+    named = (alone and node.lower not in moving) or (node.tag.startswith("NN") and not acts)
+    bare = named and nodes[first].lower not in openers
     if not (somebody or called or bare):
         return 0
     ends = (p for p in range(here + 1, end) if not wish.names(p, p + 1) or nodes[p].lower in openers)

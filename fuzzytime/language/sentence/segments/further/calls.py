@@ -20,7 +20,10 @@ NUMBERED = 2
 MARKS = frozenset({",", ":"})
 """What may stand behind a name that is called."""
 
-LEADING = frozenset({"IN", "RP", "TO", "RB"})
+PARTICLES = frozenset({"IN", "RP"})
+"""Tags of words that say where: "out the door"."""
+
+LEADING = PARTICLES | {"TO", "RB"}
 """Tags of words that an order without an object may go on with: "dock at the gate"."""
 
 FINITE = frozenset({"VBZ", "VBD", "MD"})
@@ -115,6 +118,9 @@ def _is_order(
         return False
     if verb + 1 == len(nodes) or verb + 1 in timed:
         return sure
+    if nodes[verb].tag in PARTICLES:
+        # "Everyone out the door at nine"
+        return False
     behind = nodes[verb + 1]
     carried = nodes[verb].lower in lexicon.particles.get(behind.lower, ())
     if carried or behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns:

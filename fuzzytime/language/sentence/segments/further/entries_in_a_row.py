@@ -13,6 +13,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
+from fuzzytime.language.sentence.trees.named import names_one
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, PAST
 from fuzzytime.language.sentence.trees.tree import Node
 
@@ -104,14 +105,14 @@ class _Entry:
     def asks(self) -> bool:
         """Whether it may begin with an order: "gym at six, then pick up jo at seven"."""
         first, lexicon = self.name[0], self.lexicon
-        acts = first.may_act and first.text == first.lemma
+        acts = first.may_act and first.text == first.lemma and not names_one(self.name, lexicon)
         return acts and first.lower not in lexicon.function_words | lexicon.names_like_words
 
     @property
     def _asks(self) -> bool:
         """Whether its thing is a verb with what that is done with; "get up at seven" asks for no more."""
         lexicon, (first, *further) = self.lexicon, self.thing
-        if not first.may_act or first.lower != first.lemma:
+        if not first.may_act or first.lower != first.lemma or names_one(self.thing, lexicon):
             return False
         if not further:
             # "Pick up ella from ballet"; but "get up", "tea on the table"

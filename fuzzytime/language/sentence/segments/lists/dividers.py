@@ -27,6 +27,7 @@ MARKS = (
     re.compile(r"(?<=\s)\|{1,2}(?=\s)"),
     re.compile(r"(?<=\s)/{1,2}(?=\s)"),
     re.compile(r"(?<=\s)>(?=\s)"),
+    re.compile(r"(?<=\s)[+*](?=\s)"),
     re.compile(r"(?<=\s)[-–—]{1,2}(?=\s)"),
     re.compile(r"(?<=\S)(?:[ \t]{2,}|\t)(?=\S)"),
 )
@@ -35,7 +36,7 @@ MARKS = (
 LINE = re.compile(r"[^\n;]+")
 """What such marks divide: a line, or what stands in it before a stop."""
 
-COMMA = re.compile(r",(?=\s)")
+COMMA = re.compile(r",(?=\s|[^\W\d])")
 
 COLON = re.compile(r"(?:(?<!\d)(?<!\d\s):(?=\s+\d)|:(?=\s+[^\W\d]))")
 """A mark between a time in front of an entry and what is then: "mon: gym"."""

@@ -4,6 +4,8 @@ import re
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.timetables import timetable_of
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import blanked
 
 COLON = re.compile(r":(?P<pause>[ \t]+)(?=\d)")
@@ -15,6 +17,12 @@ CALLED = re.compile(
     re.MULTILINE,
 )
 """An hour, and what is then in a word or more, up to the colon before the rest: "9.30 Hall: chairs"."""
+
+IN_LISTS = re.compile(
+    r"(?<=[^\W\d])(?::|[ \t]+[-–—=])(?=[ \t]+\d{1,2}(?:[.:]\d\d)?(?:[ \t]?[ap]m)?[ \t]*(?:[,;]|$))",
+    re.MULTILINE,
+)
+"""A mark between a thing and the hour that ends an entry: "gym - 6, dinner - 8"."""
 
 MORE = re.compile(
     r"""
@@ -47,6 +55,10 @@ def without_joints(text: str, hours: AbstractSet[int], lexicon: Lexicon, *, list
     >>> without_joints("Tea 10.30, Hall 2", {3}, shipped_lexicon(), listed=True)
     'Tea 10.30  Hall 2'
     """
+    marks = [found.span() for found in IN_LISTS.finditer(text)]
+    alone = blanked(text, marks)
+    if len(marks) > 1 and timetable_of(words_of(alone), lexicon):
+        text = alone
     called = (found for found in CALLED.finditer(text) if listed or ":" in found["front"])
     text = blanked(text, (found.span("colon") for found in called))
     text = COLON.sub(lambda found: (" " if found.end() - 1 in hours else ":") + found["pause"], text)

@@ -4,6 +4,7 @@ import re
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
+from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -28,12 +29,14 @@ DESCRIBING = frozenset({"RB", "JJ"})
 
 def with_whole_things(tree: Tree) -> Tree:
     """Give a tree whose things have all their words."""
-    tree = _with_deed_named(_with_thing_done(tree))
+    tree = _with_deed_named(_with_subject(_with_thing_done(tree)))
     return _with_level(
         _with_next_one(
             _with_numbered_subject(
                 _with_last_noun(
-                    _with_second(_with_somebody(_with_people(_with_apposed(_with_surname(tree)))))
+                    _with_second(
+                        _with_somebody(_with_people(_with_apposed(_with_surname(_with_title(tree)))))
+                    )
                 )
             )
         )
@@ -56,7 +59,7 @@ def _with_thing_done(tree: Tree) -> Tree:
 
 
 def _with_deed_named(tree: Tree) -> Tree:
-    """Give "start the cool down", "do the warm up" all of its thing, of which a tree gives a part to the verb.
+    """Give "start the cool down", "do the warm up" all of the thing, of which a tree gives a part to the verb.
 
     So of "on the way out". But "put the wash up", where the verb is one with that word, too.
     """
@@ -98,6 +101,18 @@ def _with_people(tree: Tree) -> Tree:
                 nodes[place] = replace(node, tag="NNP", relation="dobj")
                 nodes[place - 1] = replace(nodes[place - 1], relation="compound", head=place)
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
+def _with_title(tree: Tree) -> Tree:
+    """Give "miss finch at ten" her name: nobody is asked to miss what has no time of its own."""
+    if tree.root or 1 not in tree.children(0, "dobj"):
+        return tree
+    titles = tree.lexicon.beside.titles_of_persons
+    if tree.nodes[0].lower not in titles or has_time(tree.nodes[1].lower, tree.lexicon):
+        return tree
+    named = tree.hung((place for place in tree.children(0) if place > 1), 1)
+    named = named.changed(1, tag="NNP", relation="ROOT", head=1)
+    return named.changed(0, tag="NNP", relation="compound", head=1)
 
 
 def _with_surname(tree: Tree) -> Tree:
@@ -197,6 +212,16 @@ def _with_numbered_subject(tree: Tree) -> Tree:
         if node.relation == "npadvmod" and node.tag in SINGULAR:
             return tree.changed(0, relation="compound", head=subject)
     return tree
+
+
+def _with_subject(tree: Tree) -> Tree:
+    """Give "call time for crew is ten" what it is about: what asks for something is never so."""
+    root = tree.root
+    led = tree.nodes[root].lemma in tree.lexicon.closed.lemmas_of_be and 0 in tree.children(root, "csubj")
+    if not led or 1 not in tree.children(0, "dobj") or tree.nodes[0].tag != "VB":
+        return tree
+    named = tree.hung((place for place in tree.children(0) if place > 1), 1)
+    return named.changed(1, relation="nsubj", head=root).changed(0, tag="NN", relation="compound", head=1)
 
 
 def _with_next_one(tree: Tree) -> Tree:

@@ -28,6 +28,7 @@ from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed
 from fuzzytime.language.sentence.segments.mended.places_in_front import with_places_in_front
 from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_done_alone, is_numbered
 from fuzzytime.language.sentence.segments.waiting import Waiting
+from fuzzytime.language.sentence.trees.named import names_one
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 from fuzzytime.language.sentence.verbs.meant.actions import action_of, gone_to_do, is_doubtful
@@ -115,9 +116,14 @@ def _is_astray(one: Waiting, tree: Tree) -> bool:
     """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
     if not tree.nodes:
         return False
+    timed = one.timed(tree)
+    end = min(timed, default=0)
+    named = tree.root == end - 1 and not tree.children(tree.root, "dobj")
+    if named and names_one(tree.nodes[:end], one.lexicon):
+        return False
     if one.phrases and happens(tree, one.phrases):
         return may_be_ordered(tree) or begins_order(tree)
-    if leaves(tree, tree.root, one.lexicon.travelling) or is_thing_so(tree, one.timed(tree)):
+    if leaves(tree, tree.root, one.lexicon.travelling) or is_thing_so(tree, timed):
         return False
     if is_doubtful(tree) or is_numbered(tree) or _only_asks(tree):
         return True
@@ -170,7 +176,9 @@ def _may_be_done(tree: Tree) -> bool:
     """
     lexicon = tree.lexicon
     node = tree.nodes[tree.root]
-    led = any(one.tag in DETERMINERS | {"PRP"} for one in tree.nodes[tree.root + 1 : tree.root + 2])
+    # "Mic up the leads"
+    behind = tree.root + 1 + len(tree.children(tree.root, "prt"))
+    led = any(one.tag in DETERMINERS | {"PRP"} for one in tree.nodes[behind : behind + 1])
     return node.may_act or node.lower in lexicon.timing_alone or led
 
 

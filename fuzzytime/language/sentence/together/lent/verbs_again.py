@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.english import singular
+from fuzzytime.english import looks_plural, singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
 from fuzzytime.language.meaning.expressions import Offset, Repeat, Said, Wall
@@ -43,7 +43,8 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
     if said_again is not None and _is_it_after_all(before, said_again, lexicon) and sketch.phrases:
         # "Don't water the plants today, do it tomorrow"
         return replace(before, negated=False)
-    if sketch.operation is not None and not _is_next_numbered(before, sketch):
+    things = said_again is not None and _names_several(before, said_again, rest, sketch)
+    if sketch.operation is not None and not things and not _is_next_numbered(before, sketch):
         return None
     then = part.segment.connective in AGAIN
     counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
@@ -109,6 +110,17 @@ def _beside_times(sketch: Sketch, text: str) -> list[Span]:
         # "… and with Dominic at eleven, 45 minutes each"
         said.pop()
     return said
+
+
+def _names_several(before: Operation, told: Operation, rest: str, sketch: Sketch) -> bool:
+    """Whether what seems to be told names several things: "check the oil, then the tyre pressures at one"."""
+    lexicon, (first, *named) = sketch.lexicon, rest.lower().split() or [""]
+    doing = lexicon.doing
+    acts = lexicon.intransitive | lexicon.timing | lexicon.timing_alone | lexicon.orders
+    moves = told.lemma in acts or not (doing.timed | doing.moments | lexicon.people).isdisjoint(named)
+    several = len(named) > 1 and looks_plural(named[-1]) and first in lexicon.closed.noun_openers
+    asked = before.object is not None and not before.stated and sketch.part.segment.connective in AGAIN
+    return asked and told.stated and several and not moves
 
 
 def _with_another_thing(

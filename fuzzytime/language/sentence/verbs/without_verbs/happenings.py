@@ -5,9 +5,11 @@ from collections.abc import Sequence
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Repeat
 from fuzzytime.language.meaning.phrases import is_at_clock, is_window
+from fuzzytime.language.sentence.trees.named import names_one
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.places import Places
+from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import names_deed
 from fuzzytime.requirement import MOMENTS, Constraint
 
 DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg", "prt", "xcomp", "ccomp")
@@ -47,6 +49,8 @@ def happens(tree: Tree, phrases: Sequence[Phrase]) -> bool:
     listed = listed or (_is_several(tree, root) and any(map(_is_typed, phrases)))
     # "Incision at eight"
     named = _is_noun(tree, root) or _is_counted(tree, root) or _is_of_nouns(tree, root)
+    # "District nurse at three"; but "weight check at ten" is somebody's work
+    named = named or (names_one(tree.nodes[: root + 1], lexicon) and not names_deed(tree, 0, root))
     listed = listed or (named and any(is_at_clock(one) or _is_at_part(one) for one in phrases))
     # "Status page update every 30 minutes", "backups every night"
     behind = {node.lower for node in tree.nodes[root + 1 : root + 2]} & lexicon.closed.universal_determiners

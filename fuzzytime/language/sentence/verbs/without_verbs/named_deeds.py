@@ -124,7 +124,7 @@ def names_deed(tree: Tree, start: int, root: int) -> bool:
     moves = lexicon.doing.several_timed | lexicon.doing.arriving | lexicon.doing.leaving
     return (
         bare
-        and node.lower not in moves - deeds
+        and node.lower not in (moves - deeds) | lexicon.persons
         and all(
             # Whom one asks, one asks to shoot.
             _names(tree, place, start) or (past and tree.nodes[place].lower in lexicon.machines)
