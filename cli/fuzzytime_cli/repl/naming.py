@@ -179,7 +179,8 @@ def occasion_words(scene: Scene, one: Interpreted) -> frozenset[str]:
 
 def _words_of_verb(scene: Scene, verb: str) -> frozenset[str]:
     """Give the forms of a verb, and the nouns for what it does."""
-    forms = verb_forms(verb, scene.lexicon)
+    calling = scene.lexicon.doing.calling_up
+    forms = verb_forms(verb, scene.lexicon) | (calling if verb in calling else frozenset())
     return frozenset({*forms, *nouns_of(verb), f"{verb}er", f"{verb}y", f"{verb.removesuffix('e')}y"})
 
 

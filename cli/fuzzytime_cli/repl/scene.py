@@ -27,13 +27,15 @@ FIRST = 1
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """What an answer said that there is room for, or only when: "a walk", "before the call".
+    """What an answer said that there is room for, or when ("a walk", "before the call"), or what it tried.
 
-    Who takes it says no more than "pop that in", or "have lunch then".
+    Who takes it says no more than "pop that in", "have lunch then", or "ok, do that"; ``line`` is the command
+    that was tried.
     """
 
     thing: str = ""
     time: str = ""
+    line: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -68,7 +68,9 @@ def _read(said: Said) -> About | None:
         return About(kind=AboutKind.HOW, text=meant.kind.value, certain=True)
     if how is not None and how.words and how.forms[0] in said.lexicon.moving:
         return About(kind=AboutKind.HOW, text=AboutKind.MOVE.value, certain=True)
-    return asked(said) or question(said) or change(without_request(said)) or change(said) or report(said)
+    order = without_request(said)
+    found = asked(said) or question(said) or change(order) or change(said) or report(said)
+    return found or (report(order) if order != said else None)
 
 
 def _of_thing(said: Said) -> About | None:

@@ -17,6 +17,8 @@ from fuzzytime_cli.repl.typed import got, number_and_rest, number_of, several_nu
 from fuzzytime_cli.session import Entry, State
 
 ALL = "all"
+BE = "be"
+"""The verb of what has only a name: "lunch at one"."""
 
 Waiting = Sequence[tuple[int, Interpreted]]
 """Skills that have not started, with their places in the plan."""
@@ -56,12 +58,13 @@ def _what(number: int | str, by: float) -> str:
 
 
 def _all_later(scene: Scene, by: float, numbers: Sequence[int] = ()) -> Reply:
-    """Move everything that has not started, or some of it; what is told to happen stays, and is named."""
+    """Move all that has not started, or some of it; what is told to happen stays, and is named."""
     entries, stays, left = [], [], waiting(scene)
     chosen = [scene.conversation.state.entry(number) for number in numbers]
     for entry in chosen or scene.conversation.state.entries:
         mine = [(place, one) for place, one in left if one.wish.identifier == entry.identifier]
-        if any(one.stated for _, one in mine):
+        # What only has its name ("lunch at one") may be chosen; when the guests come is theirs to say.
+        if any(one.stated and not (chosen and _is_own(one)) for _, one in mine):
             stays.append(f"{entry.number} ({mine[0][1].skill.name})")
         elif mine and not _follows(scene, mine, left):
             entries.append(_moved(scene, entry, by, mine))
@@ -71,6 +74,10 @@ def _all_later(scene: Scene, by: float, numbers: Sequence[int] = ()) -> Reply:
     reply = step(scene, what, lambda state: _with(state, tuple(entries)))
     told = f"not moved, since it was told, not asked for: {', '.join(stays)}"
     return replace(reply, lines=(Text(plain(told)), *reply.lines)) if stays else reply
+
+
+def _is_own(one: Interpreted) -> bool:
+    return one.operation is not None and one.operation.lemma == BE
 
 
 def _follows(scene: Scene, mine: Waiting, left: Waiting) -> bool:

@@ -11,6 +11,7 @@ from fuzzytime.language.about_wishes import (
     AT_LAST,
     About,
     AboutKind,
+    Said,
     about_things,
     continued,
     continuing,
@@ -20,10 +21,12 @@ from fuzzytime.language.about_wishes import (
     names_thing,
     reworded,
 )
+from fuzzytime.requirement import Constraint
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands import anew as said_anew
 from fuzzytime_cli.repl.commands import changing
 from fuzzytime_cli.repl.naming import entry_of, is_named_itself, is_of_one_task, unknown
+from fuzzytime_cli.repl.plain_words.known import is_known
 from fuzzytime_cli.repl.plain_words.leaving_out import Taken
 from fuzzytime_cli.repl.plain_words.telling import is_news
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
@@ -33,7 +36,9 @@ from fuzzytime_cli.session import Entry
 NAME = 2
 """Words that somebody is called by at most."""
 
-REDIRECTED = frozenset({AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.DONE, AboutKind.EXCEPT})
+REDIRECTED = frozenset(
+    {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.MORE, AboutKind.DONE, AboutKind.EXCEPT}
+)
 """What may have been meant of another: "not the soup, the rice"."""
 
 
@@ -122,6 +127,8 @@ def _going_on(scene: Scene, words: str, last: Entry, taken: Taken) -> Reply | No
             last_change, names=names, each=(), places=(), both=False, several=False, upcoming=False
         )
         return taken(scene, others)
+    if last_change is not None and (reply := _by_another(scene, words, last_change, taken)) is not None:
+        return reply
     if (reply := _continued(words, last, scene)) is not None:
         return reply
     # "And Sam too" is nothing to do at any time.
@@ -129,6 +136,16 @@ def _going_on(scene: Scene, words: str, last: Entry, taken: Taken) -> Reply | No
     if more.certain or somebody:
         raise FuzzytimeError(f"{words!r} leans on {last.text!r}, and is not understood: say it in full")
     return None
+
+
+def _by_another(scene: Scene, words: str, last: About, taken: Taken) -> Reply | None:
+    """Do by another length to another thing what was done last: "and the sheep by half an hour"."""
+    said = Said.of(words, scene.now, scene.lexicon)
+    found = said.behind(said.opens_with("continuing")).length() if last.by else None
+    if found is None or not last.by or not is_known(scene, found.rest, told=False):
+        return None
+    by = found.seconds if last.by > 0.0 else -found.seconds
+    return taken(scene, About(kind=last.kind, names=found.rest.meant, by=by, certain=True))
 
 
 def _continued(words: str, last: Entry, scene: Scene) -> Reply | None:
@@ -165,6 +182,8 @@ def _instead(scene: Scene, about: About, taken: Taken) -> Reply | None:
     if entry is None:
         raise FuzzytimeError("nothing that is planned is about that (:list shows what is)")
     language = scene.language
+    if about.names and (whole := _another_order(scene, entry, about)) is not None:
+        return whole
     if not may_be_thing(language.read(about.thing, now=scene.now), language.lexicon):
         raise FuzzytimeError(f"{about.thing!r} is not understood of {entry.text!r}: say it anew")
     reading = language.read(entry.text, now=entry.given)
@@ -173,6 +192,22 @@ def _instead(scene: Scene, about: About, taken: Taken) -> Reply | None:
     text = reworded(reading, language.lexicon, thing=about.thing, replaced=named, time=time, now=scene.now)
     if text is None:
         raise FuzzytimeError(f"what {about.thing!r} stands for in {entry.text!r} is not clear: say it anew")
+    reply = said_anew.reworded(scene, entry.number, text)
+    head = Text(plain(f"taken as :edit {entry.number} {text}; :undo takes it back"))
+    return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
+
+
+def _another_order(scene: Scene, entry: Entry, about: About) -> Reply | None:
+    """Do something else at the time of one: "clean the yard instead of mending the fence"."""
+    said = ((about.thing, scene.now), (entry.text, entry.given))
+    read = [scene.language.read(text, now=given) for text, given in said]
+    asked, old = ([one for one in each.instructions if one.operation is not None] for each in read)
+    ordered = len(asked) == 1 and asked[0].operation is not None and asked[0].operation.is_asked
+    if not ordered or len(old) != 1 or is_thing(read[0]) or len(about.thing.split()) == 1:
+        return None
+    # How long the fence takes says nothing of the yard.
+    own = [part.text for part in old[0].requirements if part.constraint is not Constraint.FOR]
+    text = " ".join([about.thing, *([] if asked[0].requirements else own)])
     reply = said_anew.reworded(scene, entry.number, text)
     head = Text(plain(f"taken as :edit {entry.number} {text}; :undo takes it back"))
     return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)
@@ -229,6 +264,11 @@ def _without_last(scene: Scene) -> tuple[Reply, Scene]:
     return undone, replace(scene, plan=scene.conversation.plan(scene.now, previous=scene.plan))
 
 
+def _verbs(scene: Scene, entry: Entry) -> list[str]:
+    asked = [one.operation for _, one in waiting(scene, entry.number)]
+    return [one.lemma for one in asked if one is not None and not one.stated]
+
+
 def the_other(scene: Scene, about: About, taken: Taken) -> Reply | None:
     """Do to the other one what was done last: "not that one, the other one".
 
@@ -244,7 +284,12 @@ def the_other(scene: Scene, about: About, taken: Taken) -> Reply | None:
     last = before[1].taken
     meant = entries_meant(scene, last)
     left = [e for e in scene.conversation.state.entries if waiting(scene, e.number) and e not in meant]
+    # Of two calls among other things the other is the other call.
+    verbs = {verb for entry in meant for verb in _verbs(scene, entry)}
+    alike = [entry for entry in left if not verbs.isdisjoint(_verbs(scene, entry))]
+    left = alike if len(alike) == 1 else left
     if len(left) != 1:
+        changing.redo(scene, "")
         raise FuzzytimeError(f"{len(left)} others are left: say which, such as: the call")
     again = replace(last, names=frozenset({left[0].identifier}), places=(), both=False, several=False)
     reply = taken(scene, again)

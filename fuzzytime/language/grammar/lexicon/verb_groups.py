@@ -97,3 +97,4 @@ class Doing(NamedTuple):
     resting: Words
     watching: Words
     past_alike: Words
+    calling_up: Words
