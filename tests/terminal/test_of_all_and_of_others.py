@@ -144,3 +144,40 @@ def test_what_is_in_time_already_is_only_shown(line: str) -> None:
     talk = talk_of("call Ann at four")
     assert "at 16:00" in talk.say(line)
     assert talk.entries == ["call Ann at four"]
+
+
+def test_one_of_all_that_moved_is_left_where_it_was() -> None:
+    talk = talk_of("write at ten for an hour", "gym at two for an hour", "the customer comes at four")
+    talk.say("push everything from the writing on back by an hour")
+    assert starts(talk) == ["11:00", "15:00", "16:00"]
+    talk.say("no, not the gym")
+    assert starts(talk) == ["11:00", "14:00", "16:00"]
+    talk.say("push everything after noon back by an hour")
+    talk.say("leave the gym where it was")
+    assert starts(talk) == ["11:00", "14:00", "16:00"]
+
+
+def test_what_has_lost_its_place_moves_along() -> None:
+    talk = talk_of("sand the table at ten for an hour", "glue the chair at eleven", "varnish the desk at one")
+    talk.say("the sanding will take two hours")
+    talk.say("so push everything after it back an hour")
+    assert starts(talk) == ["10:00", "12:00", "14:00"]
+
+
+def test_what_is_wanted_of_something_bounds_nobody_who_comes() -> None:
+    talk = talk_of("varnish the table at one", "the customer comes at four")
+    assert "say it with its name" in talk.say("the customer wants it before half three")
+    assert starts(talk) == ["13:00", "16:00"]
+
+
+def test_what_somebody_has_is_called_off_by_its_name() -> None:
+    talk = talk_of("Tom has football at eleven", "call Ann at two")
+    talk.say("football's been called off")
+    assert talk.entries == ["call Ann at two"]
+
+
+def test_a_change_goes_on_behind_another() -> None:
+    talk = talk_of("gym at five for an hour")
+    talk.say("gym at half four instead")
+    talk.say("and make it half an hour")
+    assert planned(talk) == {"s1": ("16:30", 30.0)}

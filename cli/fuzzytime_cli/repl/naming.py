@@ -53,7 +53,8 @@ def is_named_itself(scene: Scene, names: frozenset[str]) -> bool:
         operation is not None
         and names <= words_of_entry(scene, entry)
         and not names.isdisjoint(
-            content_words(operation.object)
+            # "Football", which Tom has
+            content_words(operation.object) | content_words(operation.complement)
             if operation.stated or (timed and operation.lemma in scene.lexicon.doing.spending)
             else content_words(operation.verb) | _words_of_verb(scene, operation.lemma)
         )

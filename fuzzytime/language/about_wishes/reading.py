@@ -49,7 +49,9 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         if further is not None and further.has_time and further.as_time() == further.text:
             # "And at six?"
             return About(kind=AboutKind.DURING, time=further.text, certain=True)
-    found = _read(said) or (_of_thing(said) if text.rstrip().endswith("?") else None)
+    found = (
+        _read(said) or _certain_behind_and(said) or (_of_thing(said) if text.rstrip().endswith("?") else None)
+    )
     plain = said.without_exclamations()
     # "Ok then do it the day after"
     then = plain.after("following") or plain
@@ -71,6 +73,13 @@ def _read(said: Said) -> About | None:
     order = without_request(said)
     found = asked(said) or question(said) or change(order) or change(said) or report(said)
     return found or (report(order) if order != said else None)
+
+
+def _certain_behind_and(said: Said) -> About | None:
+    """Read what goes on with another change of what was spoken of: "and make it half an hour"."""
+    rest = said.after("continuing")
+    found = _read(rest) if rest is not None and rest.words else None
+    return found if found is not None and found.certain and not found.names else None
 
 
 def _of_thing(said: Said) -> About | None:

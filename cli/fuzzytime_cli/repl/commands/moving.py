@@ -12,13 +12,11 @@ from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration, instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.scene import Reply, Scene, begun_of, ended_line, step, waiting
+from fuzzytime_cli.repl.scene import Reply, Scene, begun_of, ended_line, is_for_others, step, waiting
 from fuzzytime_cli.repl.typed import got, number_and_rest, number_of, several_numbers
 from fuzzytime_cli.session import Entry, State
 
 ALL = "all"
-BE = "be"
-"""The verb of what has only a name: "lunch at one"."""
 
 Waiting = Sequence[tuple[int, Interpreted]]
 """Skills that have not started, with their places in the plan."""
@@ -64,7 +62,7 @@ def _all_later(scene: Scene, by: float, numbers: Sequence[int] = ()) -> Reply:
     for entry in chosen or scene.conversation.state.entries:
         mine = [(place, one) for place, one in left if one.wish.identifier == entry.identifier]
         # What only has its name ("lunch at one") may be chosen; when the guests come is theirs to say.
-        if any(one.stated and not (chosen and _is_own(one)) for _, one in mine):
+        if any((is_for_others(one) if chosen else one.stated) for _, one in mine):
             stays.append(f"{entry.number} ({mine[0][1].skill.name})")
         elif mine and not _follows(scene, mine, left):
             entries.append(_moved(scene, entry, by, mine))
@@ -74,10 +72,6 @@ def _all_later(scene: Scene, by: float, numbers: Sequence[int] = ()) -> Reply:
     reply = step(scene, what, lambda state: _with(state, tuple(entries)))
     told = f"not moved, since it was told, not asked for: {', '.join(stays)}"
     return replace(reply, lines=(Text(plain(told)), *reply.lines)) if stays else reply
-
-
-def _is_own(one: Interpreted) -> bool:
-    return one.operation is not None and one.operation.lemma == BE
 
 
 def _follows(scene: Scene, mine: Waiting, left: Waiting) -> bool:

@@ -5,10 +5,11 @@ from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.about_wishes import About
-from fuzzytime_cli.repl.naming import called, entry_of, starts_of_entry, unknown
+from fuzzytime.times import instant_after
+from fuzzytime_cli.repl.naming import LABEL, called, entry_of, starts_of_entry, unknown
 from fuzzytime_cli.repl.plain_words.progress import length_said
 from fuzzytime_cli.repl.questions.stretches import is_within
-from fuzzytime_cli.repl.scene import Scene
+from fuzzytime_cli.repl.scene import Scene, is_for_others, waiting
 from fuzzytime_cli.repl.which import entries_meant
 from fuzzytime_cli.session import Entry
 
@@ -24,6 +25,9 @@ def delaying_all(scene: Scene, about: About) -> str:
         If none is.
     """
     meant = _meant(scene, about)
+    sole = waiting(scene, meant[0].number) if meant is not None and len(meant) == 1 else []
+    if any(is_for_others(one) for _, one in sole):
+        raise FuzzytimeError(f"not moved, since it was told, not asked for: {sole[0][1].skill.name}")
     numbers = "all" if meant is None else ",".join(str(entry.number) for entry in meant)
     return f":delay {numbers} {length_said(scene, about)}"
 
@@ -48,9 +52,10 @@ def _meant(scene: Scene, about: About) -> list[Entry] | None:
     FuzzytimeError
         If there are none, or nothing is known of what they are beside, or but for.
     """
-    kept = entries_meant(scene, replace(about, several=True, other=False)) if about.names else []
-    if about.names and not kept:
-        unknown(about.names)
+    labels = frozenset(filter(LABEL.fullmatch, about.names))
+    kept = [one for one in scene.conversation.state.entries if one.identifier in labels]
+    if names := about.names - labels:
+        kept += entries_meant(scene, replace(about, names=names, several=True, other=False)) or unknown(names)
     if about.other and scene.focus is not None:
         kept = [one for one in scene.conversation.state.entries if one.number == scene.focus]
     asked = [one for one in scene.conversation.state.entries if one not in kept]
@@ -76,6 +81,9 @@ def _is_beside(scene: Scene, entry: Entry, other: Entry, joint: str, starts: lis
     if entry == other:
         return joint == FROM_ON
     own = starts_of_entry(scene, entry)
+    # What has lost its place was to be at its best time.
+    best = [one.skill.satisfaction.best for _, one in waiting(scene, entry.number)]
+    own = own or [instant_after(scene.now, one.low) for one in best if not one.empty]
     if joint in {FROM_ON, AFTER}:
         return bool(own) and min(own) >= min(starts)
     return bool(own) and max(own) < min(starts)

@@ -33,12 +33,13 @@ from fuzzytime_cli.repl.naming import (
 from fuzzytime_cli.repl.plain_words.between_planned import wish_between_planned
 from fuzzytime_cli.repl.plain_words.happened import happened
 from fuzzytime_cli.repl.plain_words.has_done import done, perhaps_done
-from fuzzytime_cli.repl.plain_words.leaning import leaning, the_other
+from fuzzytime_cli.repl.plain_words.leaning import leaning
 from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, next_left_out
 from fuzzytime_cli.repl.plain_words.meant import command_meant
 from fuzzytime_cli.repl.plain_words.offered import beside_what_is_meant, declines, offer_taken, takes_offer
 from fuzzytime_cli.repl.plain_words.perhaps import cancelled_elsewhere, check_who
 from fuzzytime_cli.repl.plain_words.reasons import behind_what_tells, with_reason
+from fuzzytime_cli.repl.plain_words.redirected import the_other
 from fuzzytime_cli.repl.plain_words.retiming import wished_instead
 from fuzzytime_cli.repl.plain_words.said_again import again_later, said_anew, timed_now
 from fuzzytime_cli.repl.plain_words.supposing import supposed

@@ -1,5 +1,6 @@
 """What is told of something planned, as the order that follows from it: "the vet can only see us at five"."""
 
+from collections.abc import Sequence
 from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
@@ -20,7 +21,7 @@ from fuzzytime_cli.repl.naming import called, entry_of, part_meant, words_of_ent
 from fuzzytime_cli.repl.plain_words.known import is_known, verbs_of
 from fuzzytime_cli.repl.plain_words.leaving_out import repeats
 from fuzzytime_cli.repl.plain_words.telling import is_news
-from fuzzytime_cli.repl.scene import Scene, waiting
+from fuzzytime_cli.repl.scene import Scene, is_for_others, waiting
 from fuzzytime_cli.session import Entry
 
 TO, BEFORE = "to", "before "
@@ -46,9 +47,28 @@ def order_told(scene: Scene, clause: str) -> str | None:
         lambda thing: thing.forms[:1] != (TO,) and is_known(scene, thing, told=False),
         lambda thing, word: word in verbs_of(scene, thing.names),
     )
+    if any(form in scene.lexicon.closed.anaphors for form in Said(clause, scene.now, scene.lexicon).forms):
+        _check_whose(scene, orders)
     lasts = Said(orders[0], scene.now, scene.lexicon).length() if len(orders) > 1 else None
     new = None if lasts is None else lasts.seconds
     return ". ".join(_as_planned(scene, order, new) for order in orders) or None
+
+
+def _check_whose(scene: Scene, orders: Sequence[str]) -> None:
+    """Refuse to bound what others do by what they want of something: "the customer wants it before three".
+
+    Raises
+    ------
+    FuzzytimeError
+        If that is told of one who comes.
+    """
+    for about in (about_wishes(order, scene.now, scene.lexicon) for order in orders):
+        entry = None if about is None or not about.names else entry_of(scene, about.names)
+        mine = [] if entry is None else [one for _, one in waiting(scene, entry.number)]
+        comes = any(map(is_for_others, mine))
+        read = find_times("" if about is None else about.time, scene.now, scene.lexicon).requirements
+        if comes and about is not None and any(one.constraint is Constraint.BEFORE for one in read):
+            raise FuzzytimeError(f"what is to be {about.time} is not said: say it with its name")
 
 
 def _of_open_hours(scene: Scene, clause: Said) -> str:
