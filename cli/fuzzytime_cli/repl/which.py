@@ -227,7 +227,8 @@ def _with_label_of_turn(scene: Scene, words: str) -> str:
             label = found[turns[0] - (turns[0] > 0)].label
             labelled = f"{words[: said.words[first].start]}{label}{words[said.words[end - 1].end :]}"
             own = entry_of(scene, names | content_words(one.text)) is not None
-            known = not own and about_wishes(labelled, scene.now, scene.lexicon) is not None
+            # "The second viewing has been moved"
+            known = not own and (first == 0 or about_wishes(labelled, scene.now, scene.lexicon) is not None)
             return labelled if known else words
     return words
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import content_words
-from fuzzytime.language.about_wishes import About, AboutKind
+from fuzzytime.language.about_wishes import About, AboutKind, Said
 from fuzzytime_cli.repl.commands import changing
 from fuzzytime_cli.repl.naming import entry_of
 from fuzzytime_cli.repl.plain_words.leaving_out import Taken
@@ -46,6 +46,25 @@ def the_other(scene: Scene, about: About, taken: Taken) -> Reply | None:
         raise FuzzytimeError(f"{len(left)} others are left: say which, such as: the call")
     again = replace(last, names=frozenset({left[0].identifier}), places=(), both=False, several=False)
     reply = taken(scene, again)
+    return None if reply is None else replace(reply, lines=(*undone.lines, *reply.lines))
+
+
+def by_another_length(scene: Scene, about: About, taken: Taken) -> Reply | None:
+    """Move by another length what was moved last: "half an hour earlier", "no, an hour"; None for others."""
+    last = scene.taken
+    length = Said(about.time, scene.now, scene.lexicon).length() if about.corrects else None
+    moved = last is not None and last.kind in {AboutKind.DELAY, AboutKind.MORE}
+    if (
+        last is None
+        or not last.by
+        or not moved
+        or length is None
+        or length.rest.words
+        or scene.tried is not None
+    ):
+        return None
+    undone, before = _without_last(scene)
+    reply = taken(before, replace(last, by=length.seconds if last.by > 0.0 else -length.seconds))
     return None if reply is None else replace(reply, lines=(*undone.lines, *reply.lines))
 
 

@@ -39,7 +39,7 @@ from fuzzytime_cli.repl.plain_words.meant import command_meant
 from fuzzytime_cli.repl.plain_words.offered import beside_what_is_meant, declines, offer_taken, takes_offer
 from fuzzytime_cli.repl.plain_words.perhaps import cancelled_elsewhere, check_who
 from fuzzytime_cli.repl.plain_words.reasons import behind_what_tells, with_reason
-from fuzzytime_cli.repl.plain_words.redirected import the_other
+from fuzzytime_cli.repl.plain_words.redirected import by_another_length, the_other
 from fuzzytime_cli.repl.plain_words.retiming import wished_instead
 from fuzzytime_cli.repl.plain_words.said_again import again_later, said_anew, timed_now
 from fuzzytime_cli.repl.plain_words.supposing import supposed
@@ -247,6 +247,8 @@ def _taken(scene: Scene, about: About) -> Reply | None:
         return out
     if (moved := left_out_then(scene, about)) is not None:
         return moved
+    if about.kind is AboutKind.MOVE and (again := by_another_length(scene, about, _taken)) is not None:
+        return again
     if about.kind is AboutKind.TAKES:
         about = replace(about, kind=AboutKind.MOVE)
     line = command_meant(scene, about)

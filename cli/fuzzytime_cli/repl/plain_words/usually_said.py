@@ -117,6 +117,9 @@ def _usual(scene: Scene, clause: str) -> str | None:
     if not clause.strip():
         return None
     about = about_wishes(clause, scene.now, scene.lexicon)
+    if about is not None and about.kind is AboutKind.UNDO and about.text:
+        # "Put it all back" pushes nothing.
+        return None
     order = order_told(scene, clause)
     if is_news(scene, clause):
         # What only is late may tell a bound: "lunch can't be later than half twelve".

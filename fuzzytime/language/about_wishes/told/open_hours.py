@@ -9,6 +9,9 @@ LONGEST_NAME = 6
 
 FROM, AT = "from ", "at "
 
+DONE = "ed"
+"""How what is done to something ends."""
+
 
 def open_hours(clause: Said) -> tuple[Said, str] | None:
     """Give what can be used only at some hours, and the time that what is done there then has.
@@ -46,6 +49,10 @@ def _opens(said: Said) -> tuple[bool, Said] | None:
     if stated:
         there = state.opens_with("at hand") == stated
         return there is not (denied > 0), state.behind(stated)
+    small = state.opens_with("helping")
+    if being and small and state.behind(small).words and state.behind(small).forms[0].endswith(DONE):
+        # "The oven is being serviced until two"
+        return bool(denied), state.behind(small + 1)
     # "The library doesn't open until three"
     verb = state.forms[0] if denied or not being else ""
     if verb in doing.opening_up | doing.opening_there:
