@@ -221,10 +221,10 @@ def test_what_is_repeated_is_left_out_on_days_that_repeat() -> None:
 @pytest.mark.model
 @pytest.mark.parametrize(
     ("line", "entry"),
-    [("reschedule for friday", "call Ann friday at one pm"), ("I need it by three", "call Ann by three")],
+    [("reschedule for friday", "call Ann friday at four pm"), ("I need it by three", "call Ann by three")],
 )
 def test_a_new_time_needs_no_thing(line: str, entry: str) -> None:
-    talk = talk_of("call Ann at one pm", line)
+    talk = talk_of("call Ann at four pm", line)
     assert talk.entries == [entry]
 
 

@@ -7,7 +7,8 @@ What a line may be, beside an instruction
     One of the ``commands``, or ``plain_words`` that mean one, or one of the ``questions``.
 What is known
     The ``conversation``, its plans ``compared``, and for commands the ``scene``, with what is ``typed``;
-    ``which`` wishes are meant, by their ``naming``, or which ``parts`` of one; ``bounds`` of their times.
+    ``which`` wishes are meant, by their ``naming``, or which ``parts`` of one, ``without`` which it may be;
+    ``bounds`` of their times.
 """
 
 from fuzzytime_cli.repl.start import converse

@@ -53,7 +53,8 @@ def is_named_itself(scene: Scene, names: frozenset[str]) -> bool:
         operation is not None
         and names <= words_of_entry(scene, entry)
         and not names.isdisjoint(
-            content_words(operation.object)
+            # "Football", which Tom has
+            content_words(operation.object) | content_words(operation.complement)
             if operation.stated or (timed and operation.lemma in scene.lexicon.doing.spending)
             else content_words(operation.verb) | _words_of_verb(scene, operation.lemma)
         )
@@ -179,7 +180,8 @@ def occasion_words(scene: Scene, one: Interpreted) -> frozenset[str]:
 
 def _words_of_verb(scene: Scene, verb: str) -> frozenset[str]:
     """Give the forms of a verb, and the nouns for what it does."""
-    forms = verb_forms(verb, scene.lexicon)
+    calling = scene.lexicon.doing.calling_up
+    forms = verb_forms(verb, scene.lexicon) | (calling if verb in calling else frozenset())
     return frozenset({*forms, *nouns_of(verb), f"{verb}er", f"{verb}y", f"{verb.removesuffix('e')}y"})
 
 

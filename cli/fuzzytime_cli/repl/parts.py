@@ -1,23 +1,19 @@
 """Several things that one line asks for: another time for one of them, or the line without it."""
 
-import re
 from collections.abc import Collection, Sequence
 from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
-from fuzzytime.language import Instruction, content_words, find_times
+from fuzzytime.language import find_times
 from fuzzytime.language.about_wishes import Said, merged_time
 from fuzzytime.language.instruction import Span
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import format_duration, instant_after
 from fuzzytime_cli.repl.bounds import bound_in
-from fuzzytime_cli.repl.scene import FIRST, Scene, begun_parts, waiting
-from fuzzytime_cli.repl.typed import number_of
+from fuzzytime_cli.repl.scene import Scene, waiting
+from fuzzytime_cli.repl.without import asked_in, name_of, times_of, without_joints, without_part
 from fuzzytime_cli.session import Entry
-
-BETWEEN = re.compile(r",\s*(?:and\s+)?|\s+and\s+")
-"""What stands between several things."""
 
 
 def with_time_of_part(scene: Scene, entry: Entry, time: str, part: str) -> str:
@@ -62,7 +58,7 @@ def _apart(scene: Scene, entry: Entry, one: Interpreted, time: str) -> str:
     lasts = f"for {format_duration(known.duration)} " if known is not None and known.duration else ""
     text = in_a_part(scene, entry, one.skill.name, f"{one.skill.name} {lasts}{time}")
     # "After the hedge" may be taken for where.
-    read = (other for other in _asked_in(scene, text, scene.now) if _name(other) == one.skill.name)
+    read = (other for other in asked_in(scene, text, scene.now) if name_of(other) == one.skill.name)
     return text if any(part.text in time for other in read for part in other.requirements) else ""
 
 
@@ -111,7 +107,7 @@ def _each_with_time(scene: Scene, entry: Entry, one: Interpreted, time: str) -> 
         begin, end = _time_of(part, length=False)
         shared = entry.text[begin:end]
         words = " ".join(entry.text[slice(*part.instruction.span)].replace(shared, "").split())
-        said.append(f"{_without_joints(scene, words)} {time if part is one else shared}")
+        said.append(f"{without_joints(scene, words)} {time if part is one else shared}")
     return ", ".join(said)
 
 
@@ -138,7 +134,7 @@ def untied(scene: Scene, text: str) -> str:
 
     What was moved behind them would else take them along.
     """
-    for one in reversed(_asked_in(scene, text, scene.now)):
+    for one in reversed(asked_in(scene, text, scene.now)):
         # What is only not before a time goes on behind the others.
         timed = any(
             part.t_spec is not None and part.anchor is None and part.constraint is not Constraint.AFTER
@@ -147,84 +143,7 @@ def untied(scene: Scene, text: str) -> str:
         for part in one.requirements if timed else ():
             if part.anchor is not None and tuple(part.text.lower().split()) in scene.lexicon.connectives:
                 first, end = part.span
-                text = f"{_without_joints(scene, text[:first])} and {text[end:].lstrip()}"
-    return text
-
-
-def without_part(scene: Scene, entry: Entry, name: str) -> str:
-    """Give an entry's words without one of several things; empty where the others cannot be said alone."""
-    read = _asked_in(scene, entry.text, entry.given)
-    left = [one for one in read if _name(one) != name]
-    if len(left) != len(read) - 1 or not left:
-        return ""
-    first, end = next(one.span for one in read if one not in left)
-    behind = [one.span[0] for one in left if one.span[0] >= end]
-    before = entry.text[:first]
-    text = before + entry.text[min(behind) :] if behind else _without_joints(scene, before)
-    verbs = dict.fromkeys(one.operation.verb for one in left if one.operation is not None)
-    # "Make the soup at six and the salad at seven", of which the soup is not to be
-    texts = (text, *(f"{before}{verb} {entry.text[min(behind) :]}" for verb in verbs if behind))
-    same = [(_name(one), _times(one, entry.given)) for one in left]
-    for said in texts:
-        anew = [(_name(one), _times(one, entry.given)) for one in _asked_in(scene, said, entry.given)]
-        if anew == same:
-            return said
-    return ""
-
-
-def only_left_out(scene: Scene, entry: Entry, text: str) -> bool:
-    """Whether words are those of an entry without one of several things that it asks for."""
-    names = dict.fromkeys(_name(one) for one in _asked_in(scene, entry.text, entry.given))
-    return len(names) > 1 and any(without_part(scene, entry, name) == text for name in names)
-
-
-def numbers_kept(scene: Scene, entry: Entry, text: str) -> tuple[int, ...]:
-    """Give the numbers of an entry's things that other words of it ask for; none where they are as they were.
-
-    Of "feed the cat and call mum" without the cat the call stays the second: s1.2.
-    """
-    known = [(one.identifier, one.skill.name) for one in scene.plan.everything]
-    known += [(one.identifier, one.name) for one in begun_parts(scene, entry.number)]
-    numbers: dict[str, int] = {}
-    for identifier, name in known:
-        number = int(identifier.partition(".")[2] or FIRST)
-        if number_of(identifier) == entry.number:
-            numbers[name] = min(number, numbers.get(name, number))
-    names = [_name(one) for one in _asked_in(scene, text, entry.given)]
-    kept = tuple(numbers.get(name, 0) for name in names)
-    as_they_were = kept == tuple(range(FIRST, FIRST + len(kept)))
-    return () if 0 in kept or len(set(kept)) < len(kept) or as_they_were else kept
-
-
-def without_thing(scene: Scene, entry: Entry, names: frozenset[str]) -> str:
-    """Give an entry's words without one of several things that it is about; empty where it is about one.
-
-    Raises
-    ------
-    FuzzytimeError
-        If the others do not stand together in its words: "gym for an hour and dinner".
-    """
-    read = scene.language.read(entry.text, now=entry.given)
-    for operation in (one.operation for one in read.instructions):
-        said = "" if operation is None else operation.object or ""
-        verb = frozenset() if operation is None else {operation.lemma}
-        things = [thing for thing in BETWEEN.split(said) if thing]
-        left = [thing for thing in things if content_words(thing) != names - verb]
-        if 0 < len(left) < len(things):
-            if said not in entry.text:
-                message = f"that is only part of {said!r}: say :drop {entry.number}, or say it anew"
-                raise FuzzytimeError(message)
-            front = ", ".join(left[:-1])
-            return entry.text.replace(said, f"{front} and {left[-1]}" if front else left[-1], 1)
-    return ""
-
-
-def _without_joints(scene: Scene, text: str) -> str:
-    """Leave out what joined a thing behind it that is not said any more: "call Ann and"."""
-    joints = scene.lexicon.conversation["parting"]
-    text = text.rstrip(" ,;")
-    while " " in text and (text.rpartition(" ")[2].lower(),) in joints:
-        text = text.rpartition(" ")[0].rstrip(" ,;")
+                text = f"{without_joints(scene, text[:first])} and {text[end:].lstrip()}"
     return text
 
 
@@ -266,33 +185,6 @@ def _time_of(one: Interpreted, *, length: bool, bound: bool = False) -> tuple[in
     return own[-1].span if own else (one.instruction.span[1],) * 2
 
 
-def _asked_in(scene: Scene, text: str, given: datetime) -> list[Instruction]:
-    """Give what words that were given at a moment ask for, in their order."""
-    read = scene.language.read(text, now=given)
-    return [one for one in read.instructions if one.operation is not None]
-
-
-def _name(one: Instruction) -> str:
-    return "" if one.operation is None else one.operation.name
-
-
-def _times(one: Instruction, given: datetime) -> list[tuple[object, ...]]:
-    """Give the times and conditions of what is asked for, but for what it comes before or after."""
-    return [
-        (
-            part.constraint,
-            *(
-                None if at is None else instant_after(given, at)
-                for at in (part.t_spec, part.earliest, part.latest)
-            ),
-            part.number,
-            None if part.condition is None else part.text,
-        )
-        for part in one.requirements
-        if part.anchor is None
-    ]
-
-
 def _checked(scene: Scene, entry: Entry, changed: Collection[str], *texts: str) -> str:
     """Give the first words that ask for the same as before, at the same times but for what is changed.
 
@@ -303,8 +195,8 @@ def _checked(scene: Scene, entry: Entry, changed: Collection[str], *texts: str) 
     """
 
     def asked(text: str, now: datetime) -> list[tuple[str, str]]:
-        named = [(_name(one), one) for one in _asked_in(scene, text, now)]
-        return sorted((name, "" if name in changed else repr(_times(one, now))) for name, one in named)
+        named = [(name_of(one), one) for one in asked_in(scene, text, now)]
+        return sorted((name, "" if name in changed else repr(times_of(one, now))) for name, one in named)
 
     before = asked(entry.text, entry.given)
     for text in texts:

@@ -21,19 +21,24 @@ from fuzzytime_cli.session import Entry, Started, State
 UNREAD = frozenset({ProblemKind.NOT_UNDERSTOOD, ProblemKind.UNREADABLE, ProblemKind.NOTHING_TO_DO})
 """What is wrong with words of which nothing can be planned."""
 
+BE = "be"
+"""The verb of what has only a name: "lunch at one"."""
+
 FIRST = 1
 """The number of the first of several things that an instruction asks for."""
 
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """What an answer said that there is room for, or only when: "a walk", "before the call".
+    """What an answer said that there is room for, or when ("a walk", "before the call"), or what it tried.
 
-    Who takes it says no more than "pop that in", or "have lunch then".
+    Who takes it says no more than "pop that in", "have lunch then", or "ok, do that"; ``line`` is the command
+    that was tried.
     """
 
     thing: str = ""
     time: str = ""
+    line: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,6 +175,11 @@ def waiting(scene: Scene, number: int | None = None) -> list[tuple[int, Interpre
         for place, one in enumerate(scene.plan.everything)
         if one.identifier not in begun and (number is None or one.wish.identifier == f"s{number}")
     ]
+
+
+def is_for_others(one: Interpreted) -> bool:
+    """Whether it is for others to move: "the guests come at six", but not "lunch at one"."""
+    return one.stated and one.operation is not None and one.operation.lemma != BE
 
 
 def asked_by(scene: Scene, number: int) -> list[str]:

@@ -23,6 +23,9 @@ from fuzzytime_cli.session import Entry
 BESIDE = timedelta(minutes=15)
 """How far from the time that it is called by something may be planned."""
 
+LONGEST_NAME = 6
+"""Words that one of several is called by at most, with its turn."""
+
 BOTH = 2
 """How many "both" are."""
 
@@ -211,8 +214,28 @@ def with_label(scene: Scene, words: str, span: tuple[int, int], times: frozenset
     raise FuzzytimeError(f"nothing that is planned starts at {clock} (:list shows what is)")
 
 
+def _with_label_of_turn(scene: Scene, words: str) -> str:
+    """Give a line with the label of what it calls by its turn of those called alike: "the second viewing"."""
+    said = Said(words, scene.now, scene.lexicon)
+    openers = (n for n, form in enumerate(said.forms) if form in scene.lexicon.closed.noun_openers)
+    for first, end in ((n, end) for n in openers for end in range(len(said.words), n + 2, -1)):
+        one = said.until(end).behind(first)
+        turns, names = one.until(2).places, one.behind(2).names
+        called = len(turns) == 1 and end <= first + LONGEST_NAME and all(map(content_words, one.forms[2:]))
+        found = alike(scene, names) if called and names else []
+        if 1 < len(found) >= abs(turns[0] if found else 0) and not one.behind(2).has_time:
+            label = found[turns[0] - (turns[0] > 0)].label
+            labelled = f"{words[: said.words[first].start]}{label}{words[said.words[end - 1].end :]}"
+            own = entry_of(scene, names | content_words(one.text)) is not None
+            # "The second viewing has been moved"
+            known = not own and (first == 0 or about_wishes(labelled, scene.now, scene.lexicon) is not None)
+            return labelled if known else words
+    return words
+
+
 def with_labels_of_places(scene: Scene, words: str) -> str:
     """Give a line with the label of each that it calls by its place in the list: "the second one"."""
+    words = _with_label_of_turn(scene, words)
     left = [label for one in scene.conversation.state.entries if (label := called(scene, one.number))]
     if len(left) == 1:
         left = list(dict.fromkeys(one.identifier for _, one in waiting(scene)))

@@ -44,6 +44,7 @@ from fuzzytime.language.about_wishes.told.awaited import (
 )
 from fuzzytime.language.about_wishes.told.news import News, NewsKind, clauses_of, news_in
 from fuzzytime.language.about_wishes.told.of_planned import of_planned
+from fuzzytime.language.about_wishes.told.open_hours import goes_on_until, open_hours
 
 __all__ = [
     "AT_FIRST",
@@ -69,6 +70,7 @@ __all__ = [
     "continuing",
     "counted",
     "done_at_once",
+    "goes_on_until",
     "in_its_place",
     "is_person",
     "is_thing",
@@ -80,6 +82,7 @@ __all__ = [
     "names_thing",
     "news_in",
     "of_planned",
+    "open_hours",
     "respelled",
     "restated",
     "reworded",

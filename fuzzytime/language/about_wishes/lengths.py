@@ -82,10 +82,15 @@ def minutes_alone(said: Said, *, directed: bool) -> Length | None:
 
 
 def lengthened(said: Said) -> About | None:
-    """Read how much longer or shorter something takes, or how long: "shorten the call to ten minutes"."""
+    """Read how much longer or shorter something takes, or how long: "shorten the call to ten minutes".
+
+    By how much may not be said: "shorten the call".
+    """
     longer, shorter = said.after("lengthening"), said.after("shortening")
     rest = longer or shorter
     joint = max((n for n, word in enumerate(rest.forms) if word in {"by", "to"}), default=0) if rest else 0
+    if rest is not None and rest.words and not joint and not rest.has_time:
+        return About(kind=AboutKind.MORE, names=rest.meant, earlier=longer is None, certain=is_last(rest))
     if rest is None or not joint:
         return None
     thing, behind = rest.until(joint), rest.behind(joint + 1)

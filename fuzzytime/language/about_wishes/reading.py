@@ -49,7 +49,9 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
         if further is not None and further.has_time and further.as_time() == further.text:
             # "And at six?"
             return About(kind=AboutKind.DURING, time=further.text, certain=True)
-    found = _read(said) or (_of_thing(said) if text.rstrip().endswith("?") else None)
+    found = (
+        _read(said) or _certain_behind_and(said) or (_of_thing(said) if text.rstrip().endswith("?") else None)
+    )
     plain = said.without_exclamations()
     # "Ok then do it the day after"
     then = plain.after("following") or plain
@@ -68,7 +70,16 @@ def _read(said: Said) -> About | None:
         return About(kind=AboutKind.HOW, text=meant.kind.value, certain=True)
     if how is not None and how.words and how.forms[0] in said.lexicon.moving:
         return About(kind=AboutKind.HOW, text=AboutKind.MOVE.value, certain=True)
-    return asked(said) or question(said) or change(without_request(said)) or change(said) or report(said)
+    order = without_request(said)
+    found = asked(said) or question(said) or change(order) or change(said) or report(said)
+    return found or (report(order) if order != said else None)
+
+
+def _certain_behind_and(said: Said) -> About | None:
+    """Read what goes on with another change of what was spoken of: "and make it half an hour"."""
+    rest = said.after("continuing")
+    found = _read(rest) if rest is not None and rest.words else None
+    return found if found is not None and found.certain and not found.names else None
 
 
 def _of_thing(said: Said) -> About | None:

@@ -59,10 +59,3 @@ def several_in(said: Said) -> frozenset[str] | None:
         return None
     general = content_words(" ".join(word for form in said.table("several") for word in form))
     return rest.names - general
-
-
-def all_but(said: Said) -> Said | None:
-    """Give what everything is meant but for: "everything except the call"; None where nothing is named."""
-    taken = said.opens_with("everything")
-    kept = said.behind(taken).after("except") if 0 < taken < len(said.words) else None
-    return kept if kept is not None and kept.names else None

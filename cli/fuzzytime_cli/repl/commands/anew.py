@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.interpreter import Interpretation, Interpreted, ProblemKind
-from fuzzytime_cli.repl.parts import numbers_kept, only_left_out
 from fuzzytime_cli.repl.scene import Reply, Scene, begun_of, begun_parts, ended_line, not_understood, step
 from fuzzytime_cli.repl.typed import number_of
+from fuzzytime_cli.repl.without import numbers_kept, only_left_out
 from fuzzytime_cli.session import Started, State
 
 

@@ -11,9 +11,9 @@ from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped
 from fuzzytime_cli.repl.naming import identifier_meant
-from fuzzytime_cli.repl.parts import numbers_kept, without_part
 from fuzzytime_cli.repl.scene import Reply, Scene, check_sole, identifier_of, position_of, said, step
 from fuzzytime_cli.repl.typed import got, number_and_rest, number_of, several_numbers, whole_number
+from fuzzytime_cli.repl.without import numbers_kept, without_part
 from fuzzytime_cli.session import KeptBusy, KeptReading, Started, State
 
 BRIEF = 60

@@ -12,7 +12,7 @@ from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration, instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.scene import Reply, Scene, begun_of, ended_line, step, waiting
+from fuzzytime_cli.repl.scene import Reply, Scene, begun_of, ended_line, is_for_others, step, waiting
 from fuzzytime_cli.repl.typed import got, number_and_rest, number_of, several_numbers
 from fuzzytime_cli.session import Entry, State
 
@@ -56,12 +56,13 @@ def _what(number: int | str, by: float) -> str:
 
 
 def _all_later(scene: Scene, by: float, numbers: Sequence[int] = ()) -> Reply:
-    """Move everything that has not started, or some of it; what is told to happen stays, and is named."""
+    """Move all that has not started, or some of it; what is told to happen stays, and is named."""
     entries, stays, left = [], [], waiting(scene)
     chosen = [scene.conversation.state.entry(number) for number in numbers]
     for entry in chosen or scene.conversation.state.entries:
         mine = [(place, one) for place, one in left if one.wish.identifier == entry.identifier]
-        if any(one.stated for _, one in mine):
+        # What only has its name ("lunch at one") may be chosen; when the guests come is theirs to say.
+        if any((is_for_others(one) if chosen else one.stated) for _, one in mine):
             stays.append(f"{entry.number} ({mine[0][1].skill.name})")
         elif mine and not _follows(scene, mine, left):
             entries.append(_moved(scene, entry, by, mine))

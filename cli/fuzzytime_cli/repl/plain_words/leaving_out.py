@@ -1,8 +1,8 @@
-"""What is not to be once, or on some days: "skip tomorrow's", "not on fridays", "skip the next one"."""
+"""What is not to be once, or on some days: "skip tomorrow's", "skip the noon tablets", "not on fridays"."""
 
 from collections.abc import Callable
 from dataclasses import replace
-from datetime import timedelta
+from datetime import datetime, timedelta
 
 from rich.text import Text
 
@@ -16,7 +16,8 @@ from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands import anew
 from fuzzytime_cli.repl.naming import entry_of, starts_of_entry, words_of_entry
 from fuzzytime_cli.repl.scene import Reply, Scene, waiting
-from fuzzytime_cli.repl.which import entries_meant
+from fuzzytime_cli.repl.which import BESIDE, entries_meant
+from fuzzytime_cli.repl.without import without_time
 from fuzzytime_cli.session import Entry
 
 Taken = Callable[[Scene, About], Reply | None]
@@ -37,6 +38,8 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
     if time.recurrence is not None:
         repeated = _repeated(scene, about)
         return _without(scene, about, repeated[-1], about.time) if repeated else None
+    if time.constraint is Constraint.AT and time.t_spec is not None:
+        return _left_out_at(scene, about, instant_after(scene.now, time.t_spec), taken)
     if time.earliest is None or time.latest is None:
         return None
     first, end = (instant_after(scene.now, side) for side in (time.earliest, time.latest))
@@ -58,6 +61,38 @@ def left_out(scene: Scene, about: About, taken: Taken) -> Reply | None:
         meant = about.names if len(entries) == 1 or len(then) > 1 else frozenset({then[0].identifier})
         return taken(scene, replace(about, kind=AboutKind.DROP, names=meant, time=""))
     raise FuzzytimeError("when then? Say: move it to tomorrow (or: cancel it)")
+
+
+def _left_out_at(scene: Scene, about: About, at: datetime, taken: Taken) -> Reply | None:
+    """Leave out what is planned at an hour: "skip the noon tablets", of those at eight, noon and six.
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing that is named is planned then, or several are.
+    """
+    schedule = scene.plan.schedule
+    named = {entry.identifier: entry for entry in _named(scene, about)}
+    then = [
+        one
+        for place, one in waiting(scene)
+        if one.wish.identifier in named
+        and scene.plan.has_time(place)
+        and abs(scene.plan.instant(schedule.start_times[place]) - at) <= BESIDE
+    ]
+    if not named:
+        return None
+    if len(then) != 1:
+        raise FuzzytimeError(f"{len(then) or 'none'} of those is planned {about.time} (:list shows what is)")
+    entry = named[then[0].wish.identifier]
+    if repeats(then[0]):
+        return _without(scene, about, entry, about.time)
+    others = [one for _, one in waiting(scene, entry.number) if one.skill.name == then[0].skill.name]
+    if len(others) == 1:
+        return taken(scene, About(kind=AboutKind.DROP, names=frozenset({then[0].identifier}), certain=True))
+    own = then[0].instruction.requirements if then[0].instruction is not None else ()
+    span = next((part.span for part in own if part.constraint is Constraint.AT), (0, 0))
+    return _said(scene, about, entry, without_time(scene, entry, span))
 
 
 def _named(scene: Scene, about: About) -> list[Entry]:
@@ -91,7 +126,10 @@ def next_left_out(scene: Scene, about: About) -> Reply | None:
 
 def _without(scene: Scene, about: About, entry: Entry, out: str) -> Reply:
     """Say a repetition anew, without some days."""
-    text = f"{entry.text.rstrip('.! ')} except {out}"
+    return _said(scene, about, entry, f"{entry.text.rstrip('.! ')} except {out}")
+
+
+def _said(scene: Scene, about: About, entry: Entry, text: str) -> Reply:
     reply = anew.reworded(scene, entry.number, text)
     head = Text(plain(f"taken as :edit {entry.number} {text}; :undo takes it back"))
     return replace(reply, lines=(head, *reply.lines), focus=entry.number, taken=about)

@@ -20,12 +20,13 @@ from fuzzytime_cli.repl.naming import (
     unknown,
     words_of_entry,
 )
-from fuzzytime_cli.repl.parts import first_part, swapped_parts, without_part, without_thing
-from fuzzytime_cli.repl.plain_words.progress import blocked, late, length_said, progress, unstarted
+from fuzzytime_cli.repl.parts import first_part, swapped_parts
+from fuzzytime_cli.repl.plain_words.of_all import delaying_all, dropping_all
+from fuzzytime_cli.repl.plain_words.progress import as_typed, blocked, late, length_said, progress, unstarted
 from fuzzytime_cli.repl.plain_words.retiming import days_on, with_time
-from fuzzytime_cli.repl.questions.stretches import is_within
 from fuzzytime_cli.repl.scene import Scene, waiting
 from fuzzytime_cli.repl.which import entries_meant, sole
+from fuzzytime_cli.repl.without import without_part, without_thing
 from fuzzytime_cli.session import Entry
 
 ONE_AT_A_TIME = (
@@ -74,8 +75,8 @@ def _changing(scene: Scene, about: About) -> str | None:
         raise FuzzytimeError(ONE_AT_A_TIME)
     if about.everything:
         if about.kind is AboutKind.DROP:
-            return _dropping_all(scene, about)
-        return _delaying_all(scene, about)
+            return dropping_all(scene, about)
+        return delaying_all(scene, about)
     if about.corrects and scene.told_last is not None:
         scene = replace(scene, focus=scene.told_last)
     meant = entries_meant(scene, about)
@@ -173,39 +174,6 @@ def _of_two(scene: Scene, entry: Entry) -> int | None:
     return others[0].number
 
 
-def _delaying_all(scene: Scene, about: About) -> str:
-    """Give the command that puts off everything, or all within a stretch: "everything after noon".
-
-    Raises
-    ------
-    FuzzytimeError
-        If nothing is planned then.
-    """
-    if not about.time:
-        return f":delay all {length_said(scene, about)}"
-    entries = scene.conversation.state.entries
-    within = [str(entry.number) for entry in entries if is_within(scene, entry, about.time)]
-    if not within:
-        raise FuzzytimeError(f"nothing is planned {about.time} (:list shows what is)")
-    return f":delay {','.join(within)} {length_said(scene, about)}"
-
-
-def _dropping_all(scene: Scene, about: About) -> str:
-    """Give the command that drops everything, but for what is named."""
-    entries = scene.conversation.state.entries
-    if not about.names and not about.time:
-        return ":drop all"
-    kept = entries_meant(scene, replace(about, several=True)) if about.names else []
-    if about.names and not kept:
-        unknown(about.names)
-    within = [entry for entry in entries if not about.time or is_within(scene, entry, about.time)]
-    left = [str(entry.number) for entry in within if entry not in kept]
-    if not left:
-        when = f"planned {about.time}" if about.time else "asked for"
-        raise FuzzytimeError(f"nothing else is {when} (:list shows what is)")
-    return f":drop {','.join(left)}"
-
-
 def _stopping(scene: Scene, about: About) -> str | None:
     """Give the command that ends what is running, or else forgets what is named, or was spoken of last."""
     one = running_one(scene, about.names)
@@ -219,8 +187,17 @@ def _stopping(scene: Scene, about: About) -> str | None:
 
 def _reversing(scene: Scene, about: About) -> str | None:
     """Give the command that changes the order of two back, or the other way round."""
-    if scene.taken is not None and scene.taken.kind in {AboutKind.SWAP, AboutKind.MOVE}:
+    last = scene.taken
+    if last is not None and last.kind in {AboutKind.SWAP, AboutKind.MOVE}:
         return ":undo"
+    if (
+        last is not None
+        and last.kind is AboutKind.DELAY
+        and last.by is not None
+        and scene.told_last is not None
+    ):
+        # "Push the sheep back by an hour", which was to be an hour earlier
+        return f":delay {scene.told_last} {as_typed(-2.0 * last.by)}"
     return _swap(scene, replace(about, both=True))
 
 

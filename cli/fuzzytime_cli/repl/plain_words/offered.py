@@ -48,12 +48,23 @@ def offer_taken(scene: Scene, words: str) -> str | None:
     return None
 
 
+def takes_offer(scene: Scene, words: str) -> bool:
+    """Whether a line says no more than that what was tried is to be so: "yes please", "ok, do that then"."""
+    said = Said.of(words, scene.now, scene.lexicon)
+    taken = said.opens_with("agreeing")
+    # "Ok, do that"
+    behind = said.behind(taken + (said.forms[taken : taken + 1] == (",",))).without_exclamations()
+    told = behind.without_end(said.table("preferring")) if behind.words else said
+    return any(told.is_in(name) for name in ("accepting", "agreeing"))
+
+
 def declines(scene: Scene, words: str) -> bool:
     """Whether a line lets be what there was said to be room for: "no, don't bother"."""
     said = Said.of(words, scene.now, scene.lexicon)
     taken = said.opens_with("answering")
     behind = said.behind(taken + (said.forms[taken : taken + 1] == (",",))) if taken else said
-    return behind.is_in("retracting")
+    # "No, leave it"
+    return behind.is_in("retracting") or behind.is_in("restoring")
 
 
 def beside_what_is_meant(scene: Scene, words: str) -> str | None:

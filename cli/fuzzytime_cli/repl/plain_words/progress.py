@@ -8,19 +8,19 @@ from fuzzytime.language.about_wishes import About, AboutKind
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown
-from fuzzytime_cli.repl.parts import without_thing
 from fuzzytime_cli.repl.plain_words.retiming import some_time, with_time
 from fuzzytime_cli.repl.questions.stretches import on_its_day
 from fuzzytime_cli.repl.scene import AskedBackError, Scene, check_sole, waiting
 from fuzzytime_cli.repl.typed import number_of
 from fuzzytime_cli.repl.which import alike
+from fuzzytime_cli.repl.without import without_thing
 from fuzzytime_cli.session import Entry
 
 
 def progress(scene: Scene, about: About) -> str | None:
     """Give the command that says how a skill goes: one that is running, or that need not start any more."""
     longer = about.kind is AboutKind.MORE
-    last_one = None if not about.text else entry_of(scene, frozenset())
+    last_one = None if longer or not about.text else entry_of(scene, frozenset())
     if last_one is not None:
         # "I already did": what was spoken of last
         about = replace(about, names=frozenset({last_one.identifier}))
@@ -57,7 +57,8 @@ def progress(scene: Scene, about: About) -> str | None:
         planned = part_meant(scene, entry.number, about.names) or called(scene, entry.number)
     if entry is not None and planned is not None:
         if longer:
-            return _lengthened(scene, entry, about) if about.certain else None
+            # "Make the meeting shorter": by how much is asked
+            return _lengthened(scene, entry, about) if about.certain or about.by is None else None
         return line(planned)
     if last is not None:
         raise FuzzytimeError(f"{last.name} was done at {over}")
@@ -160,8 +161,8 @@ def length_said(scene: Scene, about: About) -> str:
         way = "bring it forward" if about.earlier else "push it back"
         message = f"by how much? Say: {way} by ten minutes (or: make it half past six)"
         if about.kind is AboutKind.MORE:
-            message = "by how much? Say: twenty minutes longer"
-        raise AskedBackError(message, about)
+            message = f"by how much? Say: twenty minutes {'shorter' if about.earlier else 'longer'}"
+        raise AskedBackError(message, replace(about, certain=True))
     return as_typed(about.by)
 
 

@@ -1,12 +1,17 @@
 """What is said again, with another time: "no, feed the dog at seven", "trim the hedge at four"."""
 
+from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import Operation, Reading, content_words
-from fuzzytime.language.about_wishes import About, AboutKind, restated
+from fuzzytime.language.about_wishes import About, AboutKind, Said, later_by, restated, reworded
 from fuzzytime.requirement import Constraint
+from fuzzytime.times import instant_after
+from fuzzytime_cli.repl.conversation import exactly
+from fuzzytime_cli.repl.naming import entry_of, starts_of_entry
 from fuzzytime_cli.repl.parts import with_time_of_part
 from fuzzytime_cli.repl.plain_words.retiming import FOR, with_time
-from fuzzytime_cli.repl.scene import Scene, waiting
+from fuzzytime_cli.repl.scene import Scene, begun_parts, waiting
 from fuzzytime_cli.repl.typed import number_of
+from fuzzytime_cli.session import Entry
 
 
 def said_anew(scene: Scene, words: str) -> str | None:
@@ -63,6 +68,59 @@ def same_anew(scene: Scene, anew: str) -> str | None:
         moved = About(kind=AboutKind.MOVE, time=times[0].text)
         anew = with_time(scene, scene.conversation.state.entry(number), moved, own)
     return f":edit {number} {anew}"
+
+
+def again_later(scene: Scene, words: str) -> str | None:
+    """Give a wish for what was asked for again, some time behind that: "and again an hour later"; else None.
+
+    Raises
+    ------
+    FuzzytimeError
+        If what was asked for has no time that it counts from.
+    """
+    said = Said.of(words, scene.now, scene.lexicon)
+    for place in range(len(said.words)):
+        taken = said.behind(place).opens_with("again")
+        by = _length_behind(said.behind(place + taken)) if taken else None
+        if by is None:
+            continue
+        front = said.until(place)
+        front = front.behind(front.opens_with("continuing"))
+        entry = entry_of(scene, frozenset()) if not front.words else _asked_alike(scene, front.text)
+        if entry is None:
+            return None
+        begun = [one.start for one in begun_parts(scene, entry.number)]
+        starts = [*begun, *starts_of_entry(scene, entry)]
+        if not starts:
+            raise FuzzytimeError(f"{entry.text!r} has no time yet: say when it is to be done again")
+        time = exactly(instant_after(max(starts), by))
+        reading = scene.language.read(entry.text, now=entry.given)
+        return reworded(reading, scene.lexicon, time=time, now=scene.now)
+    return None
+
+
+def _length_behind(said: Said) -> float | None:
+    """Give how much later words say that something is: "an hour later", "two hours after that"; else None."""
+    later = later_by(said) if said.words else None
+    if later is not None:
+        return later[0].by if later[0].by is not None and later[0].by > 0 and not later[1].words else None
+    for place in range(1, len(said.words)):
+        beside, length = said.behind(place).beside(), said.until(place).length()
+        if beside is not None and beside[1].is_in("last") and length is not None and not length.rest.words:
+            return length.seconds
+    return None
+
+
+def _asked_alike(scene: Scene, words: str) -> Entry | None:
+    """Give the entry that asks for the same as some words; None where none does, or these ask for more."""
+    read = scene.language.read(words, now=scene.now).instructions
+    operation = read[0].operation if len(read) == 1 else None
+    if operation is None or read[0].requirements:
+        return None
+    same = [one for one in scene.plan.everything if _is_same(one.operation, operation)]
+    numbers = {number_of(one.identifier) for one in same}
+    entries = scene.conversation.state.entries
+    return next((entry for entry in reversed(entries) if entry.number in numbers), None)
 
 
 def timed_now(scene: Scene, words: str, reading: Reading) -> str | None:

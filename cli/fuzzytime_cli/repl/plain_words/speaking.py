@@ -20,7 +20,7 @@ from fuzzytime.language.about_wishes import (
 from fuzzytime.language.sentence.trees.model import is_verb
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands import looking
-from fuzzytime_cli.repl.commands.by_name import how_to, what_if
+from fuzzytime_cli.repl.commands.by_name import how_to
 from fuzzytime_cli.repl.naming import (
     LABEL,
     entry_of,
@@ -33,14 +33,16 @@ from fuzzytime_cli.repl.naming import (
 from fuzzytime_cli.repl.plain_words.between_planned import wish_between_planned
 from fuzzytime_cli.repl.plain_words.happened import happened
 from fuzzytime_cli.repl.plain_words.has_done import done, perhaps_done
-from fuzzytime_cli.repl.plain_words.leaning import leaning, the_other
+from fuzzytime_cli.repl.plain_words.leaning import leaning
 from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, next_left_out
 from fuzzytime_cli.repl.plain_words.meant import command_meant
-from fuzzytime_cli.repl.plain_words.offered import beside_what_is_meant, declines, offer_taken
+from fuzzytime_cli.repl.plain_words.offered import beside_what_is_meant, declines, offer_taken, takes_offer
 from fuzzytime_cli.repl.plain_words.perhaps import cancelled_elsewhere, check_who
-from fuzzytime_cli.repl.plain_words.reasons import CHANGING, behind_what_tells, with_reason
+from fuzzytime_cli.repl.plain_words.reasons import behind_what_tells, with_reason
+from fuzzytime_cli.repl.plain_words.redirected import by_another_length, the_other
 from fuzzytime_cli.repl.plain_words.retiming import wished_instead
-from fuzzytime_cli.repl.plain_words.said_again import said_anew, same_anew, timed_now
+from fuzzytime_cli.repl.plain_words.said_again import again_later, said_anew, timed_now
+from fuzzytime_cli.repl.plain_words.supposing import supposed
 from fuzzytime_cli.repl.plain_words.taking import run, run_each
 from fuzzytime_cli.repl.plain_words.telling import (
     behind_a_fact,
@@ -96,8 +98,11 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
     if (asked is not None and let_be) or (scene.offer is not None and (let_be or declines(scene, words))):
         return Reply(("nothing is changed",))
     asks = asks_how_it_is(scene, words)
+    if scene.offer is not None and scene.offer.line and takes_offer(scene, words):
+        # "What if I push it back?", and then "ok, do that"
+        return run(scene, About(kind=AboutKind.MOVE), scene.offer.line)
     wish = offer_taken(scene, words) or beside_what_is_meant(scene, words)
-    wish = wish or (None if asks else wish_between_planned(scene, words))
+    wish = wish or (None if asks else wish_between_planned(scene, words) or again_later(scene, words))
     if wish is not None:
         return Reply((Text(plain(f"taken as: {wish}")),), anew=wish)
     if waited := happened(scene, words):
@@ -242,6 +247,8 @@ def _taken(scene: Scene, about: About) -> Reply | None:
         return out
     if (moved := left_out_then(scene, about)) is not None:
         return moved
+    if about.kind is AboutKind.MOVE and (again := by_another_length(scene, about, _taken)) is not None:
+        return again
     if about.kind is AboutKind.TAKES:
         about = replace(about, kind=AboutKind.MOVE)
     line = command_meant(scene, about)
@@ -255,18 +262,6 @@ def _when_then(scene: Scene, about: About) -> Reply | None:
     known = not about.told or is_named_itself(scene, about.names)
     entry = entry_of(scene, about.names) if known else None
     return None if entry is None else Reply((ASKED_BACK[about.kind],), focus=entry.number)
-
-
-def _supposed(scene: Scene, text: str) -> Reply:
-    """Show what would come of it: a wish, or what is said of those there are."""
-    about = about_wishes(text, scene.now, scene.lexicon)
-    line = None if about is None or about.text else _supposable(scene, about)
-    # "What if I start the rice at six?", which was to be started at five
-    return what_if(scene, line or same_anew(scene, text) or text)
-
-
-def _supposable(scene: Scene, about: About) -> str | None:
-    return command_meant(scene, about) if about.kind in CHANGING else None
 
 
 ANSWERS: Mapping[AboutKind, Callable[[Scene, About], Reply]] = {
@@ -283,7 +278,7 @@ ANSWERS: Mapping[AboutKind, Callable[[Scene, About], Reply]] = {
     AboutKind.ROOM: rooms.room,
     AboutKind.DURING: gaps.during,
     AboutKind.ON_TIME: ends.on_time,
-    AboutKind.SUPPOSE: lambda scene, about: _supposed(scene, about.text),
+    AboutKind.SUPPOSE: lambda scene, about: supposed(scene, about.text),
     AboutKind.HOW: lambda scene, about: how_to(scene, about.text),
 }
 """What answers each kind of question."""

@@ -3,7 +3,16 @@
 import re
 
 from fuzzytime.language import RemarkKind
-from fuzzytime.language.about_wishes import NewsKind, Said, about_wishes, bare, called_by_time, news_in
+from fuzzytime.language.about_wishes import (
+    AboutKind,
+    NewsKind,
+    Said,
+    about_things,
+    about_wishes,
+    bare,
+    called_by_time,
+    news_in,
+)
 from fuzzytime_cli.repl.naming import entry_of
 from fuzzytime_cli.repl.plain_words.known import is_known
 from fuzzytime_cli.repl.plain_words.telling import is_news
@@ -16,6 +25,8 @@ JOINTS = re.compile(r"(,\s+|;\s+|\s+[-\u2013\u2014]+\s+|\s+(?:because|since|so)\
 """What stands between what is asked for and what is told beside it."""
 
 COMMA = ", "
+APART = ". "
+"""What stands between what changes something, and a wish beside it."""
 
 LONGEST = 40
 """Words of a line that is about what was asked for, at most."""
@@ -46,6 +57,9 @@ def as_usually_said(scene: Scene, words: str) -> str:
         said = usual[place] or clauses[place]
         known = usual[place] is not None or about_wishes(said, scene.now, scene.lexicon) is not None
         joints[place] = COMMA if known else joint
+        # "The pool shuts at five, so call Bob at six" says two things.
+        beside = [clauses[n] for n in (place, place + 1) if usual[n] is None]
+        joints[place] = APART if len(beside) == 1 and _is_wish(scene, beside[0]) else joints[place]
     said = [one or clause for one, clause in zip(usual, clauses, strict=True)]
     return "".join(part for pair in zip(said, [*joints, ""], strict=True) for part in pair)
 
@@ -76,6 +90,14 @@ def asks_how_it_is(scene: Scene, words: str) -> bool:
 
     asks = words.rstrip().endswith("?") and opens("stating")
     return asks and not (opens("requesting") or opens("suggesting"))
+
+
+def _is_wish(scene: Scene, clause: str) -> bool:
+    """Whether a clause asks for something of its own, and says nothing of what was asked for."""
+    if not clause.strip() or about_wishes(clause, scene.now, scene.lexicon) is not None:
+        return False
+    asked = [one.operation for one in scene.language.read(clause, now=scene.now).instructions]
+    return any(one is not None and one.is_asked and not one.negated for one in asked)
 
 
 def _of_who_rang(scene: Scene, told: str, clause: str) -> str:
@@ -117,13 +139,15 @@ def _usual(scene: Scene, clause: str) -> str | None:
     if not clause.strip():
         return None
     about = about_wishes(clause, scene.now, scene.lexicon)
-    # "I need it by three"
-    needed = Said.of(clause, scene.now, scene.lexicon).opens_with("wanted by")
-    order = None if needed and about is not None and about.certain else order_told(scene, clause)
+    if about is not None and about.kind is AboutKind.UNDO and about.text:
+        # "Put it all back" pushes nothing.
+        return None
+    order = order_told(scene, clause)
     if is_news(scene, clause):
         # What only is late may tell a bound: "lunch can't be later than half twelve".
         told = news_in(clause, scene.now, scene.lexicon)
-        return order if all(one.kind is NewsKind.LATE for one in told) else None
+        if any(one.kind is not NewsKind.LATE for one in told):
+            return None
     if order is not None:
         return order
     whose = _of_whose(scene, clause)
@@ -136,7 +160,10 @@ def _usual(scene: Scene, clause: str) -> str | None:
         return is_known(scene, thing, told=told or (sure and thing.is_in("last")))
 
     usual = in_usual_words(clause, scene.now, scene.lexicon, known)
-    if usual is not None and about_wishes(usual, scene.now, scene.lexicon) is not None:
+    # "Put the call back to where it was"
+    things = None if usual is None else about_things(usual, scene.now, scene.lexicon)
+    restores = things is not None and things.kind is AboutKind.UNDO
+    if usual is not None and (restores or about_wishes(usual, scene.now, scene.lexicon) is not None):
         return usual
     whole = Said.of(clause, scene.now, scene.lexicon)
     closed, then = scene.lexicon.closed, whole.after("following")

@@ -62,8 +62,9 @@ def in_usual_words(
     # "Sarah's late", but "Sarah's meeting"
     for line in dict.fromkeys(one for text in texts for one in (text, written_out(text))):
         for usual, way, found in _fitting(Said(line, now, lexicon)):
-            slots = {**found, LENGTH: counted(found[LENGTH])} if usual.startswith(SHIFTING) else found
-            of_itself = usual.startswith(OF_ITSELF) and (_slot(way[0]) or THE in way[0])
+            shifts = usual.startswith(SHIFTING) and LENGTH in found
+            slots = {**found, LENGTH: counted(found[LENGTH])} if shifts else found
+            of_itself = usual.startswith(OF_ITSELF) and (_slot(way[0]) not in {"", SOMEBODY} or THE in way[0])
             if not _is_meant(slots, is_known, told=bool(of_itself)):
                 continue
             if usual != ANY:

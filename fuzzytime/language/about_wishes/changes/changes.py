@@ -4,13 +4,14 @@ import re
 from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_ONCE, About, AboutKind
+from fuzzytime.language.about_wishes.changes.every import every, every_shifted
 from fuzzytime.language.about_wishes.changes.exceptions import cleared, exception, kept_free
 from fuzzytime.language.about_wishes.changes.moves import delayed, moved
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, days_on, later_by
 from fuzzytime.language.about_wishes.meant import about_thing, is_last, named_in
 from fuzzytime.language.about_wishes.said import Said
-from fuzzytime.language.about_wishes.turns import all_but, several_in, turned
+from fuzzytime.language.about_wishes.turns import several_in, turned
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.requirement import Unit
 
@@ -27,6 +28,7 @@ def change(said: Said) -> About | None:
         or kept_free(said)
         or turned(said)
         or _swapped(said)
+        or every_shifted(said)
         or cleared(said)
         or exception(said)
         or _dropped(said)
@@ -77,8 +79,8 @@ def _dropped(said: Said) -> About | None:
     if rest is not None and not rest.has_time and (owned := _appointment(rest)):
         return About(kind=AboutKind.DROP, names=owned)
     dropped = said.after("dropping") or rest
-    if dropped is not None and (kept := all_but(dropped)) is not None:
-        return About(kind=AboutKind.DROP, names=named_in(kept), everything=True, certain=True)
+    if dropped is not None and (all_meant := every(AboutKind.DROP, dropped)) is not None:
+        return all_meant
     if said.forms[:1] == ("leave",) and said.forms[-1:] == ("out",) and len(said.words) > 2:
         # "Leave the soup out"
         return about_thing(AboutKind.DROP, said.until(len(said.words) - 1).behind(1))
@@ -93,8 +95,6 @@ def _dropped(said: Said) -> About | None:
         # "Skip the gym at six", but "skip rope"
         let = Said(rest.parted()[0], said.now, said.lexicon) if said.opens_with("letting go") else None
         return about_thing(AboutKind.DROP, let) if let is not None and let.names else None
-    if rest.is_in("everything"):
-        return About(kind=AboutKind.DROP, everything=True, certain=True)
     if is_last(rest):
         return About(kind=AboutKind.DROP, certain=True)
     return replace(about, certain=said.opens_with("letting go") > 0) if rest.names else None
@@ -212,8 +212,6 @@ def _later(about: About, beside: Said) -> About | None:
     """Give what is later where nothing is named beside it but all, or both: "both an hour earlier"."""
     if not beside.words or is_last(beside):
         return replace(about, certain=True)
-    if beside.is_in("everything"):
-        return replace(about, everything=True, certain=True)
     if beside.is_in("both") or several_in(beside) is not None:
         return replace(about, names=several_in(beside) or frozenset(), both=True, certain=True)
     return None

@@ -1,13 +1,16 @@
 """What is not to be once, or on some days: "skip tomorrow's"; and what is kept free: "keep friday free"."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.said import CLOCKED, FOR, Said, one_time
+from fuzzytime.language.about_wishes.said import AT, CLOCKED, FOR, Said, one_time
 from fuzzytime.requirement import Constraint
 
 OF = ("'s", "’s", "'", "’")
 
 STRETCHES = frozenset({Constraint.BETWEEN, Constraint.BEFORE, Constraint.AFTER})
 """Times in which there may be much."""
+
+LONGEST_CLOCK = 4
+"""Words of a clock time at most."""
 
 LONGEST_DAY = 3
 """Words that a day has at most in front of what it is of."""
@@ -35,7 +38,7 @@ def exception(said: Said) -> About | None:
     rest = skipped or denied or said.after("dropping")
     if rest is None or not rest.words or rest.places:
         return None
-    time, thing = _day_and_thing(rest)
+    time, thing = _clock_and_thing(rest) or _day_and_thing(rest)
     # "Not on friday" and "no swimming today", but "no, today"
     corrects = said.forms[0] == "no" and not thing.words
     if not time or rest.forms[0] == "," or corrects:
@@ -46,6 +49,19 @@ def exception(said: Said) -> About | None:
     # "Cancel today" is of all that is then.
     whole = not thing.words and skipped is None and denied is None
     return About(kind=AboutKind.EXCEPT, names=names, time=time, everything=whole, certain=certain)
+
+
+def _clock_and_thing(said: Said) -> tuple[str, Said] | None:
+    """Give the hour at which something is not to be, and what that is: "the noon tablets"; None for none."""
+    opened = said.forms[0] in said.lexicon.closed.noun_openers
+    for end in range(min(LONGEST_CLOCK + 1, len(said.words) - 1), 1 if opened else len(said.words), -1):
+        clock, thing = said.until(end).behind(1), said.behind(end)
+        time = one_time(f"{AT}{clock.text}", said.now, said.lexicon)
+        # "The two tablets" are counted.
+        told = time is not None and time.constraint is Constraint.AT and time.grain in CLOCKED
+        if told and not clock.as_number() and thing.names and not thing.has_time:
+            return f"{AT}{clock.text}", thing
+    return None
 
 
 def _day_and_thing(said: Said) -> tuple[str, Said]:

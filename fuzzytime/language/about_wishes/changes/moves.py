@@ -4,7 +4,7 @@ import re
 from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, by_length, minutes_alone
+from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, minutes_alone
 from fuzzytime.language.about_wishes.meant import about_thing, is_last
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.about_wishes.told.told_of import told_of
@@ -23,8 +23,6 @@ def delayed(said: Said) -> About | None:
         return None
     if delaying is not None and not rest.words:
         return About(kind=AboutKind.DELAY, certain=True)
-    if (within := _all_within(rest)) is not None:
-        return within
     towards = any(f" {joint}" in f" {rest.text.lower()}" for joint in said.towards)
     if towards or not rest.words or not rest.is_one:
         return None
@@ -44,10 +42,11 @@ def delayed(said: Said) -> About | None:
     by = None if found is None else -found.seconds if earlier else found.seconds
     moved = thing if found is None else found.rest
     named, referred = moved.without(*REFERRED)
-    both, everything = moved.is_in("both"), "everything" in referred and not named.names
-    if both or everything:
-        about = About(kind=AboutKind.DELAY, both=both, everything=everything, certain=True)
-        return replace(about, by=by, earlier=earlier)
+    if moved.is_in("both") or ("everything" in referred and not named.names):
+        every = not moved.is_in("both")
+        return About(
+            kind=AboutKind.DELAY, both=not every, everything=every, by=by, earlier=earlier, certain=True
+        )
     if not named.names and not referred and (delaying is None or named.words):
         return None
     # Who pushes a table back says no length of time.
@@ -55,22 +54,8 @@ def delayed(said: Said) -> About | None:
     return replace(about_thing(AboutKind.DELAY, named, certain=certain), by=by, earlier=earlier)
 
 
-def _all_within(said: Said) -> About | None:
-    """Read what is moved of a stretch by a length: "everything after lunch an hour later"."""
-    taken = said.opens_with("everything")
-    for place in range(len(said.words) - 1, taken, -1) if taken else ():
-        stretch, shift = said.until(place).behind(taken), by_length(said.behind(place))
-        if shift is not None and not shift[1].words and stretch.one_time() is not None:
-            return About(kind=AboutKind.DELAY, everything=True, time=stretch.text, by=shift[0], certain=True)
-    return None
-
-
 def moved(said: Said) -> About | None:
-    """Read a new time for what has one: "move the call to six", "I need it by three"."""
-    wanted = said.after("wanted by")
-    if wanted is not None and (time := wanted.as_time() if wanted.has_time else ""):
-        # "I need it by three"
-        return About(kind=AboutKind.MOVE, time=time, certain=True)
+    """Read a new time for what has one: "move the call to six", "Ann can only do four"."""
     if (able := _able(said) or told_of(said)) is not None:
         return able
     delaying = said.after("delaying")
@@ -129,9 +114,10 @@ def _able(said: Said) -> About | None:
 def _moved_somewhen(said: Said) -> About | None:
     """Read what is to be moved, where when to is not said: "move the gym"."""
     thing = said.behind(1)
-    known = said.forms[0] in said.lexicon.moving and thing.is_one and thing.names and not thing.has_time
+    named = bool(thing.names) or is_last(thing)
+    known = said.forms[0] in said.lexicon.moving and thing.is_one and thing.words and not thing.has_time
     # "Put the soup on"
-    known = known and thing.forms[-1] not in said.lexicon.particles
+    known = known and named and thing.forms[-1] not in said.lexicon.particles
     return replace(about_thing(AboutKind.UNABLE, thing), told=True) if known else None
 
 

@@ -58,12 +58,12 @@ def _more(said: Said) -> About | None:
         return _made_longer(said.behind(1))
     joint = said.forms.index(",") if said.forms.count(",") == 1 else 0
     front, by = (
-        (_more(said.until(joint)), said.behind(joint + 1).without("more")[0].length())
+        (_more(said.until(joint)), said.behind(joint + 1).without("more", "they", "being")[0].length())
         if joint
         else (None, None)
     )
     if front is not None and front.by is None and by is not None and not by.rest.words:
-        # "The dishes took longer, another ten minutes"
+        # "The dishes took longer, it'll be another ten minutes"
         return replace(front, by=by.seconds)
     without, tables = said.without("more")
     # "Another hour" is none without its article.
@@ -84,13 +84,20 @@ def _more(said: Said) -> About | None:
 
 
 def _made_longer(said: Said) -> About | None:
-    """Read what is to take longer: "make the lesson ten minutes longer"."""
-    without, tables = said.without("more")
-    for place in range(1, len(without.words)):
-        found = without.behind(place).length()
-        if "more" in tables and found is not None and not found.rest.words:
-            thing = without.until(place)
-            return About(kind=AboutKind.MORE, names=thing.meant, by=found.seconds, certain=True)
+    """Read what is to take longer, or less: "make the lesson ten minutes longer", "make it a bit shorter"."""
+    for place in range(1, len(said.words)):
+        thing, way = said.until(place), said.behind(place)
+        left, parts = way.without("more", "less")
+        # "Another hour" is none without its article.
+        found = left.length() or way.without("less")[0].length()
+        slight = f"{left.text} later" if left.is_in("slightly") else ""
+        if not parts or (
+            left.words and not slight and (found is None or found.rest.without("more")[0].words)
+        ):
+            continue
+        by = None if found is None else -found.seconds if "less" in parts else found.seconds
+        about = About(kind=AboutKind.MORE, names=thing.meant, by=by, text=slight, earlier="less" in parts)
+        return replace(about, certain=by is not None or thing.is_in("last"))
     return None
 
 

@@ -101,3 +101,4 @@ class Doing(NamedTuple):
     resting: Words
     watching: Words
     past_alike: Words
+    calling_up: Words

@@ -59,7 +59,7 @@ def _with_thing_done(tree: Tree) -> Tree:
 
 
 def _with_deed_named(tree: Tree) -> Tree:
-    """Give "start the cool down", "do the warm up" all of the thing, of which a tree gives a part to the verb.
+    """Give "start the cool down", "do the warm up" the whole thing, of which a tree gives the verb a part.
 
     So of "on the way out". But "put the wash up", where the verb is one with that word, too.
     """
