@@ -206,3 +206,20 @@ def test_what_waited_and_is_done_is_over() -> None:
     talk = talk_of("serve the soup when the guests sit down", "then clear the table")
     assert "found a place: s2 clear the table" in talk.say("the soup is served")
     assert "the soup waits" in talk.say("undo")
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    "line",
+    [
+        "Order the cake, it's needed by six",
+        "Print the poster, they need it by three",
+        "Wash the car before lunch, it takes an hour",
+        "Mow the lawn after lunch, I can't do it before two",
+        "Bake the bread at four, it has to be out by five",
+    ],
+)
+def test_what_is_told_beside_a_new_wish_is_of_that(line: str) -> None:
+    talk = talk_of("call Ann at ten")
+    talk.say(line)
+    assert talk.entries == ["call Ann at ten", line]

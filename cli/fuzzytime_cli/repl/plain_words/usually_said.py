@@ -2,7 +2,6 @@
 
 import re
 
-from fuzzytime.language import RemarkKind
 from fuzzytime.language.about_wishes import (
     AboutKind,
     NewsKind,
@@ -42,14 +41,15 @@ def as_usually_said(scene: Scene, words: str) -> str:
     words = _with_labels(scene, words)
     if asks_how_it_is(scene, words):
         return words
-    if (whole := _usual(scene, words)) is not None:
-        return whole
     parts = JOINTS.split(words)
     clauses, joints = parts[::2], parts[1::2]
+    whole = _usual(scene, words)
+    if whole is not None and not (joints and _asks_anew(scene, clauses[0])):
+        return whole
     for place, told in enumerate(clauses[:-1]):
         clauses[place + 1] = _of_who_rang(scene, told, clauses[place + 1])
     usual = [_usual(scene, clause) for clause in clauses]
-    if len(clauses) > 1 and any(usual[1:]) and _asks_anew(scene, clauses[0], usual[0]):
+    if any(usual[1:]) and _asks_anew(scene, clauses[0]):
         # "Order the cake, it's needed by six" is of the cake, whatever was asked for before.
         of_it = [place > 0 and _is_of_it(scene, clause) for place, clause in enumerate(clauses)]
         usual = [None if own else one for own, one in zip(of_it, usual, strict=True)]
@@ -64,14 +64,9 @@ def as_usually_said(scene: Scene, words: str) -> str:
     return "".join(part for pair in zip(said, [*joints, ""], strict=True) for part in pair)
 
 
-def _asks_anew(scene: Scene, clause: str, usual: str | None) -> bool:
+def _asks_anew(scene: Scene, clause: str) -> bool:
     """Whether a clause asks for something new: "order the cake", but not "Tom rang" or "skip the gym"."""
-    if usual is not None or about_wishes(clause, scene.now, scene.lexicon) is not None:
-        return False
-    reading = scene.conversation.interpreter.language.read(clause, now=scene.now)
-    first = next((one.operation for one in reading.instructions), None)
-    told = any(remark.kind is RemarkKind.NOT_UNDERSTOOD for remark in reading.remarks)
-    return first is not None and not (first.stated or told or is_news(scene, clause))
+    return _usual(scene, clause) is None and not is_news(scene, clause) and _is_wish(scene, clause)
 
 
 def _is_of_it(scene: Scene, clause: str) -> bool:

@@ -5,6 +5,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from fuzzytime.language.grammar.timetables import has_time
+from fuzzytime.language.sentence.segments.mended.mended_verbs import with_deed_named
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -29,7 +30,7 @@ DESCRIBING = frozenset({"RB", "JJ"})
 
 def with_whole_things(tree: Tree) -> Tree:
     """Give a tree whose things have all their words."""
-    tree = _with_deed_named(_with_subject(_with_thing_done(tree)))
+    tree = with_deed_named(_with_subject(_with_thing_done(tree)))
     return _with_level(
         _with_next_one(
             _with_numbered_subject(
@@ -55,28 +56,6 @@ def _with_thing_done(tree: Tree) -> Tree:
                 tree = tree if part < does else tree.changed(part, relation="compound")
             tree = tree.hung(apart, does).changed(does, tag="VBZ", relation="ROOT", head=does)
             return tree.changed(thing, tag="NN", relation="dobj", head=does)
-    return tree
-
-
-def _with_deed_named(tree: Tree) -> Tree:
-    """Give "start the cool down", "do the warm up" the whole thing, of which a tree gives the verb a part.
-
-    So of "on the way out". But "put the wash up", where the verb is one with that word, too.
-    """
-    particles, doing = tree.lexicon.particles, tree.lexicon.doing
-    attended = doing.of_events | doing.beginning | doing.ending
-    for place in range(2, len(tree.nodes)):
-        node, named, opener = tree.nodes[place], tree.nodes[place - 1], tree.nodes[place - 2]
-        verb = tree.nodes[tree.root]
-        verbs = particles.get(node.lower, frozenset())
-        deed = not verbs.isdisjoint({named.lower, named.lemma}) and (
-            verb.lemma not in verbs or verb.lemma in attended
-        )
-        ways = named.lower in tree.lexicon.closed.ways
-        led = opener.tag in DETERMINERS and (node.head == tree.root or node.head == place - 1)
-        if led and (deed or ways) and tree.root < place - 2 and not tree.children(place):
-            tree = tree.changed(place, tag="NN", head=place - 1, relation="compound")
-            tree = tree if ways else tree.changed(place - 1, tag="NN")
     return tree
 
 

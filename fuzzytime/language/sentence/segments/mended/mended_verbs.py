@@ -251,3 +251,25 @@ def with_thing_done(tree: Tree, thing: int) -> Tree:
     moved = tree.hung((p for p in tree.children(thing) if p > thing and p not in kept), 0)
     moved = moved.changed(0, tag="VB", relation="ROOT", head=0)
     return moved.changed(thing, tag="NN", relation="dobj", head=0)
+
+
+def with_deed_named(tree: Tree) -> Tree:
+    """Give "start the cool down", "do the warm up" the whole thing, of which a tree gives the verb a part.
+
+    So of "on the way out". But "put the wash up", where the verb is one with that word, too.
+    """
+    particles, doing = tree.lexicon.particles, tree.lexicon.doing
+    attended = doing.of_events | doing.beginning | doing.ending
+    for place in range(2, len(tree.nodes)):
+        node, named, opener = tree.nodes[place], tree.nodes[place - 1], tree.nodes[place - 2]
+        verb = tree.nodes[tree.root]
+        verbs = particles.get(node.lower, frozenset())
+        deed = not verbs.isdisjoint({named.lower, named.lemma}) and (
+            verb.lemma not in verbs or verb.lemma in attended
+        )
+        ways = named.lower in tree.lexicon.closed.ways
+        led = opener.tag in DETERMINERS and (node.head == tree.root or node.head == place - 1)
+        if led and (deed or ways) and tree.root < place - 2 and not tree.children(place):
+            tree = tree.changed(place, tag="NN", head=place - 1, relation="compound")
+            tree = tree if ways else tree.changed(place - 1, tag="NN")
+    return tree
