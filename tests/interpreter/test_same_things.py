@@ -61,3 +61,20 @@ def test_what_is_done_once_more_is_done_shortly_before_it_is_due() -> None:
     plan = told(["let the dog out around nine pm and again before ten pm"])
     first, again = plan.schedule.start_times
     assert again - first > 45 * 60
+
+
+@pytest.mark.parametrize(
+    ("line", "second"),
+    [
+        ("Mow the lawn on friday and rake it in the evening", "Fri 18:30"),
+        ("Soak the beans tonight and cook them at ten in the morning", "Thu 10:00"),
+        ("Drain the boiler on tuesday and refill it on wednesday", "Wed 09:00"),
+        ("Drain the boiler on tuesday and descale it overnight", "Tue 23:00"),
+        ("Pack tonight and leave at five am", "Thu 05:00"),
+    ],
+)
+def test_what_comes_next_is_behind_the_day_said_before_it(line: str, second: str) -> None:
+    made = told([line])
+    first, then = made.schedule.start_times
+    assert first < then
+    assert f"{made.instant(then):%a %H:%M}" == second

@@ -37,6 +37,7 @@ from fuzzytime.language.sentence.together.none_of_it.naming import naming_none, 
 from fuzzytime.language.sentence.together.none_of_it.orders_again import denied_together
 from fuzzytime.language.sentence.together.none_of_it.unused import unused_front, unused_words
 from fuzzytime.language.sentence.together.sketches import sketches_of
+from fuzzytime.language.sentence.together.times.behind_the_same import behind_the_same
 from fuzzytime.language.sentence.together.times.for_all import said_for_all
 from fuzzytime.language.sentence.together.times.pairs import follows_on, leads_to, side_of_night
 from fuzzytime.language.sentence.together.told.lengths import (
@@ -247,6 +248,9 @@ class _Composer:
         """Ground the times of a sketch, with what is to be said and asked of them."""
         moment = at_usual_hours(self.moment, sketch, self.draft.text) if self.usual else self.moment
         times = ground_all(sketch.phrases, self.draft.text, moment)
+        if self.made and sketch.operation is not None:
+            before, own = self.made[-1], sketch.operation
+            times = behind_the_same(times, sketch.phrases, self.draft.text, moment, before, own)
         if not sketch.doubted:
             # What is not planned is no clue to what else is meant.
             self._remember(times, happens=sketch.operation is not None and sketch.operation.stated)

@@ -30,7 +30,7 @@ class Ranges(Standing):
         if led and not self.around.may_end(piece):
             # "The Monday to Friday timetable", "order for friday 2-3 pizzas"
             return False
-        if self.around.describes(piece):
+        if self.around.describes(piece) or self.around.names_event(piece):
             # "Watch the ten to midnight film"
             return False
         joint = self.texts[piece.start + 1]

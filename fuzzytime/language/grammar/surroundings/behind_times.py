@@ -4,7 +4,7 @@ from fuzzytime.english import is_participle, looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.surroundings.looked_up import LookedUp
-from fuzzytime.language.grammar.timetables import counts_nothing
+from fuzzytime.language.grammar.timetables import counts_nothing, has_time
 from fuzzytime.language.meaning.expressions import Said
 
 
@@ -25,12 +25,21 @@ class BehindTimes(LookedUp):
         known = known or self._says_how(piece.end)
         return known or self._is_in_front(piece) or self._is_before_order(piece)
 
+    def names_event(self, piece: Piece) -> bool:
+        """Whether its part of the day is of what happens: "after the matinee and before the evening show"."""
+        led = piece.end - piece.start > 1 and self.texts[piece.end - 2] in self.closed.noun_openers
+        behind = "".join(self.texts[piece.end + 1 : piece.end + 2])
+        over = not behind[:1].isalnum() or behind in self.closed.joints_of_orders
+        return led and over and self.is_part(piece.end - 1) and has_time(self.follower(piece), self.lexicon)
+
     def _says_how(self, place: int) -> bool:
         """Whether a word says how it is done, and of no thing: "at six quietly", "at six asking for it".
 
         But "at six friendly shops", "at six meeting points".
         """
-        text, acts = self.texts[place], is_participle(self.texts[place])
+        text, happens = self.texts[place], self.lexicon.happening | self.lexicon.taken | self.lexicon.events
+        # "After the morning meeting and before lunch"
+        acts = is_participle(text) and text not in happens
         how = acts or any(map(text.endswith, self.closed.endings_of_manner))
         behind = self.texts[place + 1] if place + 1 < len(self.texts) else ""
         apart = not behind[:1].isalnum() and not acts

@@ -76,9 +76,17 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
             told = _on_own_day(told, named[0], text)
         # What stands before a colon holds for all behind it, as in "school trip on the 12th: …".
         heads = text[sketch.part.segment.span[1] :].lstrip().startswith(":")
+        if held is not None and held.part is not None and _is_over(sketch, held.part):
+            # "Pack tonight, leave at five am and be there by half six"
+            held = above
         held = _day_of(sketch, heads=heads) or held
         placed.append(told)
     return placed if heading is None else [under_heading(sketch, heading) for sketch in placed]
+
+
+def _is_over(sketch: Sketch, part: Part) -> bool:
+    """Whether an instruction is in the morning behind a part of the day, and so are those behind it."""
+    return any(is_morning_after(phrase.said, part) for phrase in sketch.phrases)
 
 
 def _offered(sketch: Sketch) -> set[int]:
@@ -269,12 +277,16 @@ def _day_beside(before: Sketch, sketch: Sketch, between: str) -> _Day | None:
 
 
 def is_morning_after(said: Said, before: Part) -> bool:
-    """Whether it is a morning, without its day, behind a part of the day that was said before."""
-    part = said.wall.part
-    alone = said.wall.days is None and said.wall.clock is None
-    if not alone or part is None or part.end > NOON:
+    """Whether it is in a morning, without its day, behind a part of the day that was said before.
+
+    "Pack tonight, leave at five am"
+    """
+    part, clock = said.wall.part, said.wall.clock
+    if said.wall.days is not None:
         return False
-    return before.half.is_late or part.end <= before.start
+    if part is None:
+        return before.half.is_late and clock is not None and clock.half is Half.AM
+    return part.end <= NOON and (before.half.is_late or part.end <= before.start)
 
 
 def part_before(sketch: Sketch, said: Said) -> Part | None:
