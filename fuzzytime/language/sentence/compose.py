@@ -248,7 +248,7 @@ class _Composer:
         """Ground the times of a sketch, with what is to be said and asked of them."""
         moment = at_usual_hours(self.moment, sketch, self.draft.text) if self.usual else self.moment
         times = ground_all(sketch.phrases, self.draft.text, moment)
-        if self.made and sketch.operation is not None:
+        if self.made and sketch.operation is not None and sketch.operation.lemma not in sketch.lexicon.moving:
             before, own = self.made[-1], sketch.operation
             times = behind_the_same(times, sketch.phrases, self.draft.text, moment, before, own)
         if not sketch.doubted:
