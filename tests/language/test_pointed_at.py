@@ -216,6 +216,7 @@ def test_nothing_is_said_to_be_unused_where_all_is_read() -> None:
         ("buy tickets for friday 2-3 adults", "'3 adults' is not used"),
         ("can you set an alarm for half five so i don't miss my train", "'train' is not used"),
         ("on friday the first thing is to call ann", "'thing' is not used"),
+        ("set a reminder for next saturday go to the library at five o'clock", "'library' is not used"),
         ("water it every monday 3 times", "'3 times' is not used"),
     ]
 

@@ -53,15 +53,23 @@ def every_shifted(said: Said) -> About | None:
     ends = [n for n in range(1, len(rest.words)) if rest.behind(n).opens_with("except")]
     if not any(rest.behind(n).opens_with(EVERYTHING) for n in range(len(rest.words))):
         return None
+    moves = moving or delaying is not None
     for end in (len(rest.words), *ends):
-        for place in range(1, end):
-            whole = f"{rest.until(place).text} {rest.behind(end).text}".strip()
-            about = every(AboutKind.DELAY, Said(whole, rest.now, rest.lexicon))
-            shift = _shift(rest.until(end).behind(place), moving=moving or delaying is not None)
-            if shift is not None and about is not None:
-                # "Push it all back": by how much is not said
-                return replace(about, by=shift[0], earlier=shift[1])
+        found = [one for place in range(1, end) if (one := _shifted_at(rest, place, end, moving=moves))]
+        # "Everything before half past one | half an hour earlier": the whole time
+        timed = [one for one in found if one.time and one.by is not None]
+        if found:
+            return timed[-1] if timed else found[0]
     return None
+
+
+def _shifted_at(rest: Said, place: int, end: int, *, moving: bool) -> About | None:
+    """Read what moves up to a place, and behind the end of how far, and how far it moves between them."""
+    whole = f"{rest.until(place).text} {rest.behind(end).text}".strip()
+    about = every(AboutKind.DELAY, Said(whole, rest.now, rest.lexicon))
+    shift = None if about is None else _shift(rest.until(end).behind(place), moving=moving)
+    # "Push it all back": by how much is not said
+    return None if about is None or shift is None else replace(about, by=shift[0], earlier=shift[1])
 
 
 def _shift(said: Said, *, moving: bool) -> tuple[float | None, bool] | None:

@@ -10,6 +10,7 @@ import importlib.util
 import json
 import re
 from collections.abc import Iterable, Iterator
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cache
@@ -140,7 +141,7 @@ def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Ite
                 token.lemma_.lower(),
                 token.dep_,
                 token.head.i,
-                bool(_forms(token, verbs | names, lexicon) & verbs),
+                _may_act(token, verbs, names, lexicon),
                 bool({token.lower_, token.lemma_} & names),
             )
             for token, (start, end) in zip(doc, spans, strict=True)
@@ -150,12 +151,12 @@ def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Ite
         yield Tree(text, _renumbered(nodes, places), lexicon)
 
 
-def _forms(token: Any, known: frozenset[str], lexicon: Lexicon) -> set[str]:  # noqa: ANN401 - spaCy's
-    """Give a word as it stands and as a dictionary has it; without "un" where that lacks it: "unclamp"."""
+def _may_act(token: Any, verbs: AbstractSet[str], names: AbstractSet[str], lexicon: Lexicon) -> bool:  # noqa: ANN401 - spaCy's
+    """Whether a dictionary has a word for a verb; without "un" where it lacks the word: "unclamp"."""
     forms = {token.lower_, token.lemma_}
-    if not known.isdisjoint(forms):
-        return forms
-    return {form.removeprefix(prefix) for form in forms for prefix in lexicon.doing.verb_prefixes}
+    if not (verbs.isdisjoint(forms) and names.isdisjoint(forms)):
+        return not verbs.isdisjoint(forms)
+    return any(form.removeprefix(prefix) in verbs for form in forms for prefix in lexicon.doing.verb_prefixes)
 
 
 def _spans(text: str, tokens: Iterable[tuple[int, int]]) -> Iterator[Span]:

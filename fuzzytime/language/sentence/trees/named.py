@@ -58,7 +58,8 @@ def takes_verb(verb: str, first: str, other: str, lexicon: Lexicon) -> bool:
 def may_have_it_done(verb: str, named: Node, lexicon: Lexicon) -> bool:
     """Whether what a word begins to name may be what a verb is done with: to walk is no "biscuit"."""
     alive = lexicon.people | lexicon.animals | lexicon.closed.noun_openers
-    return verb not in lexicon.doing.with_the_living or not named.may_name or named.lower in alive
+    noun = named.may_name and named.tag.startswith("NN")
+    return verb not in lexicon.doing.with_the_living or not noun or named.lower in alive
 
 
 def is_of_its_own(thing: str, lexicon: Lexicon) -> bool:
