@@ -145,6 +145,9 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
                 earlier = _said_before(said.subject, anchors, sketch)
                 about = anchors.done_with(earlier)
                 condition = condition if about is None else _named(said, earlier, anchors.lexicon)
+            if clause.verb is None and said.comparisons and not _is_brought_to_level(about, anchors):
+                # "Order the cake. At 60 degrees add the yeast": no cake gets there.
+                about = None
             condition = replace(condition, about=about, takes=takes)
     elif clause.kind == "while" and not condition.negated:
         condition = replace(condition, about=_under_way(said, condition, anchors), goes_on=True)
@@ -156,6 +159,13 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
         condition=condition,
         reference=Reference.FINISH if clause.kind == "until" else Reference.START,
     )
+
+
+def _is_brought_to_level(target: int | None, anchors: Anchors) -> bool:
+    """Whether an instruction changes what is measured of a thing: "heat the milk"."""
+    operation = None if target is None else anchors.operation_at(target)
+    lexicon = anchors.lexicon
+    return operation is not None and operation.lemma in lexicon.measure_verbs | lexicon.timing
 
 
 def _under_way(said: Condition, condition: Condition, anchors: Anchors) -> int | None:
