@@ -18,6 +18,7 @@ class Doing(NamedTuple):
     beginning: Words
     ending: Words
     at_levels: Words
+    to_levels: Words
     beyond_levels: Words
     going_on: Words
     for_days: Words

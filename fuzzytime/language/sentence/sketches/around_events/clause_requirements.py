@@ -165,7 +165,8 @@ def _is_brought_to_level(target: int | None, anchors: Anchors) -> bool:
     """Whether an instruction changes what is measured of a thing: "heat the milk"."""
     operation = None if target is None else anchors.operation_at(target)
     lexicon = anchors.lexicon
-    return operation is not None and operation.lemma in lexicon.measure_verbs | lexicon.timing
+    brings = lexicon.measure_verbs | lexicon.timing | lexicon.doing.to_levels
+    return operation is not None and operation.lemma in brings
 
 
 def _under_way(said: Condition, condition: Condition, anchors: Anchors) -> int | None:
