@@ -80,7 +80,7 @@ class Policy:
     night_to: time = time(4)
     night_hours: int = 5
     ahead_from: time = time(6)
-    begun_hours: int = 3
+    begun_hours: int = 1
     hours_before: int = 2
     workday_from: time = time(6)
     same_weekday: SameWeekday = SameWeekday.NEXT
