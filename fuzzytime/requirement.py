@@ -37,6 +37,9 @@ BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 MOMENTS = frozenset({None, Constraint.AT})
 """How times bind that say when, with a preposition or without."""
 
+SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
+"""What says when something begins, and not only when at the latest or at the earliest."""
+
 STRETCHES = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
 """How times bind that leave a stretch to do something in: from a bound on, up to one, or between two."""
 

@@ -15,7 +15,7 @@ from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
-from fuzzytime.language.sentence.sketches.meaning.clock_times import LastSaid, said_in
+from fuzzytime.language.sentence.sketches.meaning.clock_times import IN_ORDER, LastSaid, said_in
 from fuzzytime.language.sentence.together.days.headings import on_next_day, under_headings
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
@@ -128,13 +128,13 @@ class Language:
         """Compose drafts so that their lines go through a day, if they may, and not through the night.
 
         The first of them may be earlier in the day, or a little while ago where lines go on from there in
-        order; in the evening, all may be of tomorrow. What is between
-        others may be at other hours than usual: "gym 9.45", "party 10.30", "lunch 12.30".
+        order; in the evening, all may be of tomorrow. What is between others may be at other hours than
+        usual: "gym 9.45", "party 10.30", "lunch 12.30".
         """
         found = self._in_turn(drafts, given)
         if not found[1][-1].astray:
             return found
-        begun = self._in_turn(drafts, given, over=True)
+        begun = self._in_turn(drafts, given, over=True) if len(drafts) > IN_ORDER else found
         if begun[1][-1].in_order and begun[1][-1].astray < found[1][-1].astray:
             found = begun
         tomorrow = on_next_day(drafts)

@@ -90,6 +90,35 @@ def test_everything_is_all_that_comes_where_nothing_came_before(line: str) -> No
     assert notes(told([line])) == ["says when all must be done, and nothing is asked for"]
 
 
+@pytest.mark.parametrize(
+    "need",
+    [
+        "They need it by noon",
+        "Ann needs it by noon",
+        "The boys from next door will need it by noon",
+        "You need it by noon",
+        "Need it by noon",
+        "She needs it at noon",
+        "It's needed by noon",
+    ],
+)
+def test_what_somebody_needs_is_done_by_then(need: str) -> None:
+    for lines in ([f"Print the poster. {need}"], ["Print the poster", need]):
+        (poster,) = told(lines).skills
+        assert poster.skill.name.lower() == "print the poster"
+        last = 5 * 3600 - poster.skill.time_until_done
+        early, due, late = poster.skill.satisfaction([last - 3600.0, last, last + 600.0])
+        assert (early, due, late) == (1, 1, 0)
+
+
+@pytest.mark.parametrize(
+    "line", ["They don't need it by noon", "Do they need it by noon?", "Ann needs milk by noon"]
+)
+def test_what_nobody_needs_then_is_not_bounded(line: str) -> None:
+    poster, *_ = told(["Print the poster", line]).skills
+    assert not poster.requirements
+
+
 def test_what_is_asked_for_later_keeps_its_time() -> None:
     made = told(["wash the car", "call mum at 7 pm", "Everything must be done by noon"])
     assert starts(made)["s2"] == "19:00"

@@ -38,16 +38,17 @@ def order_told(scene: Scene, clause: str) -> str | None:
     FuzzytimeError
         If what "it" is cannot be told from what it is to come before, or after.
     """
-    if bounded := _of_open_hours(scene, Said(clause, scene.now, scene.lexicon)):
+    said = Said(clause, scene.now, scene.lexicon)
+    if bounded := _of_open_hours(scene, said):
         return bounded
-    if ending := _of_end(scene, Said(clause, scene.now, scene.lexicon)):
+    if ending := _of_end(scene, said):
         return ending
     orders = of_planned(
-        Said(clause, scene.now, scene.lexicon),
+        said,
         lambda thing: thing.forms[:1] != (TO,) and is_known(scene, thing, told=False),
         lambda thing, word: word in verbs_of(scene, thing.names),
     )
-    if any(form in scene.lexicon.closed.anaphors for form in Said(clause, scene.now, scene.lexicon).forms):
+    if any(form in scene.lexicon.closed.anaphors for form in said.forms):
         _check_whose(scene, orders)
     lasts = Said(orders[0], scene.now, scene.lexicon).length() if len(orders) > 1 else None
     new = None if lasts is None else lasts.seconds

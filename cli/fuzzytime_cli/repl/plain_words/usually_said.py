@@ -44,12 +44,16 @@ def as_usually_said(scene: Scene, words: str) -> str:
     parts = JOINTS.split(words)
     clauses, joints = parts[::2], parts[1::2]
     whole = _usual(scene, words)
-    if whole is not None and not (joints and _asks_anew(scene, clauses[0])):
+    if not joints:
+        return words if whole is None else whole
+    first = _usual(scene, clauses[0])
+    tells = first is not None or is_news(scene, clauses[0])
+    if whole is not None and (tells or not _is_wish(scene, clauses[0])):
         return whole
     for place, told in enumerate(clauses[:-1]):
         clauses[place + 1] = _of_who_rang(scene, told, clauses[place + 1])
-    usual = [_usual(scene, clause) for clause in clauses]
-    if any(usual[1:]) and _asks_anew(scene, clauses[0]):
+    usual = [first, *(_usual(scene, clause) for clause in clauses[1:])]
+    if any(usual[1:]) and not tells and _is_wish(scene, clauses[0]):
         # "Order the cake, it's needed by six" is of the cake, whatever was asked for before.
         of_it = [place > 0 and _is_of_it(scene, clause) for place, clause in enumerate(clauses)]
         usual = [None if own else one for own, one in zip(of_it, usual, strict=True)]
@@ -64,16 +68,11 @@ def as_usually_said(scene: Scene, words: str) -> str:
     return "".join(part for pair in zip(said, [*joints, ""], strict=True) for part in pair)
 
 
-def _asks_anew(scene: Scene, clause: str) -> bool:
-    """Whether a clause asks for something new: "order the cake", but not "Tom rang" or "skip the gym"."""
-    return _usual(scene, clause) is None and not is_news(scene, clause) and _is_wish(scene, clause)
-
-
 def _is_of_it(scene: Scene, clause: str) -> bool:
     """Whether a clause is of what was named before it: "it takes an hour", "I can't do it before two"."""
-    closed = scene.lexicon.closed
-    said = {form for word in clause.lower().split() for form in re.split(r"['\u2019]", word)}
-    return not said.isdisjoint(closed.personal_pronouns | closed.it_or_them | closed.anaphors)
+    closed, said = scene.lexicon.closed, Said(clause, scene.now, scene.lexicon).forms
+    things = closed.personal_pronouns | closed.it_or_them | closed.anaphors
+    return any(not things.isdisjoint(form.split("'")) for form in said)
 
 
 def asks_how_it_is(scene: Scene, words: str) -> bool:

@@ -176,8 +176,9 @@ _ROWS = {
         "joints", "small", "subjects", "determiners", "being", "taking", "going", "there", "by", "vehicles",
         "between", "helping", "enough", "allowing", "leaving", "for it",
     ),
-    "asides": ("naming", "back", "helping", "taking", "whom", "needing", "needed", "being needed",
-        "having to be", "unable", "unable to",
+    "asides": (
+        "naming", "back", "helping", "taking", "whom", "needing", "needed", "being needed", "having to be",
+        "unable", "unable to",
     ),
     "spacing": ("leading", "beside", "nouns", "turns"),
     "instances": ("first", "further"),

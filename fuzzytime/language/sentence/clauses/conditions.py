@@ -149,6 +149,11 @@ def levelled(text: str, content: str, lexicon: Lexicon, *, bare: bool = False) -
     """Read "when at 60 degrees", and a ``bare`` "until 80%": what has that level is not said."""
     if not is_level(content, lexicon) and not (bare and is_level(f"at {content}", lexicon)):
         return None
+    return at_level(text, content, lexicon)
+
+
+def at_level(text: str, content: str, lexicon: Lexicon) -> Condition:
+    """Give that something has a level: "it", where the level does not name it."""
     named = (word for word in content.lower().split() if word in lexicon.beside.levelled)
     return Condition(text=text, subject=next(named, "it"))
 

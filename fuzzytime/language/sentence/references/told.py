@@ -1,13 +1,12 @@
 """What was told of instructions, by their positions: starts, lengths, which are repeated."""
 
 from dataclasses import dataclass, field
-from datetime import datetime, timedelta
+from datetime import datetime
 
+from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.instruction import Instruction
-from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
-
-WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
-"""What says when something begins, and not only when at the latest or at the earliest."""
+from fuzzytime.requirement import SAID_WHEN, Anchor, TimeRequirement
+from fuzzytime.times import instant_after
 
 
 @dataclass(slots=True)
@@ -70,9 +69,9 @@ class Told:
 
 def start_of(instruction: Instruction, now: datetime | None) -> datetime | None:
     """Give when something begins, at the earliest, where its words say when it is."""
-    said = (part.earliest for part in instruction.requirements if part.constraint in WHEN)
+    said = (part.earliest for part in instruction.requirements if part.constraint in SAID_WHEN)
     first = next((seconds for seconds in said if seconds is not None), None)
     try:
-        return None if first is None or now is None else now + timedelta(seconds=first)
-    except OverflowError:  # beyond the year 9999
+        return None if first is None or now is None else instant_after(now, first)
+    except FuzzytimeError:  # beyond the year 9999
         return None

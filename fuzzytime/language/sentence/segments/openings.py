@@ -33,7 +33,7 @@ def behind_opening(
             break
         elif _is_somewhere(words, begin, times, lexicon):
             break
-        elif begin + len(longest_match(words, begin, lexicon.clauses) or ()) in range(begin + 1, end):
+        elif _opens_clause(words, begin, end, lexicon):
             # "So long as it is dry"
             break
         elif words[begin + 1].text in lexicon.closed.stative_verbs:
@@ -44,6 +44,12 @@ def behind_opening(
         else:
             break
     return begin
+
+
+def _opens_clause(words: Sequence[Word], begin: int, end: int, lexicon: Lexicon) -> bool:
+    """Whether a marker stands at a place, and something behind it."""
+    marker = longest_match(words, begin, lexicon.clauses)
+    return marker is not None and begin + len(marker) < end
 
 
 def behind_all_due(

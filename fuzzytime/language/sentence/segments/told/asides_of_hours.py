@@ -5,6 +5,7 @@ behind, or is when that is done: "fetch Omar, who lands at nine, from the airpor
 """
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
@@ -57,9 +58,7 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
 
 def _of_somebody(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | None:
     """Give the aside that says when somebody comes, or something is over: ", whose train gets in at six"."""
-    opening = phrase.first - 1
-    while opening > max(0, phrase.first - NAME - 1) and words[opening].text not in OPENING:
-        opening -= 1
+    opening = opening_before(words, phrase.first, OPENING, NAME)
     said = [word.text for word in words[opening + 1 : phrase.first]]
     led = words[opening].text in OPENING and len(said) > 1 and said[0] in lexicon.closed.relatives - {"that"}
     does = bool(said) and said[-1] in lexicon.doing.moments
@@ -84,9 +83,7 @@ def _opening(words: Sequence[Word], verb: int, lexicon: Lexicon) -> tuple[int | 
     Without a bracket, what opens or closes is not named, or it is said to be why.
     """
     reasons, persons = lexicon.beside.reasons, lexicon.closed.third_person | lexicon.closed.plural_agreement
-    place = verb - 1
-    while place > max(0, verb - NAME - 1) and words[place].text not in OPENING | reasons:
-        place -= 1
+    place = opening_before(words, verb, OPENING | reasons, NAME)
     mark, subject = words[place].text, [word.text for word in words[place + 1 : verb]]
     several = words[verb].text in lexicon.doing.closing_up | lexicon.doing.opening_up
     if several and (not subject or subject[-1] not in persons):
@@ -99,6 +96,12 @@ def _opening(words: Sequence[Word], verb: int, lexicon: Lexicon) -> tuple[int | 
     alone = not subject or subject[0] in lexicon.asides["naming"] | lexicon.closed.relatives
     told = mark == "(" or (mark in OPENING and alone and not several)
     return place if told else None, place + 1
+
+
+def opening_before(words: Sequence[Word], place: int, marks: AbstractSet[str], longest: int) -> int:
+    """Give the place of the mark before a place, or, without one, of the first of as many words before it."""
+    first = max(0, place - longest - 1)
+    return next((at for at in range(place - 1, first, -1) if words[at].text in marks), first)
 
 
 def before_in_sentence(words: Sequence[Word], place: int) -> Sequence[Word]:

@@ -6,11 +6,15 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase
-from fuzzytime.language.sentence.segments.told.asides import Aside
-from fuzzytime.language.sentence.segments.told.asides_of_hours import before_in_sentence, bounding
+from fuzzytime.language.sentence.segments.told.asides import OPENING, Aside
+from fuzzytime.language.sentence.segments.told.asides_of_hours import (
+    before_in_sentence,
+    bounding,
+    opening_before,
+)
 from fuzzytime.requirement import BOUNDS, MOMENTS, Constraint
 
-MARKS = frozenset({",", "(", "-", "\u2013", "\u2014", ";"})
+MARKS = OPENING | {"\u2013", "\u2014", ";"}
 """What stands between an order and what is told of it."""
 
 LONGEST = 8
@@ -31,10 +35,8 @@ def asides_of_needs(scanned: Scanned) -> tuple[Aside, ...]:
 
 def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | None:
     """Give the aside that ends with a time, as a bound of what it stands behind; None where it is none."""
-    opening = phrase.first - 1
     marks = MARKS | lexicon.beside.reasons
-    while opening > max(0, phrase.first - LONGEST - 1) and words[opening].text not in marks:
-        opening -= 1
+    opening = opening_before(words, phrase.first, marks, LONGEST)
     ends = words[phrase.end : phrase.end + 1]
     over = all(word.text in lexicon.closed.end_of_an_aside for word in ends)
     asks = any(word.is_letters for word in before_in_sentence(words, opening))
@@ -59,13 +61,14 @@ def _is_needed(said: Sequence[str], lexicon: Lexicon) -> bool:
     told, things = lexicon.asides, lexicon.closed.anaphors
     if not told["needing"].isdisjoint(said[-2:-1]) and said[-1] in things:
         return True
-    first, *helping = (part for word in said[:-1] for part in word.split(APOSTROPHE)) if said[1:] else ("",)
-    if not helping or first not in things:
+    thing, *helping = [part for word in said for part in word.split(APOSTROPHE)] or [""]
+    if len(helping) < 2 or thing not in things:
         return False
-    if said[-1] in told["needed"]:
+    *helping, so = helping
+    if so in told["needed"]:
         return told["being needed"].issuperset(helping)
-    so = said[-1] in lexicon.results and helping[-1] == "be" and len(helping) > 1
-    return so and told["having to be"].issuperset(helping)
+    made = so in lexicon.results and helping[-1] == "be" and len(helping) > 1
+    return made and told["having to be"].issuperset(helping)
 
 
 def _is_unable(said: Sequence[str], lexicon: Lexicon) -> bool:

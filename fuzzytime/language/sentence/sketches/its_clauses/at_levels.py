@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.clauses.conditions import levelled
+from fuzzytime.language.sentence.clauses.conditions import at_level
 from fuzzytime.language.sentence.clauses.levels import level_end
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -23,7 +23,7 @@ def clause_of_level(tree: Tree, words: Sequence[Word], place: int) -> Clause | N
         return None
     span = (words[place].start, words[end - 1].end)
     text = tree.text[slice(*span)]
-    return Clause("when", words[place].text, span, span, condition=levelled(text, text, tree.lexicon))
+    return Clause("when", words[place].text, span, span, condition=at_level(text, text, tree.lexicon))
 
 
 def _done(tree: Tree) -> set[str]:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.judging.beside.titles import written_out
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.surroundings.looked_up import named_in
-from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Wall
 from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.meaning.phrases import places_in
@@ -59,11 +59,8 @@ def clauses_of(
     while place < len(words):
         is_name = place in titled or (place > 0 and words[place - 1].text in lexicon.closed.sure_noun_openers)
         level = None if place in covered else clause_of_level(tree, words, place)
-        if level is not None:
-            found.append(level)
-            place += len(words_of(tree.text[slice(*level.span)]))
-            continue
-        form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
+        unmarked = place in covered or is_name or level is not None
+        form = None if unmarked else longest_match(words, place, lexicon.clauses)
         leads = form is not None and (
             reader.markers.begins_none(place, form) or reader.leads_to_distance(place, form)
         )
@@ -71,9 +68,9 @@ def clauses_of(
             # "Rest it for half as long as you cooked it"
             place += len(form)
             continue
-        form = form or reader.markers.other(place)
-        clause = None if form is None else reader.denied(place, form) or reader.read(place, form)
-        if form is None or clause is None:
+        form = form or (reader.markers.other(place) if level is None else None)
+        clause = level if form is None else reader.denied(place, form) or reader.read(place, form)
+        if clause is None:
             place += 1
             continue
         found.append(clause)

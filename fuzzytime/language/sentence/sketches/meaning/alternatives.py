@@ -4,11 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
-from fuzzytime.requirement import BOUNDS, Constraint, TimeRequirement
-
-SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
-"""How a time binds that says when something is done."""
-
+from fuzzytime.requirement import BOUNDS, SAID_WHEN, Constraint, TimeRequirement
 
 BINDING = SAID_WHEN | BOUNDS
 """How a time binds that may exclude another."""

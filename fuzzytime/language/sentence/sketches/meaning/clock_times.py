@@ -8,8 +8,7 @@ from fuzzytime.language.instruction import Reading, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.grounded.chosen_clocks import CLOSE, EARLY, EVENING, FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.policy import Policy
-from fuzzytime.language.sentence.sketches.meaning.alternatives import SAID_WHEN
-from fuzzytime.requirement import BOUNDS, Constraint, Reference, TimeRequirement, Unit
+from fuzzytime.requirement import BOUNDS, SAID_WHEN, Constraint, Reference, TimeRequirement, Unit
 
 A_DAY = 86400.0
 A_WEEK = 7 * A_DAY

@@ -8,12 +8,11 @@ from fuzzytime.language.instruction import Instruction, Operation
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.sentence.references.told import start_of
-from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.requirement import SAID_WHEN, Constraint, TimeRequirement
+from fuzzytime.times import seconds_between
 
 A_WEEK = timedelta(days=7).total_seconds()
 """Seconds within which what comes next is, at most."""
-
-MOMENTS = frozenset({Constraint.AT, Constraint.BETWEEN})
 
 
 def behind_the_same(
@@ -25,9 +24,9 @@ def behind_the_same(
     """
     first, begun = before.operation, start_of(before, here.now)
     same = own.again and first is not None and first.object == own.object and not (own.stated or first.stated)
-    if here.now is None or begun is None or not same or not _is_of_day(before, here.now):
+    if here.now is None or begun is None or not same or not _is_of_day(before, begun, here.now):
         return times
-    start = (begun - here.now).total_seconds()
+    start = seconds_between(here.now, begun)
     if not times.found or not all(_is_before(one.requirement, start) for one in times.found):
         return times
     said_then = replace(
@@ -48,14 +47,13 @@ def behind_the_same(
     return replace(later, found=moved) if moved and near else times
 
 
-def _is_of_day(before: Instruction, now: datetime) -> bool:
-    """Whether it is said on which day, or in which part of one, it is done, and no clock time of today."""
-    begun = start_of(before, now)
+def _is_of_day(before: Instruction, begun: datetime, now: datetime) -> bool:
+    """Whether it is said on which day, or in which part of one, it has ``begun``; no clock time of today."""
     parted = any(part.constraint is Constraint.BETWEEN and not part.anchor for part in before.requirements)
-    return begun is not None and (parted or begun.date() > now.date())
+    return parted or begun.date() > now.date()
 
 
 def _is_before(required: TimeRequirement, start: float) -> bool:
     """Whether it is when something is done, and earlier than that."""
-    sure = required.constraint in MOMENTS and required.anchor is None and required.recurrence is None
+    sure = required.constraint in SAID_WHEN and required.anchor is None and required.recurrence is None
     return sure and required.earliest is not None and required.earliest < start

@@ -2,9 +2,11 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from fuzzytime.language.finding import ground_all
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Instruction, Operation, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.grounded.moment import Moment
@@ -59,7 +61,12 @@ def time_of(
     asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
     target: int | None
     if _is_needed(operation, text, anchors.lexicon):
-        same = (p for p in asked if (one := anchors.operation_at(p)) and one.object == operation.object)
+        same = (
+            place
+            for place in asked
+            if (one := anchors.operation_at(place))
+            and (not operation.again or one.object == operation.object)
+        )
         bound = all(part.constraint in DONE and not part.anchor for part in requirements)
         target = next(same, None) if bound else None
         return None if target is None else Anchor(text=text, object=operation.object, target=target)
@@ -102,10 +109,13 @@ def _must_be_so(operation: Operation, words: Sequence[str], anchors: Anchors) ->
 
 
 def _is_needed(operation: Operation | None, text: str, lexicon: Lexicon) -> bool:
-    """Whether who speaks needs then what was named before: "charge the bike, I need it at seven"."""
-    first = text.split(maxsplit=1)[:1]
-    said = bool(first) and first[0].lower() in lexicon.closed.first_person_future and operation is not None
-    return said and operation is not None and operation.lemma in lexicon.doing.needing and operation.again
+    """Whether somebody needs then what was named before: "charge the bike, I need it at seven"."""
+    if operation is None or operation.negated or operation.lemma not in lexicon.doing.needing:
+        return False
+    # "Ann needs them by five"
+    said = pairwise(word.text for word in words_of(text))
+    needing, things = lexicon.asides["needing"], lexicon.closed.anaphors
+    return operation.again or any(verb in needing and thing in things for verb, thing in said)
 
 
 def due_when_needed(
