@@ -35,7 +35,15 @@ def interrupt_again(ignored: "sys.UnraisableHookArgs") -> None:
     if not issubclass(ignored.exc_type, KeyboardInterrupt):
         sys.__unraisablehook__(ignored)
         return
-    timer = threading.Timer(AGAIN, signal.raise_signal, (signal.SIGINT,))
+    timer = threading.Timer(AGAIN, _interrupt)
     timer.daemon = True
     with suppress(RuntimeError):  # at the very end no thread begins any more
         timer.start()
+
+
+def _interrupt() -> None:
+    """Send a Ctrl-C to the main thread, so that what it waits for ends at once."""
+    if sys.platform == "win32":
+        signal.raise_signal(signal.SIGINT)
+    else:
+        signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)

@@ -3,7 +3,8 @@
 The ``reader`` finds times by the ``grammar`` of ``english`` (``finding``), with what they are in
 ``meaning``, and reads what stands around them in the ``sentence``. An ``instruction`` comes out, an
 ``answer`` for other programs; one may only be ``told_done``. The ``policy`` decides what words leave
-open; rule tables bring ``own_words``; ``lines`` and what is ``unseen`` are seen to first.
+open; rule tables bring ``own_words``; ``lines`` and what is ``unseen`` are seen to first. What was read
+last is kept (``recent``).
 
 ``about_wishes`` is for conversations: a door of its own, since one call needs nothing of it.
 """

@@ -1,7 +1,7 @@
 """Language: from texts to readings, by the grammar for times and the tree for everything around them."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Hashable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
 
@@ -12,6 +12,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading, Remark, RemarkKind
 from fuzzytime.language.lines import with_stops
 from fuzzytime.language.policy import Policy
+from fuzzytime.language.recent import Recent, moment_as_typed
 from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
@@ -23,6 +24,12 @@ from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.told_done import reported
 from fuzzytime.language.unseen import without_unseen
+
+RECENT_TREES = 1024
+"""Trees that are kept in memory: those of a long conversation, or of a page."""
+
+RECENT_READINGS = 64
+"""Readings that are kept: of all that a line of a conversation may mean, and of what was said before."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +53,12 @@ class Language:
     lexicon: Lexicon
     grammar: Grammar
     cache: ParseCache | None = None
+    _trees: Recent[str, Tree] = field(
+        default_factory=lambda: Recent(RECENT_TREES), init=False, compare=False, repr=False
+    )
+    _readings: Recent[Hashable, list[Reading]] = field(
+        default_factory=lambda: Recent(RECENT_READINGS), init=False, compare=False, repr=False
+    )
 
     @classmethod
     def shipped(
@@ -110,6 +123,16 @@ class Language:
             If a text is too long.
         """
         texts = list(texts)
+        key = (tuple((text, moment_as_typed(now)) for text, now in texts), tuple(given))
+        known = self._readings.known([key]).get(key)
+        if known is None:
+            known = self._read_all(texts, given)
+            self._readings.keep({key: known})
+        return list(known)
+
+    def _read_all(
+        self, texts: Sequence[tuple[str, datetime | None]], given: Sequence[Operation | None]
+    ) -> list[Reading]:
         drafts = under_headings(self._drafts(texts, together=True))
         readings, given_since, mentions = self._as_meant(drafts, given)
         told = frozenset[str]().union(*(content_words(one.object) for one in mentions.telling()))
@@ -196,7 +219,7 @@ class Language:
             for reading, (text, _) in zip(readings, texts, strict=True)
         ]
 
-    def _drafts(self, texts: list[tuple[str, datetime | None]], *, together: bool) -> list[Draft]:
+    def _drafts(self, texts: Sequence[tuple[str, datetime | None]], *, together: bool) -> list[Draft]:
         for text, _ in texts:
             check_length(text)
         function_words = self.lexicon.function_words
@@ -214,17 +237,23 @@ class Language:
         wanted = list(dict.fromkeys(text for text in texts if text.strip()))
         if not wanted:
             return [Tree(text, (), self.lexicon) for text in texts]
-        package = installed_model()
-        known = self.cache.known(wanted, package, self.lexicon) if self.cache is not None else {}
+        known = self._trees.known(wanted)
         missing = [text for text in wanted if text not in known]
-        made = self._parsed(missing, package)
-        return [known.get(text) or made.get(text) or Tree(text, (), self.lexicon) for text in texts]
+        if missing:
+            made = self._parsed(missing, installed_model())
+            self._trees.keep(made)
+            known |= made
+        return [known.get(text) or Tree(text, (), self.lexicon) for text in texts]
 
     def _parsed(self, texts: Sequence[str], package: ModelPackage) -> dict[str, Tree]:
-        made = {tree.text: tree for tree in parsed(texts, package, self.lexicon)}
+        """Give the trees of texts: those kept on disk as they are there, the others parsed, and kept."""
+        known = self.cache.known(texts, package, self.lexicon) if self.cache is not None else {}
+        made = {
+            tree.text: tree for tree in parsed([t for t in texts if t not in known], package, self.lexicon)
+        }
         if self.cache is not None:
             self.cache.keep(made.values(), package)
-        return made
+        return known | made
 
 
 def _with_report(reading: Reading, lexicon: Lexicon) -> Reading:

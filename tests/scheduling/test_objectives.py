@@ -163,7 +163,7 @@ def test_what_is_named_says_when_what_it_comes_before_is() -> None:
     st.floats(0, 300),
     st.floats(0, 1),
 )
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=20, deadline=None)
 def test_wishing_for_a_lag_costs_no_satisfaction(
     peaks: list[float], low: float, width: float, share: float
 ) -> None:

@@ -125,12 +125,16 @@ def test_ctrl_c_while_something_is_tidied_away_is_not_lost(tmp_path: Path) -> No
         "        raise KeyboardInterrupt\n"
         "try:\n"
         "    Tidied()\n"
-        "    time.sleep(30)\n"
+        "    time.sleep(60)\n"
         "except KeyboardInterrupt:\n"
         "    sys.exit(3)\n"
     )
     done = subprocess.run(
-        [sys.executable, "-c", program], env=environment(tmp_path), capture_output=True, check=False
+        [sys.executable, "-c", program],
+        env=environment(tmp_path),
+        capture_output=True,
+        check=False,
+        timeout=50,  # it ends what is waited for
     )
     assert (done.returncode, done.stderr) == (3, b"")
 

@@ -7,6 +7,7 @@ are chosen that together explain most words in the fewest pieces.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.judging.judging import Judge
@@ -47,7 +48,11 @@ ROUNDS = 6
 """How often the best pieces are chosen anew because the judge refused some of them."""
 
 
-@dataclass(frozen=True, slots=True)
+REMEMBERED = 256
+"""Texts that are kept as they were scanned: one text is looked at in turn for all that it may be."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Scanned:
     """A text's words, everything the grammar finds in them, and what stands around each of them.
 
@@ -64,15 +69,8 @@ class Scanned:
     def of(
         cls, text: str, grammar: Grammar, lexicon: Lexicon, *, hours: frozenset[int] = frozenset()
     ) -> "Scanned":
-        """Apply a grammar to a text."""
-        typed = typed_apart(with_marks(_with_quotes(text, grammar, lexicon), hours))
-        words = as_meant(typed, lexicon)
-        around = Surroundings(words, lexicon)
-        lexical = {
-            start: [*numeral_pieces(words, start, lexicon), *around.pieces(start)]
-            for start in range(len(words))
-        }
-        return cls(text, words, grammar.parse(words, lexical), around, hours)
+        """Apply a grammar, which gets no more rules, to a text."""
+        return _scanned(text, grammar, lexicon, hours)
 
     @property
     def lexicon(self) -> Lexicon:
@@ -82,6 +80,17 @@ class Scanned:
     def pieces(self, category: str) -> list[Piece]:
         """Give all pieces of a category, by their start."""
         return [piece for cell in self.cells if category in cell for piece in cell[category].values()]
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _scanned(text: str, grammar: Grammar, lexicon: Lexicon, hours: frozenset[int]) -> Scanned:
+    typed = typed_apart(with_marks(_with_quotes(text, grammar, lexicon), hours))
+    words = as_meant(typed, lexicon)
+    around = Surroundings(words, lexicon)
+    lexical = {
+        start: [*numeral_pieces(words, start, lexicon), *around.pieces(start)] for start in range(len(words))
+    }
+    return Scanned(text, words, grammar.parse(words, lexical), around, hours)
 
 
 def _with_quotes(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Word]:
@@ -108,6 +117,7 @@ def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
     return [(phrase.first, phrase.end) for phrase in bound] == [(0, len(scanned.words))]
 
 
+@lru_cache(maxsize=REMEMBERED)
 def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
     """Choose the times of a text."""
     lexicon, judge = scanned.lexicon, Judge(scanned.around)

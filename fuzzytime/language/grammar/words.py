@@ -8,8 +8,12 @@ import re
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from fuzzytime.language.instruction import Span
+
+REMEMBERED = 4096
+"""Texts whose words are kept: whoever reads a text asks for the words of the same stretches over and over."""
 
 _WORD = re.compile(r"\b[wW]/(?!\S)|\d+|[^\W\d_]+(?:['’ʼ][^\W\d_]+)?|\S")
 _LEVELLED = str.maketrans(
@@ -50,6 +54,7 @@ class Word:
         return self.text[0].isalpha()
 
 
+@lru_cache(maxsize=REMEMBERED)
 def words_of(text: str) -> tuple[Word, ...]:
     """Cut a text into words and marks; letters and digits that touch are cut apart ("3pm" are two).
 

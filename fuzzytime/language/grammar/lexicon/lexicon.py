@@ -34,7 +34,7 @@ class Entry(NamedTuple):
     weight: float = 0.0
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Lexicon:
     """The word tables of a language.
 

@@ -90,7 +90,6 @@ class ClosedClasses(NamedTuple):
     inverted_auxiliaries: Words
     told_auxiliaries: Words
     behind_clipped_be: Words
-    first_person_future: Words
     negators: Words
     forbidding: Words
     denials: Words
