@@ -22,6 +22,25 @@ def test_what_happens_needs_no_verb(line: str, name: str, length: float) -> None
     assert (one.skill.name, one.skill.duration, one.skill.time_until_done) == (name, 0, length)
 
 
+def test_a_meal_alone_among_lines_is_had_at_its_hours_and_others_count_from_it() -> None:
+    made = told(["feed the hens at eight", "Lunch.", "nap after lunch"])
+    assert [one.skill.name for one in made.skills] == ["feed the hens", "lunch", "nap"]
+    assert starts(made)["s3"] > starts(made)["s2"]
+    assert "11:00" <= starts(made)["s2"] <= "13:00"
+
+
+def test_a_meal_alone_is_a_time_and_nothing_to_do() -> None:
+    assert not told(["lunch"]).skills
+
+
+def test_what_runs_once_it_is_begun_is_over_so_much_later() -> None:
+    made = told(
+        ["label the tubes at eight", "start the PCR once the tubes are labelled, it runs for 2 hours"]
+    )
+    skill = made.skills[-1].skill
+    assert skill.time_until_done == skill.duration + 7200
+
+
 @pytest.mark.parametrize(
     "line",
     [

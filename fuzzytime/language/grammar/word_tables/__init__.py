@@ -174,7 +174,7 @@ _ROWS = {
     "questions": ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting"),
     "told": (
         "joints", "small", "subjects", "determiners", "being", "taking", "going", "there", "by", "vehicles",
-        "between", "helping", "enough", "allowing", "leaving", "for it",
+        "between", "each way", "helping", "enough", "allowing", "leaving", "going for", "for it",
     ),
     "asides": (
         "naming", "back", "helping", "taking", "whom", "needing", "needed", "being needed", "having to be",

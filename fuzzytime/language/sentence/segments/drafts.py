@@ -89,8 +89,8 @@ class Draft:
     ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
     of its parts, nor are ``messages``, which somebody is told. ``heading`` is the time that a line above
     names for it; one that ``leads`` names that of the lines below, and a ``listed`` one is among lines with
-    times. ``instances`` are several of one kind, of which each has a time, ``orders`` the words that say
-    where something comes among others.
+    times, as one ``beside`` others may have none. ``instances`` are several of one kind, of which each has a
+    time, ``orders`` the words that say where something comes among others.
     """
 
     text: str
@@ -105,6 +105,7 @@ class Draft:
     heading: Heading | None = None
     leads: bool = False
     listed: bool = False
+    beside: bool = False
     instances: Instances = NONE
     orders: tuple[tuple[Span, Order], ...] = ()
 
@@ -164,6 +165,7 @@ def drafted(
                 *remarks_of_tags(draft.text, leading_tags(draft.text)),
             ),
             orders=source.orders,
+            beside=together and len(texts) > 1,
         )
         for draft, source, parts in zip(drafts, sources, parted(sources, trees), strict=True)
     ]

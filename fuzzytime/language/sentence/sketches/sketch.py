@@ -20,7 +20,12 @@ from fuzzytime.language.sentence.verbs.meant.actions import Action, action_of, s
 from fuzzytime.language.sentence.verbs.operations.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.operations.operations import Reader
 from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import due_by_then
-from fuzzytime.language.sentence.verbs.without_verbs.happenings import given_new_time, happening_at, happens
+from fuzzytime.language.sentence.verbs.without_verbs.happenings import (
+    given_new_time,
+    happening_at,
+    happens,
+    meal_alone,
+)
 from fuzzytime.language.sentence.verbs.without_verbs.named_alone import put_there
 from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import chores_at, deed_at, named_moment
 from fuzzytime.requirement import Constraint, Reference
@@ -222,7 +227,9 @@ def _happening(
     """Give what happens at a time, or after something else, where no verb says what is to be done."""
     root = part.tree.root
     if not part.tree.nodes:
-        return None
+        first, end = part.segment.span
+        meal = meal_alone(draft.text[first:end], phrases, part.lexicon) if draft.beside else None
+        return None if meal is None else meal.moved(first)
     timed = phrases or clauses
     places = [place for phrase in phrases for place in part.at(phrase.span)]
     lasts = any(isinstance(phrase.said.time, Duration) for phrase in phrases)

@@ -110,7 +110,7 @@ def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
             sketch, way=aside.length.said.time if isinstance(aside.length.said.time, Duration) else None
         )
     clauses = list(sketch.clauses)
-    for place, clause in enumerate(clauses):
+    for place, clause in enumerate(() if _is_of_what_is_begun(sketch, aside) else clauses):
         beside = clause.span[1] <= aside.span[0] and not text[clause.span[1] : aside.span[0]].strip()
         if (
             beside
@@ -122,3 +122,13 @@ def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
             clauses[place] = replace(clause, takes=aside.length.said.time)
             return replace(sketch, clauses=tuple(clauses))
     return sketch.also(replace(aside.length, said=replace(aside.length.said, constraint=Constraint.FOR)))
+
+
+def _is_of_what_is_begun(sketch: Sketch, aside: Aside) -> bool:
+    """Whether a length is that of what is begun, whenever that is: "start it once I'm up, it takes an hour".
+
+    "…, which takes an hour" is what stands before it, and "paint it once that is dry, it takes an hour" also.
+    """
+    doing, operation = sketch.lexicon.doing, sketch.operation
+    begun = operation is not None and operation.lemma in doing.beginning | doing.putting
+    return aside.left or (begun and not aside.relative)

@@ -53,7 +53,7 @@ class BareHours(Standing):
             return False
         if self._is_counted(piece, said) or self._counts_either(piece):
             return False
-        if said.preposition is None and self._ends_meeting(piece):
+        if said.preposition is None and (self._ends_meeting(piece) or self._is_hour_of(piece)):
             return True
         # "At fourteen hundred"
         spelt = self.texts[piece.end - 1] == "hundred" and wall.clock is not None and wall.clock.full_day
@@ -155,9 +155,18 @@ class BareHours(Standing):
     def _is_told(self, piece: Piece) -> bool:
         """Whether what happens is said to be then: "start time is 14.00"; but "the total is 14.00"."""
         doing, said = self.lexicon.doing, self.texts[: piece.start - 1]
-        begins = doing.timed | doing.several_timed | self.lexicon.happening | self.lexicon.taken | {"time"}
+        begins = doing.timed | doing.several_timed | self.lexicon.happening | self.lexicon.taken
+        begins |= self.lexicon.events
         told = self.around.before(piece) in self.closed.third_person_be and self._ends_order(piece)
         return told and not begins.isdisjoint(said)
+
+    def _is_hour_of(self, piece: Piece) -> bool:
+        """Whether a number is the hour of what happens: "curfew is 11", "closing time is 6"."""
+        wall, event = piece.value.time, self.texts[piece.start - 2] if piece.start > 1 else ""
+        clock = wall.clock if isinstance(wall, Wall) else None
+        timed = event in self.lexicon.happening | self.lexicon.taken | self.lexicon.events
+        hour = clock is not None and clock.grain is Unit.HOUR and not clock.full_day
+        return timed and hour and self._is_told(piece)
 
     def _begins_then(self, word: str) -> bool:
         """Whether what a word says is at a moment: "leave | 7.30", "the film starts | 8.10"."""

@@ -5,7 +5,7 @@ tree of all of them has no root that is of all. A state that stands alone is of 
 "stew on at one, stir it at two, off at five".
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -25,6 +25,9 @@ FINITE = frozenset({"VBZ", "VBD", "VBP", "VB", "MD"})
 
 INSIDE = frozenset({"IN", "TO", "POS"})
 """Tags of little words in a name: "dinner with Jo", "samples to the lab", "mum's birthday"."""
+
+PLACED = frozenset({"DT", "PRP$", "POS", "JJ", "NN", "NNS", "NNP", "NNPS", "CD"})
+"""Tags of what says where, behind its preposition: "in room 4", "at the clinic"."""
 
 LONGEST = 6
 """Words of what an entry names at most."""
@@ -201,6 +204,7 @@ def _entries(one: Waiting, part: Part) -> Iterator[_Entry]:
     for end in (*joints, len(nodes)):
         if first < end:
             said = [place for place in range(first, end) if place not in timed]
+            said = said[: _before_place(said, nodes)]
             # A time in front of the first may be none of its tree's.
             apart = not first and one.heard_from > 0
             leads = apart or first in timed
@@ -208,3 +212,11 @@ def _entries(one: Waiting, part: Part) -> Iterator[_Entry]:
             whole = bool(said) and said == list(where) and (apart or len(said) < len(range(first, end)))
             yield _Entry(first, tuple(nodes[place] for place in said), whole, leads, one.lexicon)
         first = end + 1
+
+
+def _before_place(said: Sequence[int], nodes: Sequence[Node]) -> int:
+    """Give how many words name an entry, where a place stands behind its time: "gym at six in town"."""
+    apart = next((at for at in range(1, len(said)) if said[at] - said[at - 1] > 1), len(said))
+    behind = [nodes[place] for place in said[apart:]]
+    placed = len(behind) > 1 and behind[0].tag == "IN" and all(node.tag in PLACED for node in behind[1:])
+    return apart if placed else len(said)

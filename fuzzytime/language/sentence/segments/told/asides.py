@@ -24,7 +24,7 @@ class Aside:
 
     ``way`` says that this is how long one goes there, ``left`` that what was done is left alone so long,
     ``bounds`` that it is no length, but a time before or after which something can be done, or has to be
-    ``done``.
+    ``done``, ``relative`` that it is of just what stands before it: "once that is dry, which takes an hour".
     """
 
     span: Span
@@ -33,6 +33,7 @@ class Aside:
     left: bool = False
     bounds: bool = False
     done: bool = False
+    relative: bool = False
 
 
 def asides_of(scanned: Scanned) -> tuple[Aside, ...]:
@@ -77,7 +78,8 @@ def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
         # "Wash up, need 20 minutes"
         return None
     end = _end(scanned, phrase)
-    return None if end is None else Aside((words[place].start, end), phrase)
+    relative = words[place + 1].text in scanned.lexicon.closed.nonrestrictive_relatives
+    return None if end is None else Aside((words[place].start, end), phrase, relative=relative)
 
 
 def _becomes(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> bool:

@@ -68,7 +68,10 @@ class _Telling:
             end += 1
         before, after = texts[start : piece.start], texts[piece.end : end]
         way = self._is_way(before, after, alone=start == 0) or self._leads(before, piece.end, end)
-        goes_on = not after and self._is_begun(start) and self._goes_on(before)
+        # "Main act at nine, plays for an hour"
+        apart = before[-1:] == ["for"] and self.texts[start - 1] not in self.told["joints"]
+        plays = apart and " ".join(before[:-1]) in self.told["going for"]
+        goes_on = not after and self._is_begun(start) and (plays or self._goes_on(before))
         behind = not after and before == ["for"] and self._is_behind_then(start, end)
         if not (way or goes_on or behind or self._is_length(before, after)):
             return None
@@ -103,6 +106,7 @@ class _Telling:
         rest = after[1:] if {*after[:1]} & OWNING else after
         goes = (
             rest[:1] == ["away"]
+            or " ".join(rest) in told["each way"]
             or (rest[:1] and rest[0] in told["going"])
             or (rest[:1] and rest[0] in told["by"] and told["vehicles"] & set(rest))
         )

@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Repeat
 from fuzzytime.language.meaning.phrases import is_at_clock, is_window
@@ -157,6 +159,17 @@ def happening_at(root: int, tree: Tree, phrases: Sequence[Phrase], names: Places
         attended=node.lower not in lexicon.frames | lexicon.beside.awaited_in_a_stretch
         and (spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening)),
     )
+
+
+def meal_alone(text: str, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:
+    """Give the meal that a line among others is all about, whose hours are its time: "lunch"."""
+    words, part = words_of(text.rstrip(" .!")), phrases[0].said.wall.part if len(phrases) == 1 else None
+    if len(words) != 1 or part is None or not part.meal:
+        return None
+    (meal,) = words
+    if meal.text not in lexicon.happening - lexicon.frames:
+        return None
+    return Operation(verb=meal.text, lemma="be", span=(meal.start, meal.end), object=meal.text, stated=True)
 
 
 def given_new_time(tree: Tree, phrases: Sequence[Phrase], names: Places) -> Operation | None:
