@@ -27,13 +27,16 @@ from fuzzytime.interpreter.turns.waking_hours import far_ahead, within_hours
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Recurrence, Reference, TimeRequirement, Window
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
-from fuzzytime.satisfaction import Rectangle, SatisfactionFunction
+from fuzzytime.satisfaction import Either, SatisfactionFunction, Trapezoid
 from fuzzytime.scheduling import THRESHOLD
 from fuzzytime.skills import FuzzySkill
 from fuzzytime.times import seconds_between
 
 MAX_OCCURRENCES = 100
 """How many occurrences of one repetition are planned at most."""
+
+AT_ONCE = 1.0
+"""Seconds that two starts may be apart, and still are the same."""
 
 LEFT_OUT = 20
 """Among how many coming occurrences one is looked for that is not left out."""
@@ -218,8 +221,10 @@ class Maker:
         if wish.moved.to is None:
             return function, named
         to = seconds_between(self.request.now, wish.moved.to)
-        window = Rectangle(to, math.inf) if by >= 0 else Rectangle(-math.inf, to)
-        return both(function, window), (to,)
+        if any(abs(time - to) < AT_ONCE for time in named):
+            # "In about ten minutes", ten minutes later, is as vague as before.
+            return function, named
+        return both(function, _from_there_on(function, to, later=by >= 0)), (to,)
 
     def _skill(
         self, wish: Wish, name: str, function: SatisfactionFunction, duration: OperationDuration
@@ -257,6 +262,20 @@ class Maker:
         again = self._interpreted(wish, reading, instruction, (*before, *more))
         skill = replace(again.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
         return replace(again, skill=skill, duration=made.duration)
+
+
+def _from_there_on(function: SatisfactionFunction, to: float, *, later: bool) -> SatisfactionFunction:
+    """Give what a start that ψ is moved to leaves: none sooner, or none later, but as vaguely as ψ begins.
+
+    What may begin at any time from now on, as "soon", begins nowhere vaguely, and does not begin sooner.
+    """
+    support, best = function.support, function.best
+    vague = best.low - support.low if later else support.high - best.high
+    if isinstance(function, Either) or not math.isfinite(vague):
+        vague = 0.0
+    if later:
+        return Trapezoid(to - vague, to, math.inf, math.inf)
+    return Trapezoid(-math.inf, -math.inf, to, to + vague)
 
 
 def _is_told(requirement: TimeRequirement) -> bool:
