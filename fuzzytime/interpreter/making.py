@@ -1,6 +1,5 @@
 """From one instruction, read, to the fuzzy skills it asks for."""
 
-import math
 from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import islice
@@ -16,7 +15,7 @@ from fuzzytime.interpreter.in_other_words.retold import (
 )
 from fuzzytime.interpreter.in_other_words.waits import with_waits, without_readings
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.joining import both
+from fuzzytime.interpreter.joining import both, from_there_on, within_its_ends
 from fuzzytime.interpreter.offered import Offered
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.turns.behind import Behind
@@ -27,7 +26,7 @@ from fuzzytime.interpreter.turns.waking_hours import far_ahead, within_hours
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Recurrence, Reference, TimeRequirement, Window
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
-from fuzzytime.satisfaction import Either, SatisfactionFunction, Trapezoid
+from fuzzytime.satisfaction import SatisfactionFunction
 from fuzzytime.scheduling import THRESHOLD
 from fuzzytime.skills import FuzzySkill
 from fuzzytime.times import seconds_between
@@ -164,12 +163,16 @@ class Maker:
         reading: Reading,
         instruction: Instruction,
         requirements: tuple[TimeRequirement, ...],
+        duration: OperationDuration | None = None,
     ) -> Interpreted:
+        """Make a skill with these times, and with the length that the instruction says, or the one given."""
         operation = instruction.operation
-        duration = self.how_long.of(wish, instruction)
-        own = [part for part in requirements if part.anchor is None or part.anchor.target is None]
-        resolutions = [self._resolved(part, operation, duration) for part in own]
+        duration = duration or self.how_long.of(wish, instruction)
         given = seconds_between(self.request.now, wish.given)
+        own = [part for part in requirements if part.anchor is None or part.anchor.target is None]
+        resolutions = [
+            within_its_ends(self._resolved(part, operation, duration), part, duration, -given) for part in own
+        ]
         offered = Offered.of(own, resolutions, given)
         function, named = self._moved(wish, offered.satisfaction, offered.named)
         reason, waits = offered.why_never()
@@ -224,7 +227,7 @@ class Maker:
         if any(abs(time - to) < AT_ONCE for time in named):
             # "In about ten minutes", ten minutes later, is as vague as before.
             return function, named
-        return both(function, _from_there_on(function, to, later=by >= 0)), (to,)
+        return both(function, from_there_on(function, to, later=by >= 0)), (to,)
 
     def _skill(
         self, wish: Wish, name: str, function: SatisfactionFunction, duration: OperationDuration
@@ -245,6 +248,16 @@ class Maker:
         going = going_to(instruction, to.skill.name, target, attended=to.attended)
         return self._interpreted(wish, reading, going, going.requirements)
 
+    def lengthened(self, made: Interpreted, length: float, *, alone: bool) -> Interpreted:
+        """Give a skill with what was told afterwards of how long it goes on."""
+        longer = self.how_long.lasting(made, length, alone=alone)
+        wish, reading, instruction = made.wish, made.reading, made.instruction
+        if not isinstance(wish, SpokenWish) or reading is None or instruction is None:
+            return longer
+        again = self._interpreted(wish, reading, instruction, made.requirements, longer.duration)
+        function = again.skill.satisfaction
+        return replace(longer, skill=replace(longer.skill, satisfaction=function))
+
     def timed(self, made: Interpreted, told: Instruction, given: datetime) -> Interpreted:
         """Give a skill with what was told afterwards of when it must be done, at another moment perhaps."""
         wish, reading, instruction = made.wish, made.reading, made.instruction
@@ -262,20 +275,6 @@ class Maker:
         again = self._interpreted(wish, reading, instruction, (*before, *more))
         skill = replace(again.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
         return replace(again, skill=skill, duration=made.duration)
-
-
-def _from_there_on(function: SatisfactionFunction, to: float, *, later: bool) -> SatisfactionFunction:
-    """Give what a start that ψ is moved to leaves: none sooner, or none later, but as vaguely as ψ begins.
-
-    What may begin at any time from now on, as "soon", begins nowhere vaguely, and does not begin sooner.
-    """
-    support, best = function.support, function.best
-    vague = best.low - support.low if later else support.high - best.high
-    if isinstance(function, Either) or not math.isfinite(vague):
-        vague = 0.0
-    if later:
-        return Trapezoid(to - vague, to, math.inf, math.inf)
-    return Trapezoid(-math.inf, -math.inf, to, to + vague)
 
 
 def _is_told(requirement: TimeRequirement) -> bool:
