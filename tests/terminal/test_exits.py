@@ -64,6 +64,18 @@ def test_a_line_that_cannot_be_read_is_said_and_the_rest_is_planned(tmp_path: Pa
     assert ran("plan", "-", "--strict", *NOW, folder=tmp_path, stdin=text).code == Exit.BAD_DATA
 
 
+def test_a_loss_is_told_once_where_the_plan_is_shown(tmp_path: Path) -> None:
+    wishes = ("-i", "Meet at 3pm sharp for an hour", "-i", "Call Bob at 3pm sharp for an hour")
+    done = ran("plan", *wishes, *NOW, folder=tmp_path)
+    assert (done.err, done.out.count("call Bob: rejected: alone it could have 1.00")) == ("", 1)
+    assert "call Bob: no start time" in ran("plan", *wishes, "--format", "csv", *NOW, folder=tmp_path).err
+    (tmp_path / "beside.txt").write_text("Meet at 3pm sharp for an hour\n")
+    beside = ("--beside", str(tmp_path / "beside.txt"))
+    why = ran("explain", "Call Bob at 3pm sharp for an hour", *beside, *NOW, folder=tmp_path)
+    assert why.err == ""
+    assert "It is rejected: it lost its time to meet, which wants the same minutes." in why.out
+
+
 def test_of_many_that_are_rejected_the_first_are_said_and_the_rest_counted(tmp_path: Path) -> None:
     lines = b"Call mum on april 22 at noon\n" * 30
     done = ran(

@@ -57,7 +57,8 @@ def plan(
     count = len(request.wishes)
     with told(f"planning {count:,} instruction{'' if count == 1 else 's'}"):
         made = assembly.plan(request, interpreter)
-    report_problems(made, file or "-i")
+    shown = output is None and chosen is PlanFormat.TABLE
+    report_problems(made, file or "-i", shown=shown)
     write_plan(made, chosen, output, assembly.limits())
     code = exit_of_plan(made, strict=strict)
     if code != Exit.FINE:
