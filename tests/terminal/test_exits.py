@@ -44,6 +44,15 @@ def test_an_end_has_its_code(arguments: tuple[str, ...], code: Exit, tmp_path: P
     assert bool(done.err) == (code != Exit.FINE)
 
 
+def test_a_table_that_is_missing_keeps_no_other_from_being_checked(tmp_path: Path) -> None:
+    done = ran("rules", "check", "no/such.yaml", "tests/data/mistakes.yaml", "nor/this.yaml", folder=tmp_path)
+    assert done.code == Exit.BAD_CONFIG
+    assert done.err.count("there is no such table") == 2
+    assert "tests/data/mistakes.yaml:2:1: agents" in done.err
+    alone = ran("rules", "check", "no/such.yaml", "rules/lookup.yaml", folder=tmp_path)
+    assert (alone.code, alone.out) == (Exit.NO_INPUT, "")
+
+
 @pytest.mark.parametrize("command", [("rules", "check"), ("plan", "-i", "x", "--rules"), ("plan",)])
 def test_a_mistake_begins_with_its_place_for_who_jumps_there(
     command: tuple[str, ...], tmp_path: Path

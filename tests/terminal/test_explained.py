@@ -44,4 +44,4 @@ def test_a_satisfaction_that_is_0_everywhere_takes_one_row(tmp_path: Path) -> No
 def test_what_could_be_meant_otherwise_stands_behind_the_time(tmp_path: Path) -> None:
     lines = explained("call mum at ten", tmp_path)
     assert lines.index("time") < lines.index("in doubt") < lines.index("rows and rules")
-    assert any("'at ten' is taken as 22:00" in line for line in lines[lines.index("in doubt") :])
+    assert any("'at ten' is taken as 10:00" in line for line in lines[lines.index("in doubt") :])
