@@ -14,7 +14,7 @@ from fuzzytime_cli.formats.degrees import BAR, bar, style_of, summary
 from fuzzytime_cli.formats.notes import note_lines
 from fuzzytime_cli.formats.reasons import MOST_SECONDS, loss_lines, waits_line
 from fuzzytime_cli.formats.series import clock_at, clock_of, folded, going_on, shown, waiting
-from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
+from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, legend, shades, taken
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
 MOST_ROWS = 14
@@ -223,29 +223,29 @@ class PlanView:
     # -- the timeline ---------------------------------------------------------------------------------------
 
     def _timeline(self) -> Iterator[Text]:
-        skills = self.schedule.skills
         end = self._end()
         window = Window(self._begin(end), end, self.width - self.label_width - 2)
         yield self._axis(window)
-        for position in self.shown:
-            specific, function = skills[position], self.plan.skills[position].skill.satisfaction
-            rejected = self.schedule.rejected[position]
-            cells = (
-                shades(function, window)
-                if rejected
-                else lane(function, specific.start, specific.worked_until, specific.done, window)
-            )
-            yield self._lane(self.labels[position], cells, self._style(position))
-        shown = (
-            busy for busy in self.plan.request.busy if busy.start < window.end and busy.end > window.start
-        )
-        spans = [(busy.start, busy.end) for busy in shown]
+        lanes = [
+            (self.labels[position], self._cells(position, window), self._style(position))
+            for position in self.shown
+        ]
+        taken_by = [(busy.start, busy.end) for busy in self.plan.request.busy]
+        spans = [(begin, over) for begin, over in taken_by if begin < window.end and over > window.start]
         if spans:
-            yield self._lane(fitted("busy", self.label_width), taken(spans, window), "dim")
-        waits = "─ goes on by itself  " if any(skill.done > skill.worked_until for skill in skills) else ""
-        legend = f"█ at work  {waits}░▒▓ how well a start there would satisfy"
+            lanes.append((fitted("busy", self.label_width), taken(spans, window), "dim"))
+        for label, cells, style in lanes:
+            yield self._lane(label, cells, style)
+        drawn = {cell for _, cells, _ in lanes for cell in cells}
         indent = self.label_width + 1
-        yield from wrapped_text(Text(f"{' ' * indent}{legend}", style="dim"), self.width, indent)
+        yield from wrapped_text(Text(f"{' ' * indent}{legend(drawn)}", style="dim"), self.width, indent)
+
+    def _cells(self, position: int, window: Window) -> list[str]:
+        """Give the lane of a skill; of one that is rejected only when it would have satisfied."""
+        function, planned = self.plan.skills[position].skill.satisfaction, self.schedule.skills[position]
+        if self.schedule.rejected[position]:
+            return shades(function, window)
+        return lane(function, planned.start, planned.worked_until, planned.done, window)
 
     def _end(self) -> float:
         """Give where the timeline ends: behind all work, and behind wishes that end not much later."""
