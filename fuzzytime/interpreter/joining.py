@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from fuzzytime.interpreter.interpretation import WITHIN
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement, Unit
 from fuzzytime.rulebook import OperationDuration, Resolution
 from fuzzytime.satisfaction import (
@@ -18,8 +19,6 @@ from fuzzytime.satisfaction import (
 
 BETWEEN = "between"
 """The preposition of two ends."""
-
-WITHIN = "all of it lies between the two: how long it takes was said, and it fits"
 
 CLOCKED = frozenset({Unit.HOUR, Unit.MINUTE, Unit.SECOND})
 """How fine clock times are."""

@@ -22,7 +22,7 @@ from fuzzytime.interpreter.turns.behind import Behind
 from fuzzytime.interpreter.turns.each_turn import EachTurn
 from fuzzytime.interpreter.turns.inside import GoingOn
 from fuzzytime.interpreter.turns.of_each import OfEach
-from fuzzytime.interpreter.turns.waking_hours import far_ahead, within_hours
+from fuzzytime.interpreter.turns.waking_hours import far_ahead, on_their_days, within_hours
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Recurrence, Reference, TimeRequirement, Window
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
@@ -116,7 +116,12 @@ class Maker:
 
     def _windows(self, wish: SpokenWish, recurrence: Recurrence) -> tuple[Window, ...]:
         """Give when the occurrences of a repetition are that are planned."""
-        windows = tuple(recurrence.windows(self._until(wish, recurrence)))
+        until = self._until(wish, recurrence)
+        coming = recurrence.windows(until)
+        if self.request.horizon is not None:
+            # What may be done at any time of a day has none of it left where the day begins at the end.
+            coming = tuple(window for window in coming if window[0] < until or window[0] == window[1])
+        windows = on_their_days(coming, wish.given)
         if self.request.horizon is None:
             passed = seconds_between(self.request.now, wish.given)
             windows = windows if len(windows) > 1 else far_ahead(recurrence, MAX_HORIZON - passed)

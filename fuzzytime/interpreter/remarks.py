@@ -1,7 +1,6 @@
 """What reading a text has to say, as problems of the wish that it came from."""
 
-from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
-from fuzzytime.interpreter.joining import WITHIN
+from fuzzytime.interpreter.interpretation import WITHIN, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.request import SpokenWish, Wish
 from fuzzytime.language import Instruction, Reading, RemarkKind
 from fuzzytime.language.instruction import overlap

@@ -16,10 +16,10 @@ NOW = "2026-03-04T09:00"
 """A Wednesday."""
 
 
-def events(tmp_path: Path, *wishes: str, zone: str = "") -> list[icalendar.Component]:
+def events(tmp_path: Path, *wishes: str, zone: str = "", now: str = NOW) -> list[icalendar.Component]:
     said = [part for wish in wishes for part in ("-i", wish)]
     where = ("--zone", zone) if zone else ()
-    done = ran("plan", *said, "--format", "ics", "--now", NOW, *where, folder=tmp_path)
+    done = ran("plan", *said, "--format", "ics", "--now", now, *where, folder=tmp_path)
     assert done.code == 0, done.err
     (tmp_path / "plan.ics").write_text(done.out)
     return icalendar.Calendar.from_ical(done.out).walk("VEVENT")
@@ -65,10 +65,15 @@ def test_one_with_an_end_comes_so_often_as_the_plan_has_it(tmp_path: Path) -> No
 
 
 def test_what_was_asked_for_at_once_stands_before_a_series_and_is_not_doubled(tmp_path: Path) -> None:
-    first, rest = events(tmp_path, "Water the herbs every two days")
-    assert ("RRULE" in first, f"{first.decoded('DTSTART'):%a %H:%M}") == (False, "Wed 09:00")
-    assert times(rest, 3) == ["Fri 06 Mar 18:00", "Sun 08 Mar 18:00", "Tue 10 Mar 18:00"]
+    first, rest = events(tmp_path, "Water the herbs every two days", now="2026-03-04T11:44")
+    assert ("RRULE" in first, f"{first.decoded('DTSTART'):%a %H:%M}") == (False, "Wed 11:44")
+    assert times(rest, 3) == ["Fri 06 Mar 09:00", "Sun 08 Mar 09:00", "Tue 10 Mar 09:00"]
     assert first["UID"] != rest["UID"]
+
+
+def test_what_is_done_every_day_is_done_by_day_whenever_it_was_said(tmp_path: Path) -> None:
+    _, rest = events(tmp_path, "Feed the cat every day until sunday", now="2026-03-04T22:30")
+    assert times(rest, 9) == [f"{day} Mar 09:00" for day in ("Thu 05", "Fri 06", "Sat 07", "Sun 08")]
 
 
 def test_each_time_of_a_day_is_a_series(tmp_path: Path) -> None:
@@ -131,3 +136,7 @@ def test_the_table_says_what_goes_on_behind_its_last_row(tmp_path: Path) -> None
     assert "and so on" not in ending.out
     until_bed = ran("plan", "-i", "Check the wires every half hour", "--now", NOW, folder=tmp_path).out
     assert "and so on" not in until_bed
+    followed = ran(
+        "plan", "-i", "Every day feed the cat, then walk the dog", "--now", NOW, folder=tmp_path
+    ).out
+    assert followed.count("and so on") == 1

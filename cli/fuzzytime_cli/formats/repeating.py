@@ -13,6 +13,7 @@ from itertools import pairwise
 from zoneinfo import ZoneInfo
 
 from fuzzytime.interpreter import Plan
+from fuzzytime.interpreter.turns.waking_hours import on_their_days
 from fuzzytime.requirement import Recurrence, TimeRequirement, Window
 from fuzzytime.times import DAY, HOUR, seconds_between
 from fuzzytime_cli.formats.rules_of_series import Rule, rule_of
@@ -112,7 +113,7 @@ class _Repetition:
         wish = self.one.wish
         since = seconds_between(self.plan.request.now, wish.given)
         since += 0.0 if wish.moved is None else wish.moved.by
-        coming = recurrence.coming(LOOKED_AT if self._endless else MOST)
+        coming = on_their_days(recurrence.coming(LOOKED_AT if self._endless else MOST), wish.given)
         windows = [(begin + since, end + since) for begin, end in coming]
         planned: dict[int, int] = {}
         for position in self.positions:

@@ -61,9 +61,13 @@ def going_on(plan: Plan) -> Mapping[int, str]:
     found = {}
     for positions in planned.values():
         one = plan.skills[positions[-1]]
-        intervals = [part.recurrence.interval for part in one.requirements if part.recurrence is not None]
-        often = any(interval is not None and interval < DAY for interval in intervals)
-        if not often or starts[positions[-1]] - starts[positions[0]] >= NEARLY_A_DAY:
+        repeated = [
+            (part, part.recurrence.interval) for part in one.requirements if part.recurrence is not None
+        ]
+        often = any(interval is not None and interval < DAY for _, interval in repeated)
+        # "Every day feed the cat, then walk the dog" says of the cat how often.
+        itself = all(part.anchor is None for part, _ in repeated)
+        if itself and (not often or starts[positions[-1]] - starts[positions[0]] >= NEARLY_A_DAY):
             found[positions[-1]] = asked_words(one.requirements)
     return found
 
