@@ -43,6 +43,7 @@ def plan(
 ) -> None:
     """Plan instructions: print the best schedule and how well each wish is satisfied."""
     from fuzzytime_cli.assembly import Assembly
+    from fuzzytime_cli.faults import report
     from fuzzytime_cli.inputs.source import STDIN, is_piped
     from fuzzytime_cli.patience import told
     from fuzzytime_cli.problems import exit_of_plan, report_problems
@@ -51,6 +52,8 @@ def plan(
     if file is None and not instruction and is_piped():
         file = STDIN
     chosen = output_format or PlanFormat.written_to(output)
+    if output_format is None and PlanFormat.is_guessed(output):
+        report(f"fuzzytime: {output}: no format has this ending, so that a table is written (see: --format)")
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()
     request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook.signals)
