@@ -1,5 +1,6 @@
 """What is done again and again is one event in a calendar, with a rule that goes on as the words do."""
 
+import json
 from datetime import datetime, timedelta
 from pathlib import Path
 
@@ -140,3 +141,16 @@ def test_the_table_says_what_goes_on_behind_its_last_row(tmp_path: Path) -> None
         "plan", "-i", "Every day feed the cat, then walk the dog", "--now", NOW, folder=tmp_path
     ).out
     assert followed.count("and so on") == 1
+
+
+def test_json_and_a_page_say_that_it_repeats(tmp_path: Path) -> None:
+    def written(kind: str, wish: str) -> str:
+        return ran("plan", "-i", wish, "--format", kind, "--now", NOW, folder=tmp_path).out
+
+    (first, *_) = json.loads(written("json", "Water the herbs every two days"))["skills"]
+    assert first["requirement"]["repeats"] == {"interval_s": 172800.0, "endless": True}
+    (first, *_) = json.loads(written("json", "Call mum every day at six until friday"))["skills"]
+    assert first["requirement"]["repeats"] == {"interval_s": 86400.0, "endless": False}
+    (once,) = json.loads(written("json", "Call mum at six"))["skills"]
+    assert "repeats" not in once["requirement"]
+    assert "water the herbs: and so on, every two days" in written("html", "Water the herbs every two days")

@@ -108,7 +108,12 @@ class PlanView:
         if not self.plan.everything:
             return ["Nothing to plan."]
         said = (summary(self.plan), *self._losses(), *self._waiting(), *note_lines(self.plan, self.labels))
-        return [line.plain for line in said]
+        names = self.plan.skills
+        goes_on = [
+            f"{self.labels[place]} {plain(names[place].skill.name)}: and so on, {plain(words)}"
+            for place, words in self.going_on.items()
+        ]
+        return [*(line.plain for line in said), *goes_on]
 
     def asked(self, position: int) -> str:
         """Give the words about time of a skill."""
