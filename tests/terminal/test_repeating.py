@@ -154,3 +154,10 @@ def test_json_and_a_page_say_that_it_repeats(tmp_path: Path) -> None:
     (once,) = json.loads(written("json", "Call mum at six"))["skills"]
     assert "repeats" not in once["requirement"]
     assert "water the herbs: and so on, every two days" in written("html", "Water the herbs every two days")
+
+
+def test_how_long_the_turns_of_a_repetition_take_is_told_once(tmp_path: Path) -> None:
+    out = ran(
+        "plan", "-i", "Water the herbs every day", "-i", "Call mum at six", "--now", NOW, folder=tmp_path
+    ).out
+    assert "durations assumed: s1 to s1.3 8 min, s2 10 min" in out
