@@ -39,6 +39,10 @@ UNWRITTEN = frozenset(
 """Endings of documents that a plan is not written as."""
 
 
+TEXTS = frozenset({"", "txt", "text", "md", "log", "out"})
+"""Endings of what a table may be kept in, and whoever does so expects one."""
+
+
 class PlanFormat(StrEnum):
     """What a plan is written as."""
 
@@ -69,6 +73,11 @@ class PlanFormat(StrEnum):
             known = ", ".join(f".{kind}" for kind in cls if kind is not cls.TABLE)
             raise UsageError(f"-o: a plan is not written as .{ending}, but as {known}, or else as a table")
         return cls.of_file(path) or cls.TABLE
+
+    @classmethod
+    def is_guessed(cls, path: Path | None) -> bool:
+        """Whether a file's name ends in nothing that says what is written to it."""
+        return _ending(path) not in {*TEXTS, *cls}
 
 
 def _ending(path: Path | None) -> str:

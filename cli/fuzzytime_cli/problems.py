@@ -11,13 +11,15 @@ MOST_REJECTED = 20
 """Of what is rejected, so many are said one by one on standard error."""
 
 
-def report_problems(made: Plan, source: str) -> None:
+def report_problems(made: Plan, source: str, *, shown: bool = False) -> None:
     """Say on standard error which lines were not understood, with their words underlined.
 
-    Of many that are rejected the first are said one by one: whatever is written tells the others.
+    Of many that are rejected the first are said one by one: whatever is written tells the others. Where the
+    plan is ``shown``, it says of all of them why, and to whom they lost.
     """
     name = "<stdin>" if source == "-" else source
-    faults = [problem for problem in made.problems if is_fault(problem)]
+    known = {ProblemKind.REJECTED} if shown else set()
+    faults = [problem for problem in made.problems if is_fault(problem) and problem.kind not in known]
     rejected = [problem for problem in faults if problem.kind is ProblemKind.REJECTED]
     untold = frozenset(rejected[MOST_REJECTED:] if len(rejected) > MOST_REJECTED + 1 else ())
     for problem in faults:

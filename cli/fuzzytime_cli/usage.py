@@ -3,6 +3,7 @@
 import re
 import shlex
 from collections.abc import Sequence
+from itertools import chain, pairwise
 from pathlib import Path
 from typing import Any
 
@@ -46,7 +47,11 @@ def usage_line(error: TyperException, arguments: Sequence[str]) -> str:
     parameter = error.param if isinstance(error, typer.BadParameter) else None
     if parameter is not None and error.message:
         hint = " / ".join(parameter.opts) if parameter.opts[0].startswith("-") else parameter.name
-        return f"fuzzytime: {hint}: {_plainer(error.message)}{where}"
+        message = _plainer(error.message)
+        value = _given(parameter.opts, arguments)
+        # "--agents two": the rule, and then the value.
+        given = f", got {value!r}" if value is not None and ", got " not in message else ""
+        return f"fuzzytime: {hint}: {message}{given}{where}"
     option = getattr(error, "option_name", "")
     if context is not None and option and isinstance(context.command, TyperGroup):
         owner = _owner(context, option)
@@ -59,6 +64,13 @@ def usage_line(error: TyperException, arguments: Sequence[str]) -> str:
     message += _advice(error.message or "", context, arguments)
     advised = " (did you mean " in message or "; " in message
     return f"fuzzytime: {message}{'' if advised else where}"
+
+
+def _given(options: Sequence[str], arguments: Sequence[str]) -> str | None:
+    """Give the value that stands behind an option, or with it: "--agents=two"."""
+    behind = (after for option, after in pairwise(arguments) if option in options)
+    within = (one.partition("=")[2] for one in arguments if one.partition("=")[0] in options and "=" in one)
+    return next(chain(behind, within), None)
 
 
 def _advice(message: str, context: Any, arguments: Sequence[str]) -> str:  # noqa: ANN401 - as below

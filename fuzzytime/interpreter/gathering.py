@@ -270,9 +270,7 @@ class Gathering:
             return range(0)
         meant = self.links.skills_of(told.target)
         for place in meant:
-            self.skills[place] = self.maker.how_long.lasting(
-                self.skills[place], length, alone=instruction.alone
-            )
+            self.skills[place] = self.maker.lengthened(self.skills[place], length, alone=instruction.alone)
         return meant
 
 

@@ -1,6 +1,5 @@
 """From one instruction, read, to the fuzzy skills it asks for."""
 
-import math
 from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import islice
@@ -16,24 +15,27 @@ from fuzzytime.interpreter.in_other_words.retold import (
 )
 from fuzzytime.interpreter.in_other_words.waits import with_waits, without_readings
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.joining import both
+from fuzzytime.interpreter.joining import both, from_there_on, within_its_ends
 from fuzzytime.interpreter.offered import Offered
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.turns.behind import Behind
 from fuzzytime.interpreter.turns.each_turn import EachTurn
 from fuzzytime.interpreter.turns.inside import GoingOn
 from fuzzytime.interpreter.turns.of_each import OfEach
-from fuzzytime.interpreter.turns.waking_hours import far_ahead, within_hours
+from fuzzytime.interpreter.turns.waking_hours import far_ahead, on_their_days, within_hours
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Recurrence, Reference, TimeRequirement, Window
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
-from fuzzytime.satisfaction import Rectangle, SatisfactionFunction
+from fuzzytime.satisfaction import SatisfactionFunction
 from fuzzytime.scheduling import THRESHOLD
 from fuzzytime.skills import FuzzySkill
 from fuzzytime.times import seconds_between
 
 MAX_OCCURRENCES = 100
 """How many occurrences of one repetition are planned at most."""
+
+AT_ONCE = 1.0
+"""Seconds that two starts may be apart, and still are the same."""
 
 LEFT_OUT = 20
 """Among how many coming occurrences one is looked for that is not left out."""
@@ -114,7 +116,12 @@ class Maker:
 
     def _windows(self, wish: SpokenWish, recurrence: Recurrence) -> tuple[Window, ...]:
         """Give when the occurrences of a repetition are that are planned."""
-        windows = tuple(recurrence.windows(self._until(wish, recurrence)))
+        until = self._until(wish, recurrence)
+        coming = recurrence.windows(until)
+        if self.request.horizon is not None:
+            # What may be done at any time of a day has none of it left where the day begins at the end.
+            coming = tuple(window for window in coming if window[0] < until or window[0] == window[1])
+        windows = on_their_days(coming, wish.given)
         if self.request.horizon is None:
             passed = seconds_between(self.request.now, wish.given)
             windows = windows if len(windows) > 1 else far_ahead(recurrence, MAX_HORIZON - passed)
@@ -161,12 +168,16 @@ class Maker:
         reading: Reading,
         instruction: Instruction,
         requirements: tuple[TimeRequirement, ...],
+        duration: OperationDuration | None = None,
     ) -> Interpreted:
+        """Make a skill with these times, and with the length that the instruction says, or the one given."""
         operation = instruction.operation
-        duration = self.how_long.of(wish, instruction)
-        own = [part for part in requirements if part.anchor is None or part.anchor.target is None]
-        resolutions = [self._resolved(part, operation, duration) for part in own]
+        duration = duration or self.how_long.of(wish, instruction)
         given = seconds_between(self.request.now, wish.given)
+        own = [part for part in requirements if part.anchor is None or part.anchor.target is None]
+        resolutions = [
+            within_its_ends(self._resolved(part, operation, duration), part, duration, -given) for part in own
+        ]
         offered = Offered.of(own, resolutions, given)
         function, named = self._moved(wish, offered.satisfaction, offered.named)
         reason, waits = offered.why_never()
@@ -218,8 +229,10 @@ class Maker:
         if wish.moved.to is None:
             return function, named
         to = seconds_between(self.request.now, wish.moved.to)
-        window = Rectangle(to, math.inf) if by >= 0 else Rectangle(-math.inf, to)
-        return both(function, window), (to,)
+        if any(abs(time - to) < AT_ONCE for time in named):
+            # "In about ten minutes", ten minutes later, is as vague as before.
+            return function, named
+        return both(function, from_there_on(function, to, later=by >= 0)), (to,)
 
     def _skill(
         self, wish: Wish, name: str, function: SatisfactionFunction, duration: OperationDuration
@@ -239,6 +252,16 @@ class Maker:
         """Make the skill of going where something is done or happens, in time for that."""
         going = going_to(instruction, to.skill.name, target, attended=to.attended)
         return self._interpreted(wish, reading, going, going.requirements)
+
+    def lengthened(self, made: Interpreted, length: float, *, alone: bool) -> Interpreted:
+        """Give a skill with what was told afterwards of how long it goes on."""
+        longer = self.how_long.lasting(made, length, alone=alone)
+        wish, reading, instruction = made.wish, made.reading, made.instruction
+        if not isinstance(wish, SpokenWish) or reading is None or instruction is None:
+            return longer
+        again = self._interpreted(wish, reading, instruction, made.requirements, longer.duration)
+        function = again.skill.satisfaction
+        return replace(longer, skill=replace(longer.skill, satisfaction=function))
 
     def timed(self, made: Interpreted, told: Instruction, given: datetime) -> Interpreted:
         """Give a skill with what was told afterwards of when it must be done, at another moment perhaps."""

@@ -1,6 +1,6 @@
 """What reading a text has to say, as problems of the wish that it came from."""
 
-from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.interpretation import WITHIN, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.request import SpokenWish, Wish
 from fuzzytime.language import Instruction, Reading, RemarkKind
 from fuzzytime.language.instruction import overlap
@@ -58,6 +58,8 @@ def notes_of(interpreted: Interpreted) -> list[Problem]:
     """Give what the rulebook noted about a skill, each sentence once."""
     if not interpreted.requirements:
         return []  # that any time satisfies is not news where no time was asked for
-    notes = dict.fromkeys(note for resolution in interpreted.resolutions for note in resolution.notes)
+    noted = (note for resolution in interpreted.resolutions for note in resolution.notes)
+    # What people expect is no news; who asks for an explanation reads it there.
+    notes = dict.fromkeys(note for note in noted if note != WITHIN)
     wish, identifier = interpreted.wish, interpreted.identifier
     return [problem_of(wish, ProblemKind.NOTE, note, identifier=identifier) for note in notes]

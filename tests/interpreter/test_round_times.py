@@ -39,3 +39,9 @@ def test_what_follows_keeps_the_order_said() -> None:
 def test_what_waits_for_something_is_prompt() -> None:
     made = told(["have lunch at 6:03 pm for 20 minutes", "wash up after lunch"], now=AT_FOUR)
     assert starts(made)["s2"] == "18:23"
+
+
+@pytest.mark.parametrize("microseconds", [0, 300_000, 999_999])
+def test_what_is_round_already_stays_whatever_the_second_it_was_said_in(microseconds: int) -> None:
+    made = told(["feed the cat every day"], now=SEVEN + timedelta(hours=2, microseconds=microseconds))
+    assert starts(made) == {"s1": "09:00", "s1.2": "09:00", "s1.3": "09:00"}

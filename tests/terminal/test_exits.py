@@ -44,6 +44,15 @@ def test_an_end_has_its_code(arguments: tuple[str, ...], code: Exit, tmp_path: P
     assert bool(done.err) == (code != Exit.FINE)
 
 
+def test_a_table_that_is_missing_keeps_no_other_from_being_checked(tmp_path: Path) -> None:
+    done = ran("rules", "check", "no/such.yaml", "tests/data/mistakes.yaml", "nor/this.yaml", folder=tmp_path)
+    assert done.code == Exit.BAD_CONFIG
+    assert done.err.count("there is no such table") == 2
+    assert "tests/data/mistakes.yaml:2:1: agents" in done.err
+    alone = ran("rules", "check", "no/such.yaml", "rules/lookup.yaml", folder=tmp_path)
+    assert (alone.code, alone.out) == (Exit.NO_INPUT, "")
+
+
 @pytest.mark.parametrize("command", [("rules", "check"), ("plan", "-i", "x", "--rules"), ("plan",)])
 def test_a_mistake_begins_with_its_place_for_who_jumps_there(
     command: tuple[str, ...], tmp_path: Path
@@ -62,6 +71,18 @@ def test_a_line_that_cannot_be_read_is_said_and_the_rest_is_planned(tmp_path: Pa
     assert done.err.startswith("<stdin>:3: ")
     assert "^" in done.err
     assert ran("plan", "-", "--strict", *NOW, folder=tmp_path, stdin=text).code == Exit.BAD_DATA
+
+
+def test_a_loss_is_told_once_where_the_plan_is_shown(tmp_path: Path) -> None:
+    wishes = ("-i", "Meet at 3pm sharp for an hour", "-i", "Call Bob at 3pm sharp for an hour")
+    done = ran("plan", *wishes, *NOW, folder=tmp_path)
+    assert (done.err, done.out.count("call Bob: rejected: alone it could have 1.00")) == ("", 1)
+    assert "call Bob: no start time" in ran("plan", *wishes, "--format", "csv", *NOW, folder=tmp_path).err
+    (tmp_path / "beside.txt").write_text("Meet at 3pm sharp for an hour\n")
+    beside = ("--beside", str(tmp_path / "beside.txt"))
+    why = ran("explain", "Call Bob at 3pm sharp for an hour", *beside, *NOW, folder=tmp_path)
+    assert why.err == ""
+    assert "It is rejected: it lost its time to meet, which wants the same minutes." in why.out
 
 
 def test_of_many_that_are_rejected_the_first_are_said_and_the_rest_counted(tmp_path: Path) -> None:

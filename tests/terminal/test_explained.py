@@ -24,7 +24,7 @@ def rows_of_charts(lines: list[str]) -> int:
 
 def test_the_tree_of_a_text_with_two_skills_is_shown_once(tmp_path: Path) -> None:
     lines = explained(TWO, tmp_path)
-    assert lines.count("tree") == lines.count("the paper's reading") == 1
+    assert lines.count("tree") == lines.count("words that say when") == 1
     assert lines.count("time") == lines.count("why then") == 2
 
 
@@ -39,3 +39,9 @@ def test_a_satisfaction_that_is_0_everywhere_takes_one_row(tmp_path: Path) -> No
     )
     assert rows_of_charts(nowhere) == 2
     assert rows_of_charts(everywhere) == 8
+
+
+def test_what_could_be_meant_otherwise_stands_behind_the_time(tmp_path: Path) -> None:
+    lines = explained("call mum at ten", tmp_path)
+    assert lines.index("time") < lines.index("in doubt") < lines.index("rows and rules")
+    assert any("'at ten' is taken as 10:00" in line for line in lines[lines.index("in doubt") :])

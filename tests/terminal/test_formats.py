@@ -107,6 +107,18 @@ def test_a_picture_says_what_its_shapes_mean_and_of_no_others(tmp_path: Path) ->
     assert legend("examples/workshop.yaml") == workshop
     assert legend("-i", "Stir the soup now") == [shading, "at work"]
     assert legend("-i", "Flip the pancakes when the pan is hot") == [shading]
+    task = tmp_path / "crowd.yaml"
+    curves = "".join(
+        f"  - {{name: {name}, duration: 10 min, satisfaction: {{trapezoid: [0 s, 60 s, 120 s, {end} s]}}}}\n"
+        for name, end in (("weld", 600), ("paint", 1200), ("glue", 1500))
+    )
+    task.write_text(f"skills:\n{curves}")
+    assert legend(str(task)) == [
+        shading,
+        "at work",
+        "at work, satisfied in part",
+        "at work, hardly satisfied",
+    ]
 
 
 def test_a_picture_for_several_says_who_does_what(tmp_path: Path) -> None:

@@ -253,3 +253,10 @@ def test_what_stands_in_the_place_of_what_is_heard() -> None:
     assert about is not None
     assert (about.kind, set(about.names), about.thing) == (AboutKind.INSTEAD, {"soup"}, "the rice")
     assert about_things("in ten minutes", NOW, shipped_lexicon()) is None
+
+
+@pytest.mark.parametrize("line", ["every morning at 7:30 feed the cat", "feed the cat every morning at 7:30"])
+def test_a_length_behind_what_was_left_out_is_of_all_that_are_left(line: str) -> None:
+    talk = _said(f"{line} | not on sundays")
+    assert "for 5 minutes; :undo" in talk.say("it takes 5 minutes")
+    assert [entry.count("except on sundays") for entry in talk.entries] == [1]

@@ -2,6 +2,7 @@
 
 from datetime import datetime, timedelta
 
+import numpy as np
 import pytest
 
 from fuzzytime.language.about_wishes import AboutKind, about_wishes
@@ -57,6 +58,28 @@ def test_everything_is_pushed_back_but_what_was_told() -> None:
     assert "which is over" in talk.say("bring the call forward by ten hours")
     talk.say("undo")
     assert talk.start("s2") == starts["s2"] + later
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("line", "by", "towards"),
+    [
+        ("make tea in about ten minutes", "10min", -1),
+        ("call mum at ten", "10min", -1),
+        ("call mum this afternoon", "10min", -1),
+        ("call mum this afternoon", "-10min", 1),
+    ],
+)
+def test_what_is_delayed_stays_as_vague_as_it_was(line: str, by: str, towards: int) -> None:
+    talk = talk_of(line, f":delay 1 {by}")
+    assert talk.turns.plan is not None
+    (moved,), (start,) = talk.turns.plan.skills, talk.turns.plan.schedule.start_times
+    function = moved.skill.satisfaction
+    assert float(function(start)) == 1.0
+    # What was told as a moment, or a stretch, has flanks on both sides, and falls off nowhere at once.
+    beside = function(start + towards * np.arange(0.0, 3600.0, 10.0))
+    assert beside.min() < 0.1
+    assert np.abs(np.diff(beside)).max() < 0.1
 
 
 @pytest.mark.model

@@ -46,6 +46,16 @@ def test_the_name_of_the_file_says_its_format(name: str, begins: str, tmp_path: 
     assert file.read_text(encoding="utf-8").startswith(begins)
 
 
+def test_an_ending_that_says_no_format_gets_a_table_and_a_word_about_it(tmp_path: Path) -> None:
+    file = tmp_path / "soup.foo"
+    said = ran(*SOUP, "-o", str(file), folder=tmp_path).err
+    assert (
+        said == f"fuzzytime: {file}: no format has this ending, so that a table is written (see: --format)\n"
+    )
+    assert file.read_text(encoding="utf-8").startswith("   start")
+    assert ran(*SOUP, "-o", str(tmp_path / "soup"), folder=tmp_path).err == ""
+
+
 def test_a_format_that_is_given_counts_more_than_the_name(tmp_path: Path) -> None:
     file = tmp_path / "soup.ics"
     assert ran(*SOUP, "-o", str(file), "--format", "csv", folder=tmp_path).code == 0
@@ -73,9 +83,10 @@ def test_a_dash_is_standard_output(command: tuple[str, ...], tmp_path: Path) -> 
         (["plan", "-i", " "], "an instruction must not be empty"),
         (["explain", ""], "an instruction must not be empty"),
         (["rules", "show", ""], "the words must not be empty"),
-        (["plan", "-i", "Stir", "--seed", "-1"], "--seed: must be at least 0 "),
-        (["plan", "-i", "Stir", "--agents", "two"], "--agents: must be a whole number "),
-        (["plan", "-i", "Stir", "--threshold", "low"], "--threshold: must be a number "),
+        (["plan", "-i", "Stir", "--seed", "-1"], "--seed: must be at least 0, got '-1' "),
+        (["plan", "-i", "Stir", "--agents", "two"], "--agents: must be a whole number, got 'two' "),
+        (["plan", "-i", "Stir", "--agents=200"], "--agents: must be at most 100, got '200' "),
+        (["plan", "-i", "Stir", "--threshold", "low"], "--threshold: must be a number, got 'low' "),
     ],
 )
 def test_what_is_wrong_with_a_value_is_said_in_plain_words(

@@ -51,7 +51,8 @@ def test_explaining_takes_a_share_of_the_time() -> None:
 
 def test_two_skills_of_one_name_are_told_apart(interpreter: Interpreter) -> None:
     made = planned(interpreter, wish("flip", WISH, priority=3.0), wish("flip", WISH))
-    assert dict(loss_lines(made))[1].startswith("flip (s2): lost")
+    # Whoever shows the line says of which it is: "s2 flip: lost …".
+    assert dict(loss_lines(made))[1].startswith("flip: lost")
     assert dict(loss_lines(made))[1].endswith("to flip (s1), which wants the same minutes")
 
 

@@ -223,3 +223,22 @@ def test_what_is_told_beside_a_new_wish_is_of_that(line: str) -> None:
     talk = talk_of("call Ann at ten")
     talk.say(line)
     assert talk.entries == ["call Ann at ten", line]
+
+
+@pytest.mark.parametrize("told", ["Ann needs it by three", "by noon", "as soon as possible"])
+def test_what_is_running_and_in_time_goes_on_and_keeps_its_label(told: str) -> None:
+    talk = talk_of("print the poster")
+    talk.wait(seconds=20)
+    answer = talk.say(told)
+    assert "print the poster goes on: it is in time" in answer
+    assert "running: s1 print the poster" in answer
+    assert "s2" not in answer
+    (entry,) = talk.entries
+    assert entry.startswith("print the poster ")
+
+
+@pytest.mark.parametrize("told", ["not before half past nine", "in an hour"])
+def test_what_is_running_is_another_where_it_is_asked_for_later(told: str) -> None:
+    talk = talk_of("print the poster")
+    talk.wait(seconds=20)
+    assert "no longer running: print the poster" in talk.say(told)

@@ -86,3 +86,22 @@ def test_an_end_names_its_day_where_it_is_another_than_that_of_the_start() -> No
     clock = Clock.to_minutes(NOW)
     assert clock.end_of(86_400, 86_400 + 600) == "09:10"
     assert clock.end_of(14 * 3600, 16 * 3600) == "Thu 01:00"
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("wishes", "told", "untold"),
+    [
+        (["Call mum at 11 am"], ["█", "░▒▓"], ["─", "×"]),
+        (["Boil the eggs in two minutes"], ["█", "─ goes on by itself", "░▒▓"], ["× time"]),
+        (["Dentist on the 12th at 3 pm", "Visit gran next christmas"], ["█", "×"], ["─", "░▒▓"]),
+    ],
+)
+def test_the_legend_says_what_each_mark_means_and_of_no_others(
+    wishes: list[str], told: list[str], untold: list[str], tmp_path: Path
+) -> None:
+    said = [part for wish in wishes for part in ("-i", wish)]
+    out = ran("plan", *said, "--now", "2026-03-04T09:00", folder=tmp_path).out
+    legend = " ".join(out[out.index("█ at work") :].split("\n\n")[0].split())
+    assert [mark for mark in told if f"{mark} " in f"{legend} "] == told
+    assert not any(mark in legend for mark in untold)

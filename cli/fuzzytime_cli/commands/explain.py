@@ -39,6 +39,7 @@ def explain(
             f"explain takes an instruction, got the file {text!r}: "
             f"fuzzytime explain 'one of its lines' --beside {shlex.quote(text)}"
         )
+    from fuzzytime.interpreter import ProblemKind
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.drawing.svg import chart_svg
     from fuzzytime_cli.explaining import chart_of, explanation_lines, reading_lines
@@ -52,15 +53,19 @@ def explain(
     request = request_of(beside, [text], assembly, understanding, interpreter.rulebook.signals).named()
     made = assembly.plan(request, interpreter)
     asked = request.wishes[-1].identifier
-    for problem in made.problems:
-        if problem.text == text.strip() and is_fault(problem):
-            report_problem(problem, "fuzzytime")
     own = [place for place, interpreted in enumerate(made.everything) if interpreted.wish.identifier == asked]
+    firsts = list(first_of_each(made, own))
+    explained = {made.everything[position].identifier for position, _ in firsts}
+    for problem in made.problems:
+        # Why what is explained is rejected is told there.
+        told = problem.kind is ProblemKind.REJECTED and problem.identifier in explained
+        if problem.text == text.strip() and is_fault(problem) and not told:
+            report_problem(problem, "fuzzytime")
     screen = Screen.of(sys.stdout, dict(os.environ))
     if not own:
         screen.write(*reading_lines(interpreter.language.read(text, now=request.now), screen.width))
         raise typer.Exit(Exit.BAD_DATA)
-    for position, others in first_of_each(made, own):
+    for position, others in firsts:
         again = position != own[0]
         if again:
             screen.write("")

@@ -43,6 +43,7 @@ def plan(
 ) -> None:
     """Plan instructions: print the best schedule and how well each wish is satisfied."""
     from fuzzytime_cli.assembly import Assembly
+    from fuzzytime_cli.faults import report
     from fuzzytime_cli.inputs.source import STDIN, is_piped
     from fuzzytime_cli.patience import told
     from fuzzytime_cli.problems import exit_of_plan, report_problems
@@ -51,13 +52,16 @@ def plan(
     if file is None and not instruction and is_piped():
         file = STDIN
     chosen = output_format or PlanFormat.written_to(output)
+    if output_format is None and PlanFormat.is_guessed(output):
+        report(f"fuzzytime: {output}: no format has this ending, so that a table is written (see: --format)")
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()
     request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook.signals)
     count = len(request.wishes)
     with told(f"planning {count:,} instruction{'' if count == 1 else 's'}"):
         made = assembly.plan(request, interpreter)
-    report_problems(made, file or "-i")
+    shown = output is None and chosen is PlanFormat.TABLE
+    report_problems(made, file or "-i", shown=shown)
     write_plan(made, chosen, output, assembly.limits())
     code = exit_of_plan(made, strict=strict)
     if code != Exit.FINE:

@@ -25,18 +25,27 @@ def check(
     """Check rule tables and customs: every mistake at once, with file, line and column."""
     from fuzzytime_cli.assembly import Assembly, require_file
     from fuzzytime_cli.checks import table_mistakes
-    from fuzzytime_cli.faults import report
+    from fuzzytime_cli.faults import NoInputError, report
     from fuzzytime_cli.render import plain
 
     assembly = Assembly.of(Moment(), Understanding(), Solving())
-    chosen = tuple(files or assembly.table_files())
-    for path in chosen:
-        require_file(path, "table")
+    chosen, missing = [], False
+    for path in files or assembly.table_files():
+        try:
+            require_file(path, "table")
+        except NoInputError as error:
+            # The others are looked at all the same.
+            report(f"fuzzytime: {error}")
+            missing = True
+        else:
+            chosen.append(path)
     mistakes = table_mistakes(chosen)
     if mistakes:
         report("\n".join(map(str, mistakes)))
         report(f"{len(mistakes)} mistake{'s' * (len(mistakes) > 1)}")
         raise typer.Exit(Exit.BAD_CONFIG)
+    if missing:
+        raise typer.Exit(Exit.NO_INPUT)
     names = ", ".join(plain(str(path)) for path in chosen)
     sys.stdout.write(f"the shipped tables{' and ' * bool(names)}{names} hold no mistake\n")
 

@@ -11,7 +11,7 @@ from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.drawing.terminal import chart_lines
 from fuzzytime_cli.explaining.charts import chart_of
 from fuzzytime_cli.explaining.origins import resolution_lines
-from fuzzytime_cli.explaining.words import left_lines, requirement_lines, strict_line, tree_lines
+from fuzzytime_cli.explaining.words import doubt_lines, requirement_lines, strict_line, tree_lines
 from fuzzytime_cli.formats.reasons import why_sentences
 from fuzzytime_cli.render import plain, width_of
 
@@ -35,14 +35,14 @@ def explanation_lines(
     reading = None if text_shown else interpreted.reading
     if reading is not None:
         lines += _section("tree", tree_lines(reading, inner))
-        lines += _section("the paper's reading", _wrapped([strict_line(reading)], inner))
+        lines += _section("words that say when", _wrapped([strict_line(reading)], inner))
     asked = [
         line for requirement in interpreted.requirements for line in requirement_lines(requirement, clock)
     ]
-    lines += _section("left", left_lines(reading) if reading is not None else [])
     behind = [line for part in interpreted.resolutions for line in resolution_lines(part)]
     asked = asked or [UNTIMED]
     lines += _section("time", _wrapped(asked, inner))
+    lines += _section("in doubt", doubt_lines(reading) if reading is not None else [])
     lines += _section("rows and rules", _wrapped(behind, inner))
     lines += _section("duration", _wrapped([_duration_line(interpreted)], inner))
     chart = chart_of(interpreted, plan, position)
@@ -60,7 +60,7 @@ def _duration_line(interpreted: Interpreted) -> str:
 
 
 def reading_lines(reading: Reading, width: int) -> list[str]:
-    """Explain a text that gives no skill: its tree, what was found, and what was left."""
+    """Explain a text that gives no skill: its tree, what was found, and what is in doubt."""
     inner = width - len(INDENT)
     clock = Clock(reading.now, with_seconds=False) if reading.now is not None else None
     found = [
@@ -73,9 +73,9 @@ def reading_lines(reading: Reading, width: int) -> list[str]:
     ]
     return [
         *_section("tree", tree_lines(reading, inner)),
-        *_section("the paper's reading", _wrapped([strict_line(reading)], inner)),
+        *_section("words that say when", _wrapped([strict_line(reading)], inner)),
         *_section("time", _wrapped(found or ["no words about time"], inner)),
-        *_section("left", left_lines(reading)),
+        *_section("in doubt", doubt_lines(reading)),
     ]
 
 

@@ -1,4 +1,4 @@
-"""What is understood of words: the tree, the paper's reading, time requirements, and what was left."""
+"""What is understood of words: the tree, those that say when, time requirements, and what is in doubt."""
 
 from fuzzytime.language import Reading, Token
 from fuzzytime.requirement import Comparison, TimeRequirement
@@ -50,7 +50,7 @@ def strict_line(reading: Reading) -> str:
     """
     strict, tokens = reading.strict, reading.tokens
     if strict.verb is None or strict.modifier is None:
-        return "the paper's strict reading finds no oblique temporal modifier of the root verb"
+        return "none by the paper's rule: no time hangs on the main verb (oblique temporal modifier)"
     parts = [
         f"{plain(tokens[position].text.lower())} ({name})"
         for position, name in (
@@ -100,7 +100,7 @@ def _compared(comparison: Comparison) -> str:
     )
 
 
-def left_lines(reading: Reading) -> list[str]:
+def doubt_lines(reading: Reading) -> list[str]:
     """Give the words that were not understood, or decided by policy, with marks under them."""
     lines = []
     for remark in reading.remarks:

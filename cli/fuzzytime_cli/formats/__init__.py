@@ -2,7 +2,8 @@
 
 For people: ``table`` with a ``timeline``, ``degrees`` of satisfaction and ``notes``, ``page``, ``picture``;
 in words, what was ``asked``, the ``reasons`` of each start, the ``series`` of what repeats, the ``whole``.
-For programs: ``document`` in ``jsons``, ``spreadsheet``, ``calendar``.
+For programs: ``document`` in ``jsons``, ``spreadsheet``; ``calendar``, where what is ``repeating`` has a rule
+of ``rules_of_series``.
 """
 
 from fuzzytime.interpreter import Plan

@@ -147,7 +147,16 @@ def requirement_of(requirement: TimeRequirement) -> Json:
         "earliest_s": requirement.earliest,
         "latest_s": requirement.latest,
         **({"alternative": True} if requirement.alternative else {}),
+        **_repeats(requirement),
     }
+
+
+def _repeats(requirement: TimeRequirement) -> Json:
+    """Give how often it comes, of one occurrence of a repetition."""
+    recurrence = requirement.recurrence
+    if recurrence is None:
+        return {}
+    return {"repeats": {"interval_s": recurrence.interval, "endless": recurrence.endless}}
 
 
 def function_of(function: SatisfactionFunction) -> Json:

@@ -1,6 +1,6 @@
 """What a plan takes for granted, in lines below it: notes, and durations that nobody said."""
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from rich.text import Text
@@ -45,7 +45,8 @@ def note_lines(plan: Plan, labels: Sequence[str], among: Collection[int] | None 
         and (among is None or position in among)
     ]
     if assumed:
-        yield Text("durations assumed: " + ", ".join(_lengths(assumed, labels)), style="dim")
+        turns = {position: one.wish.identifier for position, one in enumerate(plan.skills) if one.repeats}
+        yield Text("durations assumed: " + ", ".join(_lengths(assumed, labels, turns)), style="dim")
 
 
 def _together(notes: Sequence[Problem]) -> list[str]:
@@ -74,12 +75,17 @@ def _joined(names: Sequence[str]) -> str:
     return f"{names[0]} to {names[-1]}" if len(names) > TWO else " and ".join(names)
 
 
-def _lengths(assumed: Sequence[tuple[int, str]], labels: Sequence[str]) -> Iterator[str]:
-    """Tell how long skills take: each, or of many those in a row that take the same: "s1 to s9 2 min"."""
+def _lengths(
+    assumed: Sequence[tuple[int, str]], labels: Sequence[str], turns: Mapping[int, str]
+) -> Iterator[str]:
+    """Tell how long skills take: each, or of several in a row that take the same: "s1 to s9 2 min".
 
-    def row(entry: tuple[int, tuple[int, str]]) -> tuple[int, str]:
+    Those are the ``turns`` of a repetition, by position, or whatever stands in a row where there are many.
+    """
+
+    def row(entry: tuple[int, tuple[int, str]]) -> tuple[int | str, str]:
         index, (position, length) = entry
-        return (position - index if len(assumed) > MOST_LENGTHS else position), length
+        return (position - index if len(assumed) > MOST_LENGTHS else turns.get(position, position)), length
 
     rows = [(length, list(entries)) for (_, length), entries in groupby(enumerate(assumed), key=row)]
     left = sum(len(entries) for _, entries in rows[MOST_ROWS:])

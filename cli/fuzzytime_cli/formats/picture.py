@@ -1,6 +1,7 @@
 """A plan as an SVG picture: a lane a skill, ψ as a filled curve, the time it takes as a bar on it."""
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -13,7 +14,13 @@ from fuzzytime_cli.drawing.ticks import ticks
 from fuzzytime_cli.formats.series import clock_at, clock_of, folded, shown
 from fuzzytime_cli.render import plain, width_of
 
-WIDTH, NAMES, RIGHT, LANE, TOP, BOTTOM = 820, 202, 76, 38, 26, 56
+WIDTH, NAMES, RIGHT, LANE, TOP, BELOW = 820, 202, 76, 38, 26, 12
+LEGEND = 16
+"""From one line of the legend to the next."""
+
+BARS = {"good": "at work", "fair": "at work, satisfied in part", "poor": "at work, hardly satisfied"}
+"""The kinds of bars, by how well the time satisfies."""
+
 CHARACTER = 5.8
 """How wide a small letter is, about, in the units of the picture."""
 
@@ -65,7 +72,8 @@ class _Picture:
         for row, waits in enumerate(self.plan.waiting, len(self.shown)):
             parts += self._named(waits, "waits", TOP + LANE * (row + 1) - 8)
         title = f"Plan from {self.plan.request.now:%Y-%m-%d %H:%M}"
-        return picture(WIDTH, self.bottom + BOTTOM, title, STYLE, "".join(parts) + self._legend())
+        legend, low = self._legend()
+        return picture(WIDTH, low + BELOW, title, STYLE, "".join(parts) + legend)
 
     def _head(self) -> list[str]:
         date = date_of(self.plan.request.now)
@@ -78,27 +86,36 @@ class _Picture:
             element("text", "satisfied", class_="small", x=WIDTH - 6, y=TOP - 9, text_anchor="end"),
         ]
 
-    def _legend(self) -> str:
-        """Say what the shapes mean that the picture has."""
-        shapes = [("wish", "how well a start there would satisfy")]
-        planned = [
-            skill for skill, out in zip(self.skills, self.plan.schedule.rejected, strict=True) if not out
-        ]
-        if planned:
-            shapes.append(("good", "at work"))
-        if any(skill.done > skill.worked_until for skill in planned):
-            shapes.append(("waits", "goes on by itself"))
-        if self.busy:
-            shapes.append(("busy", "time that is taken"))
+    def _legend(self) -> tuple[str, float]:
+        """Say what the shapes mean that the picture has, and how far down that reaches."""
         parts, x, y = [], 8.0, self.bottom + 44
-        for kind, text in shapes:
+        for kind, text in self._shapes():
+            width = 26 + CHARACTER * len(text)
+            if x + width > WIDTH:
+                x, y = 8.0, y + LEGEND
             if kind == "waits":
                 parts.append(element("line", class_=kind, x1=x, y1=y - 4, x2=x + 20, y2=y - 4))
             else:
                 parts.append(element("rect", class_=kind, x=x, y=y - 9, width=20, height=9, rx=2))
             parts.append(element("text", text, class_="small", x=x + 26, y=y))
-            x += 26 + CHARACTER * len(text) + 16
-        return element("g", "".join(parts), class_="legend")
+            x += width + 16
+        return element("g", "".join(parts), class_="legend"), y
+
+    def _shapes(self) -> Iterator[tuple[str, str]]:
+        """Give the kinds of shapes that the picture has, with what they mean."""
+        planned = [place for place in self.shown if not self.plan.schedule.rejected[place]]
+        kinds = {self._kind(place) for place in planned}
+        yield "wish", "how well a start there would satisfy"
+        yield from ((kind, text) for kind, text in BARS.items() if kind in kinds)
+        if any(self.skills[place].done > self.skills[place].worked_until for place in planned):
+            yield "waits", "goes on by itself"
+        if self.busy:
+            yield "busy", "time that is taken"
+
+    def _kind(self, position: int) -> str:
+        """Give the kind of bar that shows how well a skill's time satisfies."""
+        satisfaction = self.plan.schedule.satisfactions[position]
+        return "good" if satisfaction >= 0.8 else "fair" if satisfaction >= 0.4 else "poor"
 
     def _axis(self) -> list[str]:
         parts = []
@@ -130,7 +147,6 @@ class _Picture:
         interpreted, specific = self.plan.skills[position], self.skills[position]
         satisfaction = self.plan.schedule.satisfactions[position]
         rejected = self.plan.schedule.rejected[position]
-        kind = "good" if satisfaction >= 0.8 else "fair" if satisfaction >= 0.4 else "poor"
         start, end, done = (
             self.across(time) for time in (specific.start, specific.worked_until, specific.done)
         )
@@ -149,7 +165,9 @@ class _Picture:
         if rejected:
             return parts
         width = max(2.0, end - start)
-        parts.append(element("rect", class_=kind, x=start, y=base - 9, width=width, height=9, rx=2))
+        parts.append(
+            element("rect", class_=self._kind(position), x=start, y=base - 9, width=width, height=9, rx=2)
+        )
         if specific.done > specific.worked_until:
             parts.append(element("line", class_="waits", x1=end, y1=base - 4, x2=done, y2=base - 4))
         return parts

@@ -44,7 +44,8 @@ def explaining(limits: Limits) -> float:
 def loss_lines(plan: Plan, seconds: float = MOST_SECONDS) -> list[tuple[int | None, str]]:
     """Give for each skill that is not fully satisfied its position, and in a line what that is due to.
 
-    Where time was over, a last line, of no skill, says for how many that was not looked for.
+    Whoever shows a line says which skill it is of. Where time was over, a last line, of no skill, says for
+    how many that was not looked for.
     """
     short = [position for position, got in enumerate(plan.schedule.satisfactions) if got < 1 - SHOWN]
     found = explain(plan.schedule, short, limits=Limits(seconds=seconds))
@@ -58,7 +59,7 @@ def loss_lines(plan: Plan, seconds: float = MOST_SECONDS) -> list[tuple[int | No
 
 
 def _loss(why: Why, plan: Plan) -> str:
-    name = name_of(plan, why.position)
+    name = plain(plan.skills[why.position].skill.name)
     if plan.schedule.rejected[why.position]:
         return f"{name}: rejected: {_rejection(why, plan)}"
     if why.lost < SHOWN:
@@ -77,9 +78,15 @@ def _rejection(why: Why, plan: Plan) -> str:
         return f"must come after {name_of(plan, first)}, which is rejected"
     if why.alone <= plan.schedule.threshold:
         return _limit(why, plan)
-    if not why.neighbours:
+    if not _is_lost(why, plan):
         return f"alone it could have {why.alone:.2f}"
     return f"alone it could have {why.alone:.2f}, which it lost to {_takers(why, plan)}"
+
+
+def _is_lost(why: Why, plan: Plan) -> bool:
+    """Whether others have the time of what is rejected."""
+    own = plan.skills[why.position].reason or plan.rejected_before(why.position) is not None
+    return not own and why.alone > plan.schedule.threshold and bool(why.neighbours)
 
 
 def _limit(why: Why, plan: Plan) -> str:
@@ -174,7 +181,8 @@ def _asked(why: Why, plan: Plan) -> str:
     """Say what was asked, and which starts would be best if nothing else were to be done."""
     asked = asked_of_time(plan.skills[why.position])
     if why.best.starts.empty:
-        return f"{asked}, and {_limit(why, plan)}."
+        # Why it is rejected is told next.
+        return f"{asked}." if plan.schedule.rejected[why.position] else f"{asked}, and {_limit(why, plan)}."
     span = ", or ".join(_span(starts, plan) for starts in _as_good(why, plan))
     if why.alone >= 1 - SHOWN:
         return f"{asked}: alone it would be fully satisfied {span}."
@@ -208,7 +216,9 @@ def _got(why: Why, plan: Plan) -> str:
     clock = Clock.for_times(plan.request.now, [why.start])
     start = clock.of(why.start)
     if plan.schedule.rejected[why.position]:
-        return f"It is rejected: {_rejection(why, plan)}."
+        lost = _is_lost(why, plan)
+        told = f"it lost its time to {_takers(why, plan)}" if lost else _rejection(why, plan)
+        return f"It is rejected: {told}."
     if why.lost < SHOWN:
         return f"It starts at {start} and has {why.satisfaction:.2f}: nothing stands in its way."
     to = f" to {_takers(why, plan)}" if why.neighbours else ""

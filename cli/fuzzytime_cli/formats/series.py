@@ -3,7 +3,9 @@
 from collections import defaultdict
 from collections.abc import Mapping
 
-from fuzzytime.interpreter import Plan
+from fuzzytime.interpreter import Interpreted, Plan
+from fuzzytime.requirement import asked_words
+from fuzzytime.times import DAY, HOUR
 from fuzzytime_cli.clock import Clock
 
 SHOWN = 3
@@ -12,6 +14,9 @@ LEAST = 5
 """Further ones at least that stand in one row."""
 AS_ASKED = 0.995
 """Satisfaction from which an occurrence is shown as 1.00."""
+
+NEARLY_A_DAY = DAY - 2 * HOUR
+"""For how long it is planned at least what comes several times a day, and goes on at night."""
 
 MINUTE = 60.0
 COARSE = 15 * MINUTE
@@ -40,6 +45,37 @@ def shown(plan: Plan, rows: Mapping[int, tuple[int, ...]]) -> list[int]:
     """Give what is shown by itself, by starts: all but what is `folded` into rows."""
     hidden = {position for more in rows.values() for position in more}
     return [position for position in plan.schedule.order if position not in hidden]
+
+
+def going_on(plan: Plan) -> Mapping[int, str]:
+    """Give by the last occurrence that is planned how often it is done, of what goes on without an end.
+
+    What ends when people go to bed does not go on.
+    """
+    planned: defaultdict[tuple[str, str], list[int]] = defaultdict(list)
+    for position in plan.schedule.order:
+        one = plan.skills[position]
+        if _is_endless(one) and not plan.schedule.rejected[position]:
+            planned[one.wish.identifier, one.skill.name].append(position)
+    starts = plan.schedule.start_times
+    found = {}
+    for positions in planned.values():
+        one = plan.skills[positions[-1]]
+        repeated = [
+            (part, part.recurrence.interval) for part in one.requirements if part.recurrence is not None
+        ]
+        often = any(interval is not None and interval < DAY for _, interval in repeated)
+        # "Every day feed the cat, then walk the dog" says of the cat how often.
+        itself = all(part.anchor is None for part, _ in repeated)
+        if itself and (not often or starts[positions[-1]] - starts[positions[0]] >= NEARLY_A_DAY):
+            found[positions[-1]] = asked_words(one.requirements)
+    return found
+
+
+def _is_endless(one: Interpreted) -> bool:
+    """Whether it is done again and again, and no end of that is said."""
+    endless = (part.recurrence is not None and part.recurrence.endless for part in one.requirements)
+    return one.instruction is not None and any(endless)
 
 
 def waiting(plan: Plan) -> range:

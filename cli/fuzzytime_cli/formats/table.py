@@ -13,8 +13,8 @@ from fuzzytime_cli.formats.asked import moved_words
 from fuzzytime_cli.formats.degrees import BAR, bar, style_of, summary
 from fuzzytime_cli.formats.notes import note_lines
 from fuzzytime_cli.formats.reasons import MOST_SECONDS, loss_lines, waits_line
-from fuzzytime_cli.formats.series import clock_at, clock_of, folded, shown, waiting
-from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
+from fuzzytime_cli.formats.series import clock_at, clock_of, folded, going_on, shown, waiting
+from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, legend, shades, taken
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
 MOST_ROWS = 14
@@ -57,6 +57,7 @@ class PlanView:
         self.schedule = plan.schedule
         self.folded = folded(plan)
         self.shown = shown(plan, self.folded)
+        self.going_on = going_on(plan)
         self.clock = clock_of(plan)
         self.listed = [*self.shown, *waiting(plan)]
         self.labels = [plain(interpreted.identifier) for interpreted in plan.everything]
@@ -107,7 +108,12 @@ class PlanView:
         if not self.plan.everything:
             return ["Nothing to plan."]
         said = (summary(self.plan), *self._losses(), *self._waiting(), *note_lines(self.plan, self.labels))
-        return [line.plain for line in said]
+        names = self.plan.skills
+        goes_on = [
+            f"{self.labels[place]} {plain(names[place].skill.name)}: and so on, {plain(words)}"
+            for place, words in self.going_on.items()
+        ]
+        return [*(line.plain for line in said), *goes_on]
 
     def asked(self, position: int) -> str:
         """Give the words about time of a skill."""
@@ -145,9 +151,9 @@ class PlanView:
 
     def _columns(self, positions: Sequence[int]) -> _Columns:
         """Share the width: bar and asked words give way first, then the end, then the name is cut."""
-        time, longest_end = (
-            max(5, *map(width_of, moments)) for moments in zip(*map(self.times, positions), strict=True)
-        )
+        further = [self.folded[position][0] for position in positions if position in self.folded]
+        times = map(self.times, (*positions, *further))
+        time, longest_end = (max(5, *map(width_of, moments)) for moments in zip(*times, strict=True))
         agent = 2 if self.plan.request.agents > 1 else 0
         fixed = self.label_width + (time + 1) + (agent + 1 if agent else 0) + len(" 0.00")
         end = longest_end if self.width >= fixed + longest_end + 16 else 0
@@ -174,16 +180,25 @@ class PlanView:
             rows.append(self._row(position, columns))
             if position in self.folded:
                 rows.append(self._further(self.folded[position], columns))
+            last = self.folded.get(position, (position,))[-1]
+            if last in self.going_on:
+                rows.append(self._so_on(self.going_on[last], columns))
         return rows
 
     def _further(self, positions: tuple[int, ...], columns: _Columns) -> Text:
         """Give one row for further occurrences of a repetition: how many, and from when to when."""
         first, last = (self.schedule.skills[place] for place in (positions[0], positions[-1]))
         begins, ends = self.clock.of(first.start), self.clock.end_of(first.start, last.done)
-        row = Text(fitted("…", self.label_width) + " " + fitted(begins, columns.time), style="dim")
-        row.append(" " * (columns.end + 1 if columns.end else 0) + " " * (3 if columns.agent else 0))
-        row.append(f" and {len(positions)} times more, until {ends}")
-        return row
+        return self._more(begins, f"and {len(positions)} times more, until {ends}", columns)
+
+    def _so_on(self, words: str, columns: _Columns) -> Text:
+        """Give the row behind the last occurrence that is planned, of what goes on: "every two days"."""
+        return self._more("", f"and so on, {plain(words)}", columns)
+
+    def _more(self, begins: str, words: str, columns: _Columns) -> Text:
+        row = fitted("…", self.label_width) + " " + fitted(begins, columns.time)
+        row += " " * (columns.end + 1 if columns.end else 0) + " " * (3 if columns.agent else 0)
+        return Text(f"{row} {fitted(words, self.width - width_of(row) - 1)}".rstrip(), style="dim")
 
     def _row(self, position: int, columns: _Columns) -> Text:
         name, style = self.plan.everything[position].skill.name, self._style(position)
@@ -213,29 +228,29 @@ class PlanView:
     # -- the timeline ---------------------------------------------------------------------------------------
 
     def _timeline(self) -> Iterator[Text]:
-        skills = self.schedule.skills
         end = self._end()
         window = Window(self._begin(end), end, self.width - self.label_width - 2)
         yield self._axis(window)
-        for position in self.shown:
-            specific, function = skills[position], self.plan.skills[position].skill.satisfaction
-            rejected = self.schedule.rejected[position]
-            cells = (
-                shades(function, window)
-                if rejected
-                else lane(function, specific.start, specific.worked_until, specific.done, window)
-            )
-            yield self._lane(self.labels[position], cells, self._style(position))
-        shown = (
-            busy for busy in self.plan.request.busy if busy.start < window.end and busy.end > window.start
-        )
-        spans = [(busy.start, busy.end) for busy in shown]
+        lanes = [
+            (self.labels[position], self._cells(position, window), self._style(position))
+            for position in self.shown
+        ]
+        taken_by = [(busy.start, busy.end) for busy in self.plan.request.busy]
+        spans = [(begin, over) for begin, over in taken_by if begin < window.end and over > window.start]
         if spans:
-            yield self._lane(fitted("busy", self.label_width), taken(spans, window), "dim")
-        waits = "─ goes on by itself  " if any(skill.done > skill.worked_until for skill in skills) else ""
-        legend = f"█ at work  {waits}░▒▓ how well a start there would satisfy"
+            lanes.append((fitted("busy", self.label_width), taken(spans, window), "dim"))
+        for label, cells, style in lanes:
+            yield self._lane(label, cells, style)
+        drawn = {cell for _, cells, _ in lanes for cell in cells}
         indent = self.label_width + 1
-        yield from wrapped_text(Text(f"{' ' * indent}{legend}", style="dim"), self.width, indent)
+        yield from wrapped_text(Text(f"{' ' * indent}{legend(drawn)}", style="dim"), self.width, indent)
+
+    def _cells(self, position: int, window: Window) -> list[str]:
+        """Give the lane of a skill; of one that is rejected only when it would have satisfied."""
+        function, planned = self.plan.skills[position].skill.satisfaction, self.schedule.skills[position]
+        if self.schedule.rejected[position]:
+            return shades(function, window)
+        return lane(function, planned.start, planned.worked_until, planned.done, window)
 
     def _end(self) -> float:
         """Give where the timeline ends: behind all work, and behind wishes that end not much later."""

@@ -3,7 +3,7 @@
 Shades tell how well a start there would satisfy; nothing needs colour.
 """
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -48,6 +48,19 @@ def shades(function: SatisfactionFunction, window: Window) -> list[str]:
         return [" "] * window.columns
     level = np.where(best <= 0.02, 0, np.minimum(np.floor(best * 3) + 1, 3)).astype(int)
     return [SHADES[index] for index in level]
+
+
+def legend(drawn: Container[str]) -> str:
+    """Say what the marks mean that are drawn."""
+    named = (
+        (TAKEN, f"{TAKEN} at work"),
+        (WAITING, f"{WAITING} goes on by itself"),
+        (APPOINTMENT, f"{APPOINTMENT} time that is taken"),
+    )
+    told = [words for mark, words in named if mark in drawn]
+    if any(shade in drawn for shade in SHADES.strip()):
+        told.append(f"{SHADES.strip()} how well a start there would satisfy")
+    return "  ".join(told)
 
 
 def lane(function: SatisfactionFunction, start: float, end: float, done: float, window: Window) -> list[str]:

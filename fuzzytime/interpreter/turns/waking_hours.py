@@ -4,11 +4,14 @@
 """
 
 from collections.abc import Iterator, Sequence
-from datetime import datetime, timedelta
+from datetime import datetime, time, timedelta
 
 from fuzzytime.language import Policy
 from fuzzytime.requirement import Recurrence, Window
 from fuzzytime.times import DAY, HOUR, instant_after, seconds_between
+
+MOMENT = 1.0
+"""Seconds: what begins at midnight is of the day behind it, wherever figures round to."""
 
 
 def within_hours(
@@ -39,6 +42,24 @@ def within_hours(
     return tuple(_until_a_break(alike, passed, interval))
 
 
+def on_their_days(windows: Sequence[Window], given: datetime) -> tuple[Window, ...]:
+    """Give the days of what is done once a day, or every so many: "water the herbs every two days".
+
+    Said at noon, the next time is any time of the day after tomorrow, and not up to the noon behind it.
+    """
+    if not windows or max(end - start for start, end in windows) != DAY:
+        return tuple(windows)
+    return tuple(_day_of(window, given) for window in windows)
+
+
+def _day_of(window: Window, given: datetime) -> Window:
+    start, end = window
+    day = instant_after(given, start + MOMENT).date()
+    midnights = (datetime.combine(day + timedelta(days=later), time(), given.tzinfo) for later in (0, 1))
+    opens, closes = (seconds_between(given, midnight) for midnight in midnights)
+    return max(0.0, opens), min(end, closes)
+
+
 def far_ahead(recurrence: Recurrence, until: float) -> tuple[Window, ...]:
     """Give the first occurrence, however far away: "every monday"; and a day of what comes more often."""
     ahead = DAY
@@ -56,16 +77,16 @@ def _awake_part(window: Window, given: datetime, policy: Policy) -> Window:
     day = begin.replace(hour=0, minute=0, second=0, microsecond=0)
     for later in (0, 1):
         opens, closes = (
-            seconds_between(given, datetime.combine(day + timedelta(days=later), time, day.tzinfo))
-            for time in (policy.plausible_from, policy.plausible_to)
+            seconds_between(given, datetime.combine(day + timedelta(days=later), hour, day.tzinfo))
+            for hour in (policy.plausible_from, policy.plausible_to)
         )
         if max(start, opens) < min(end, closes):
             return max(start, opens), min(end, closes)
     return window
 
 
-def _is_awake(time: float, given: datetime, policy: Policy) -> bool:
-    return policy.plausible_from <= instant_after(given, time).time() <= policy.plausible_to
+def _is_awake(moment: float, given: datetime, policy: Policy) -> bool:
+    return policy.plausible_from <= instant_after(given, moment).time() <= policy.plausible_to
 
 
 def _until_a_break(windows: Sequence[Window], passed: float, interval: float) -> Iterator[Window]:

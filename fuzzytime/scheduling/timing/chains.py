@@ -26,6 +26,9 @@ SAMPLES = 100
 PRECISION = 1e-10
 """Relative precision of times."""
 
+MOMENT = 1.0
+"""Seconds that times may be past a round one of the clock: a plan need not begin at a full second."""
+
 SLACK = 1e-12
 """Costs that differ by less are equal: the earliest time, or a corner, is then preferred."""
 
@@ -161,7 +164,10 @@ def by_the_clock(jobs: Sequence[Job], block: Block, after: float, past_hour: flo
         return
     last = min(block.high, after - _length(jobs, block))
     for unit in CLOCK:
-        time = unit * math.ceil((start + past_hour) / unit - PRECISION) - past_hour
+        time = unit * math.ceil((start + past_hour - MOMENT) / unit) - past_hour
+        if abs(time - start) <= MOMENT:
+            # It is round already, to who looks at a clock.
+            return
         if start >= AHEAD * unit and time <= last and _costs(jobs, block, time, start):
             block.start = time
             return

@@ -3,7 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from rich.text import Text
+
 from fuzzytime.interpreter import Interpretation, Interpreted, ProblemKind
+from fuzzytime.times import seconds_between
+from fuzzytime_cli.formats.series import AS_ASKED
+from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.scene import Reply, Scene, begun_of, begun_parts, ended_line, not_understood, step
 from fuzzytime_cli.repl.typed import number_of
 from fuzzytime_cli.repl.without import numbers_kept, only_left_out
@@ -28,6 +33,14 @@ def edit(scene: Scene, text: str) -> Reply:
     if not only_left_out(scene, old, words):
         anew |= {"given": scene.now, "moved_by": 0.0, "moved_to": None}
     state = scene.conversation.state
+    # Who says the same once more, of what is running, has not begun: "I haven't started yet".
+    if (
+        begun is not None
+        and words != old.text
+        and _is_kept_by(scene, begun, state.with_another(number, **anew))
+    ):
+        reply = step(scene, f":edit {number}", lambda state: state.with_changed(number, **anew))
+        return replace(reply, lines=(Text(f"{plain(begun.name)} goes on: it is in time"), *reply.lines))
     called = number if begun is None else state.next_number
     behind = _refers_to_what_came_between(scene, number, called, said_anew(state, number, **anew))
 
@@ -39,6 +52,25 @@ def edit(scene: Scene, text: str) -> Reply:
         return Reply(refused)
     reply = step(scene, f":edit {number}", change)
     return reply if begun is None else replace(reply, lines=(*ended_line(scene, begun), *reply.lines))
+
+
+def _is_kept_by(scene: Scene, begun: Started, state: State) -> bool:
+    """Whether what is running is just what an instruction asks for whose words come last, and is in time.
+
+    So is the printing of the poster, where "Ann needs it by three" is said while it goes on.
+    """
+    if begun.done <= scene.now:
+        return False
+    made = scene.conversation.understood(scene.now, state).everything
+    own = [one for one in made if number_of(one.identifier) == state.next_number - 1]
+    if len(own) != 1 or own[0].skill.name != begun.name:
+        return False
+    lasts = seconds_between(begun.start, begun.done)
+    if abs(own[0].skill.time_until_done - lasts) >= 1.0:
+        return False
+    # "Soon" said while it goes on, as "now", is not later than it has begun.
+    starts = (seconds_between(scene.now, begun.start), 0.0)
+    return any(float(own[0].skill.satisfaction(start)) >= AS_ASKED for start in starts)
 
 
 def _left_out(scene: Scene, number: int, words: str) -> Started | None:

@@ -153,12 +153,15 @@ def left_out_then(scene: Scene, about: About) -> Reply | None:
     every = (p for p in repeated[0].instruction.requirements if p.constraint is Constraint.EVERY)
     once = scene.language.read(entry.text[: next(every).span[1]], now=entry.given)
     anew = reworded(once, scene.lexicon, time=about.time, now=scene.now)
-    if anew is None or any(
-        part.constraint is Constraint.EVERY
-        for one in scene.language.read(anew, now=scene.now).instructions
-        for part in one.requirements
-    ):
+    if anew is None:
+        return None
+    asked = scene.language.read(anew, now=scene.now).instructions
+    if any(part.constraint is Constraint.EVERY for one in asked for part in one.requirements):
         # "Not tomorrow", and then "at eleven", is of all that are left.
+        return None
+    said = {part.constraint for part in find_times(about.time, scene.now, scene.lexicon).requirements}
+    if said == {Constraint.FOR} or not any(one.operation is not None for one in asked):
+        # "Not on sundays", and then "it takes five minutes", is of all that are left, too.
         return None
     return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
 
