@@ -56,16 +56,27 @@ def as_somewhere(tree: Tree) -> Tree:
 def as_thing(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "porch light off at one", "another viewing at two" the thing, which a tree has for what is done.
 
-    Nothing is porched, and nobody does the viewing.
+    Nothing is porched, nobody does the viewing, and no team meets anything at a "team meeting".
     """
     end, again = min(timed - {0}, default=0), tree.lexicon.closed.adverbs_of_repetition
     if [node.tag for node in tree.nodes[:end]] == ["DT", "VBG"]:
         return tree.changed(0, relation="det").changed(1, tag="NN")
+    if _names_event(tree, end):
+        for place in range(end - 1):
+            tree = tree.changed(place, relation="compound")
+        return tree.changed(end - 1, tag="NN")
     said = [node for node in tree.nodes[:end] if node.lower not in again]
     if len(said) < NAMED or said[-1].lower not in tree.lexicon.particles or said[0].may_act:
         return tree
     named = said[0].is_bare and all(node.tag.startswith("NN") for node in said[1:-1])
     return tree.changed(0, tag="NN") if named else tree
+
+
+def _names_event(tree: Tree, end: int) -> bool:
+    """Whether the words before a time are nouns, and the last of them what happens: "team meeting"."""
+    events, last = tree.lexicon.happening | tree.lexicon.taken, end - 1
+    named = last > 0 and all(node.tag.startswith("NN") for node in tree.nodes[:last])
+    return named and tree.root == last and tree.nodes[last].tag == "VBG" and tree.nodes[last].lower in events
 
 
 def _with_manner(tree: Tree) -> Tree:
