@@ -48,6 +48,15 @@ class Lengths(Standing):
         if short and alone and self.beside.no_length & asked and not waits:
             # "Give me a second", "just a minute"; but "wait just a minute"
             return False
+        follower = self.around.follower(piece)
+        if (
+            last.ordinal_end
+            and alone
+            and follower.isalpha()
+            and follower not in self.lexicon.function_words | self.beside.polite_ends
+        ):
+            # "Put a second coat on", "give him a second helping"
+            return False
         if last.ordinal_end and said.preposition is None and self._is_of_timer(piece):
             # "Set a ninety second timer"
             return True

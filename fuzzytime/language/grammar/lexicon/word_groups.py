@@ -127,6 +127,7 @@ class ClosedClasses(NamedTuple):
     prepositions_of_company: Words
     prepositions_of_nouns: Words
     prepositions_behind_times: Words
+    nothing_supposed: Words
     prepositions_of_duration: Words
     prepositions_of_time: Words
     prepositions_of_times_taken: Words

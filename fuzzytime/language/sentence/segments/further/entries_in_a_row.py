@@ -17,8 +17,8 @@ from fuzzytime.language.sentence.trees.named import names_one
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, PAST
 from fuzzytime.language.sentence.trees.tree import Node
 
-JOINTS = frozenset({",", "and", "&", "then"})
-"""What stands between two entries."""
+JOINTS = frozenset({",", "and", "&", "then", "so"})
+"""What stands between two entries, or what is told and how a thing is to be by then."""
 
 FINITE = frozenset({"VBZ", "VBD", "VBP", "VB", "MD"})
 """Tags of words in what tells, or asks for, more than when something is."""
@@ -78,7 +78,9 @@ class _Entry:
     def tells(self) -> bool:
         """Whether its words tell what somebody or something does: "swimming starts at four"."""
         words = self.thing[1:] if self.thing else ()
-        return self.whole and any(node.tag in FINITE - {"VB", "MD"} for node in words)
+        # "Taxi's at six"
+        being = bool(words) and words[-1].tag == "POS"
+        return self.whole and (being or any(node.tag in FINITE - {"VB", "MD"} for node in words))
 
     @property
     def is_alone(self) -> bool:

@@ -31,11 +31,11 @@ class Stated(Places):
                 # "I want it cleaned by six"
                 return alone
             helping = self.tree.said(self.tree.children(verb, "aux"))
-            return (
-                alone
-                if alone in closed.third_person_singular and others_do(self.tree, verb, helping)
-                else None
+            # "They collect the bins at seven"
+            acts = alone in closed.third_person_singular or (
+                alone in closed.third_person and bool(self.tree.children(verb, "dobj"))
             )
+            return alone if acts and others_do(self.tree, verb, helping) else None
         return self.said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
 
     def _with_verb_above(self, verb: int) -> tuple[int, ...]:
@@ -83,7 +83,8 @@ class Stated(Places):
             return True
         # "Office hours" go on around other work, but not "a meeting for two hours".
         frames = {self.tree.nodes[p].lower for p in behind if not self.timed(p)} & self.lexicon.frames
-        return not frames and any(self.tree.nodes[p].lower in self.lexicon.taken for p in behind)
+        said = {form for p in behind for form in (self.tree.nodes[p].lower, self.tree.nodes[p].lemma)}
+        return not frames and not said.isdisjoint(self.lexicon.taken)
 
     def _is_own(self, verb: int) -> bool:
         """Whether an appointment of who speaks is said to be then: "my interview is at ten"."""
@@ -136,13 +137,28 @@ class Stated(Places):
             and self.tree.nodes[verb].lower in self.lexicon.standing
         )
 
-    def _has_visitors(self, verb: int) -> bool:
-        """Whether who speaks has somebody there: "we have the electricians in from eight to noon"."""
+    def _has_then(self, verb: int) -> bool:
+        """Whether who speaks has something: "we have visitors at eight", "I'm expecting a parcel at ten".
+
+        It is not so of "I have to go", "I have the car washed at six".
+        """
+        node, closed = self.tree.nodes[verb], self.lexicon.closed
+        helping = self._helping(verb)
+        got = node.lower == "got" and bool(helping) and helping <= closed.have_before_got
+        has = node.lemma == "have" and node.tag in FINITE and not helping
+        goes_on = node.tag == "VBG" and bool(helping) and helping <= closed.present_be
+        goes_on = goes_on and (node.lemma == "have" or node.lemma in self.lexicon.doing.holding_true)
+        goes_on = goes_on and any(map(self.timed, self.tree.below(verb)))
         subjects = self.tree.said(self.tree.children(verb, "nsubj"))
-        named = self.tree.said(self.tree.children(verb, "dobj"))
-        named |= {name.removesuffix("s") for name in named}
-        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
-        return has and not self.lexicon.persons.isdisjoint(named)
+        # "We're having people round"
+        round_there = [p for p in self.tree.children(verb, "ccomp") if not self.tree.nodes[p].is_verb]
+        things = self.tree.children(verb, "dobj") or [
+            p for place in round_there for p in self.tree.children(place, "nsubj")
+        ]
+        behind = [self.tree.nodes[p] for p in self.tree.children(verb, *STATED_OF, "prt") if p not in things]
+        done = any(other.is_verb or other.lower in self.lexicon.results for other in behind)
+        done = done or any(self.tree.children(p, "acl") for p in things)
+        return bool((has or got or goes_on) and things and not done and subjects & closed.first_person)
 
     def _exists(self, verb: int, helping: set[str]) -> bool:
         """Whether something is said to be then: "there's a delivery at ten"; but not "there's no need to"."""
@@ -192,10 +208,14 @@ class Stated(Places):
         helping = self._helping(verb)
         if others_do(self.tree, verb, helping) or self._exists(verb, helping):
             return True
+        being = [self.tree.nodes[p].tag for p in self.tree.children(verb, "aux", "auxpass")]
+        if being == ["VBZ", "VBG"] or being == ["VBP", "VBG"]:
+            # "The lift is being mended at ten"
+            return True
         if self._is_foretold(verb, helping):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= closed.future
-        if finite and (self._has_frame(verb) or self._has_visitors(verb)):
+        if (finite and self._has_frame(verb)) or self._has_then(verb):
             return True
         happening = self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= closed.present_be
         finite = finite or happening

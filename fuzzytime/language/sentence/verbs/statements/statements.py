@@ -251,11 +251,16 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str]) -> bool:
     if not subjects or (node.lemma == "have" and not _has_thing(tree, verb)):
         return False
     if node.lemma in lexicon.wanting and not closed.it_or_them & tree.said(tree.children(verb, "dobj")):
-        # "Mum wants the car washed"; but "wash the car, mum wants it at six"
-        return False
+        # "Mum wants the car washed"; but "wash the car, mum wants it at six", "the rabbit gets hay at nine"
+        asked = node.lemma in lexicon.doing.requiring or tree.children(verb, "xcomp", "ccomp")
+        if asked or not tree.children(verb, "dobj"):
+            return False
     called = {subjects[0].lower, *(tree.nodes[p].lower for p in tree.below(verb) if p < verb)}
-    named = bool(((lexicon.persons | closed.third_person_singular) - closed.persons_addressed) & called)
-    if not helping and node.tag == "VBZ" and subjects[0].tag in {"NN", "NNP"}:
+    persons = lexicon.persons | (closed.third_person - {"it"})
+    named = bool((persons - closed.persons_addressed) & called)
+    # "Don't water it at noon, it burns the leaves"; but "it takes an hour"
+    it = subjects[0].lower == "it" and tree.children(verb, "dobj") and node.lemma not in lexicon.doing.taking
+    if not helping and node.tag == "VBZ" and (subjects[0].tag in {"NN", "NNP"} or it):
         # No order ends in -s: "the caretaker cuts the grass"; but a machine may be asked by its name.
         named = named or subjects[0].lower not in lexicon.machines
     if not helping and node.tag == "VBP" and node.lemma == "have":
@@ -263,7 +268,7 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str]) -> bool:
         whose = [p for p in tree.children(verb, "nsubj") if p < verb]
         several = subjects[0].tag == "NNS" or subjects[0].lower == "they"
         named = named or several or bool(tree.children(whose[0], "conj"))
-    if node.tag == "VBG" and helping <= closed.present_be and subjects[0].tag in NOUNS:
+    if node.tag == "VBG" and helping <= closed.present_be and (subjects[0].tag in NOUNS or named):
         # "Tom is washing the car at five", "Tom washing the car", "rep coming"; but "bins emptying" is to do.
         acts = bool(helping or tree.children(verb, "dobj")) or node.lemma in lexicon.intransitive
         return acts and (named or subjects[0].lower not in lexicon.machines - beside.awaited_in_a_stretch)
