@@ -48,15 +48,6 @@ class Lengths(Standing):
         if short and alone and self.beside.no_length & asked and not waits:
             # "Give me a second", "just a minute"; but "wait just a minute"
             return False
-        follower = self.around.follower(piece)
-        if (
-            last.ordinal_end
-            and alone
-            and follower.isalpha()
-            and follower not in self.lexicon.function_words | self.beside.polite_ends
-        ):
-            # "Put a second coat on", "give him a second helping"
-            return False
         if last.ordinal_end and said.preposition is None and self._is_of_timer(piece):
             # "Set a ninety second timer"
             return True
@@ -69,6 +60,11 @@ class Lengths(Standing):
         if said.constraint is Constraint.FOR and said.preposition is None:
             return self._accepts_length(piece)
         return True
+
+    def _is_before_thing(self, piece: Piece) -> bool:
+        """Whether it counts a thing behind it: "put a second coat on", "give him a second helping"."""
+        follower = self.around.follower(piece)
+        return follower.isalpha() and follower not in self.lexicon.function_words | self.beside.polite_ends
 
     def _is_amount(self, piece: Piece) -> bool:
         """Whether it says how much, and not how long: "add another five minutes to it", "go back 30 s".
@@ -83,6 +79,8 @@ class Lengths(Standing):
     def _is_of_word_before(self, piece: Piece, duration: Duration) -> bool:
         """Whether the word before a length without a preposition makes it none."""
         before = self.around.before(piece)
+        if duration.ordinal_end and duration.indefinite and self._is_before_thing(piece):
+            return True
         if before == "half" and duration.indefinite:
             # "By half an hour" is no hour.
             return True

@@ -8,6 +8,7 @@ from fuzzytime.language.grammar.judging.look_alikes.proper_names import (
     has_surname,
     is_called_like_day,
     is_event_of_weekday,
+    is_numbered_name,
     is_typed_name,
     is_whom,
 )
@@ -35,6 +36,7 @@ class NoTime(Standing):
             self._is_of_idiom(piece)
             or is_of_street(piece, self.around)
             or is_typed_name(piece, self.around)
+            or is_numbered_name(piece, self.around)
             or is_spoken_of(piece, self.around)
             or has_surname(piece, self.around)
             or is_called_like_day(piece, self.around)

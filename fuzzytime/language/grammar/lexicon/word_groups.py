@@ -90,7 +90,6 @@ class ClosedClasses(NamedTuple):
     inverted_auxiliaries: Words
     told_auxiliaries: Words
     behind_clipped_be: Words
-    first_person_future: Words
     negators: Words
     forbidding: Words
     denials: Words
@@ -128,6 +127,7 @@ class ClosedClasses(NamedTuple):
     prepositions_of_nouns: Words
     prepositions_behind_times: Words
     nothing_supposed: Words
+    no_owners: Words
     prepositions_of_duration: Words
     prepositions_of_time: Words
     prepositions_of_times_taken: Words

@@ -81,6 +81,8 @@ def is_left_for(texts: Sequence[str], first: int, end: int, lexicon: Lexicon) ->
 def _is_let_rest(before: Sequence[str], lexicon: Lexicon) -> bool:
     """Whether something is let do what takes some minutes: "let it cool", "leave them to stand"."""
     rests = not lexicon.doing.resting.isdisjoint(before[-1:])
+    # "Keep the rest for four"
+    rests = rests and lexicon.closed.noun_openers.isdisjoint(before[-2:-1])
     return rests and not lexicon.letting.isdisjoint(before[:-1])
 
 

@@ -89,6 +89,10 @@ def openings_inside(words: Sequence[Word], times: AbstractSet[int], lexicon: Lex
             continue
         form = longest_match(words, place, lexicon.questions["suggesting"])
         form = (words[place].text,) if form is None and words[place].text in addresses else form
+        pair = (words[place].text, words[place + 1].text)
+        if form is None and pair[0] in lexicon.closed.requesting_modals and pair[1] == "you":
+            # "The library closes at six, can you take these back"
+            form = pair
         end = place + len(form or ())
         if form and end < len(words) and words[end].is_letters | (words[end].text == ","):
             yield words[place].start, words[end - 1].end

@@ -78,9 +78,7 @@ class _Entry:
     def tells(self) -> bool:
         """Whether its words tell what somebody or something does: "swimming starts at four"."""
         words = self.thing[1:] if self.thing else ()
-        # "Taxi's at six"
-        being = bool(words) and words[-1].tag == "POS"
-        return self.whole and (being or any(node.tag in FINITE - {"VB", "MD"} for node in words))
+        return self.whole and any(node.tag in FINITE - {"VB", "MD"} for node in words)
 
     @property
     def is_alone(self) -> bool:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tags import PRESENT, SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import FINITE, passes_on
 from fuzzytime.language.sentence.verbs.places import Places
 from fuzzytime.language.sentence.verbs.statements.statements import others_do
@@ -128,13 +128,17 @@ class Stated(Places):
         """
         closed = self.lexicon.closed
         helping, timed = self._helping(verb), [p for p in self.tree.children(verb) if self.timed(p)]
+        so = {self.tree.nodes[verb].lower}
+        if not helping and so <= closed.present_be:
+            # "The gym's closed tomorrow": a tree may have that for how it is.
+            helping, so = so, self.tree.said(self.tree.children(verb, "acomp"))
         points = self.tree.said(timed) & closed.prepositions_of_points
         named = bool(self.tree.children(verb, "nsubjpass", "nsubj")) and bool(timed) and not points
         return (
             named
             and bool(helping)
             and helping <= closed.present_be
-            and self.tree.nodes[verb].lower in self.lexicon.standing
+            and not so.isdisjoint(self.lexicon.standing)
         )
 
     def _has_then(self, verb: int) -> bool:
@@ -145,7 +149,7 @@ class Stated(Places):
         node, closed = self.tree.nodes[verb], self.lexicon.closed
         helping = self._helping(verb)
         got = node.lower == "got" and bool(helping) and helping <= closed.have_before_got
-        has = node.lemma == "have" and node.tag in FINITE and not helping
+        has = node.lemma == "have" and node.tag in PRESENT and not helping
         goes_on = node.tag == "VBG" and bool(helping) and helping <= closed.present_be
         goes_on = goes_on and (node.lemma == "have" or node.lemma in self.lexicon.doing.holding_true)
         goes_on = goes_on and any(map(self.timed, self.tree.below(verb)))
