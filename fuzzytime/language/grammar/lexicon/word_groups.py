@@ -163,6 +163,7 @@ class BesideTimes(NamedTuple):
     binding_ranges: Words
     open_for_hours: Words
     equating: Words
+    round_there: Words
     behind_round: Words
     taking_along: Words
     how_late: Words

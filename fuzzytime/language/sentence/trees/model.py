@@ -194,9 +194,8 @@ def _says_what_is(
         return False
     # "Visiting's two till four", but "Tom's two cats"
     happens = owner in lexicon.happening | lexicon.taken or owner.endswith("ing")
-    if said in closed.prepositions_of_nouns | closed.prepositions_of_time or (
-        happens and said in lexicon.numbers
-    ):
+    before = closed.prepositions_of_nouns | closed.prepositions_of_time
+    if said in before or (happens and said in lexicon.numbers):
         return True
     ends = not behind or not behind[0].isalpha() or behind[0] in closed.joints_of_consequence
     # "The traffic's bad, leave at seven", but "Tom's new bike, Ann's light"

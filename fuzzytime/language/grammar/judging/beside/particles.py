@@ -108,7 +108,9 @@ class Particles(Around):
         time = piece.value.time
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
         comes = self.around.before(piece) in self.lexicon.coming_in
-        comes = comes or not self.beside.bringing_in.isdisjoint(before[:-1])
+        # "Put the roast in around six"
+        carries = self.beside.bringing_in | self.lexicon.particles.get("in", frozenset())
+        comes = comes or not carries.isdisjoint(before[:-1])
         number = isinstance(time, Duration) and time.bare_end and len(time.terms) == 1
         return isinstance(time, Wall) or (comes and number and time.terms[0][0] <= HOURS)
 

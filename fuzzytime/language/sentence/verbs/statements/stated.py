@@ -155,11 +155,12 @@ class Stated(Places):
         goes_on = goes_on and any(map(self.timed, self.tree.below(verb)))
         subjects = self.tree.said(self.tree.children(verb, "nsubj"))
         # "We're having people round"
-        round_there = [p for p in self.tree.children(verb, "ccomp") if not self.tree.nodes[p].is_verb]
+        below = self.tree.children(verb, *STATED_OF, "prt")
+        there = [p for p in below if self.tree.nodes[p].lower in self.lexicon.beside.round_there]
         things = self.tree.children(verb, "dobj") or [
-            p for place in round_there for p in self.tree.children(place, "nsubj")
+            p for place in there for p in self.tree.children(place, "nsubj")
         ]
-        behind = [self.tree.nodes[p] for p in self.tree.children(verb, *STATED_OF, "prt") if p not in things]
+        behind = [self.tree.nodes[p] for p in below if p not in things and p not in there]
         done = any(other.is_verb or other.lower in self.lexicon.results for other in behind)
         done = done or any(self.tree.children(p, "acl") for p in things)
         return bool((has or got or goes_on) and things and not done and subjects & closed.first_person)

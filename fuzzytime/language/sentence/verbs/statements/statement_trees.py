@@ -148,8 +148,8 @@ def _with_got(tree: Tree) -> Tree:
         return tree
     helping = [
         p
-        for p in tree.children(root, "aux", "auxpass")
-        if tree.nodes[p].lower in tree.lexicon.closed.have_before_got
+        for p in (*tree.children(root, "aux", "auxpass"), *range(root - 1, root))
+        if p >= 0 and tree.nodes[p].lower in tree.lexicon.closed.have_before_got
     ]
     coming = [p for p in tree.children(root, "ccomp") if tree.nodes[p].tag == "VBG"]
     if coming and helping and tree.children(coming[0], "nsubj"):
