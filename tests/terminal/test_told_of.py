@@ -128,7 +128,7 @@ def test_how_the_day_looks_may_be_asked_in_many_ways(line: str, answer: str) -> 
 @pytest.mark.parametrize(
     ("told", "said", "entries"),
     [
-        ("tom's out thursday, move it to friday", "changes nothing", ["meeting friday at two pm"]),
+        ("tom's out thursday, move it to friday", "moved: s1 meeting", ["meeting friday at two pm"]),
         ("ella's sick, call the doctor at two pm", "changes nothing", [MEETING, "call the doctor at two pm"]),
         ("oven's hot, put the pie in now", ":ctx oven_temp=180", [MEETING, "put the pie in now"]),
     ],

@@ -27,6 +27,14 @@ def delayed(said: Said) -> About | None:
     if towards or not rest.words or not rest.is_one:
         return None
     thing, directions = rest.without(*DIRECTIONS)
+    slight = thing.ends_with("slightly") if directions else 0
+    slid = thing.until(len(thing.words) - slight)
+    if slight and (is_last(slid) or slid.names):
+        # "Move it a bit later", "push the call back a bit"
+        text = f"{' '.join(thing.forms[-slight:])} later"
+        earlier = "later" not in directions
+        about = about_thing(AboutKind.DELAY, slid, certain=is_last(slid))
+        return replace(about, text=text, earlier=earlier)
     # "Push it all back" says no length.
     whole = thing.is_in("everything") or is_last(thing)
     found = None if whole else thing.length() or minutes_alone(thing, directed=bool(directions))

@@ -61,6 +61,11 @@ class Lengths(Standing):
             return self._accepts_length(piece)
         return True
 
+    def _is_before_thing(self, piece: Piece) -> bool:
+        """Whether it counts a thing behind it: "put a second coat on", "give him a second helping"."""
+        follower = self.around.follower(piece)
+        return follower.isalpha() and follower not in self.lexicon.function_words | self.beside.polite_ends
+
     def _is_amount(self, piece: Piece) -> bool:
         """Whether it says how much, and not how long: "add another five minutes to it", "go back 30 s".
 
@@ -74,6 +79,8 @@ class Lengths(Standing):
     def _is_of_word_before(self, piece: Piece, duration: Duration) -> bool:
         """Whether the word before a length without a preposition makes it none."""
         before = self.around.before(piece)
+        if duration.ordinal_end and duration.indefinite and self._is_before_thing(piece):
+            return True
         if before == "half" and duration.indefinite:
             # "By half an hour" is no hour.
             return True

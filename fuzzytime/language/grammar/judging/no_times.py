@@ -8,6 +8,7 @@ from fuzzytime.language.grammar.judging.look_alikes.proper_names import (
     has_surname,
     is_called_like_day,
     is_event_of_weekday,
+    is_numbered_name,
     is_typed_name,
     is_whom,
 )
@@ -33,8 +34,10 @@ class NoTime(Standing):
         """Whether a reading is none."""
         return (
             self._is_of_idiom(piece)
+            or self._is_of_sky(piece)
             or is_of_street(piece, self.around)
             or is_typed_name(piece, self.around)
+            or is_numbered_name(piece, self.around)
             or is_spoken_of(piece, self.around)
             or has_surname(piece, self.around)
             or is_called_like_day(piece, self.around)
@@ -54,6 +57,12 @@ class NoTime(Standing):
             or self._is_of_played(piece)
             or self._ends_in_article(piece)
         )
+
+    def _is_of_sky(self, piece: Piece) -> bool:
+        """Whether its last word is what the sky does something with: "after night falls"."""
+        behind = " ".join(self.texts[piece.end - 1 : piece.end + 2])
+        falls = self.around.follower(piece).isalpha()
+        return falls and any(behind.startswith(form) for forms in self.lexicon.sky.values() for form in forms)
 
     def _is_of_idiom(self, piece: Piece) -> bool:
         """Whether it is in an idiom: "up to date", "call it a day"."""

@@ -126,6 +126,8 @@ class ClosedClasses(NamedTuple):
     prepositions_of_company: Words
     prepositions_of_nouns: Words
     prepositions_behind_times: Words
+    nothing_supposed: Words
+    no_owners: Words
     prepositions_of_duration: Words
     prepositions_of_time: Words
     prepositions_of_times_taken: Words
@@ -161,6 +163,7 @@ class BesideTimes(NamedTuple):
     binding_ranges: Words
     open_for_hours: Words
     equating: Words
+    round_there: Words
     behind_round: Words
     taking_along: Words
     how_late: Words

@@ -50,6 +50,10 @@ def counts_one(said: Said) -> bool | None:
 def lasts_minutes(before: Sequence[str], lexicon: Lexicon) -> bool:
     """Whether what stands right before "for" and a number goes on for minutes: "grill", "warm up"."""
     verb, *particle = before[-2:] or [""]
+    # "Flip it and leave it for ten"
+    left = verb == "leave" and not lexicon.closed.it_or_them.isdisjoint(particle)
+    if left or _is_let_rest(before, lexicon):
+        return True
     settles = verb in lexicon.doing.settling and not lexicon.particles.keys().isdisjoint(particle)
     return settles or (bool(lexicon.timing_alone.intersection(before[-1:])) and not _is_dish(before, lexicon))
 
@@ -68,12 +72,18 @@ def is_left_for(texts: Sequence[str], first: int, end: int, lexicon: Lexicon) ->
     """
     if is_timed_entry(texts, first, end, lexicon):
         return True
-    resting = first > 0 and texts[first - 1] in lexicon.doing.resting
-    left = resting and not lexicon.letting.isdisjoint(texts[: first - 1])
     behind = texts[end] if end < len(texts) else ""
-    return left and behind in (
+    return _is_let_rest(texts[:first], lexicon) and behind in (
         {"", "before"} | lexicon.beside.behind_minutes | lexicon.closed.adverbs_of_repetition
     )
+
+
+def _is_let_rest(before: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether something is let do what takes some minutes: "let it cool", "leave them to stand"."""
+    rests = not lexicon.doing.resting.isdisjoint(before[-1:])
+    # "Keep the rest for four"
+    rests = rests and lexicon.closed.noun_openers.isdisjoint(before[-2:-1])
+    return rests and not lexicon.letting.isdisjoint(before[:-1])
 
 
 def is_timed_entry(texts: Sequence[str], first: int, end: int, lexicon: Lexicon) -> bool:

@@ -171,7 +171,16 @@ _ROWS = {
     "timing": ("verbs", "alone"),
     "rescheduling": ("moving", "verbs", "switching", "events"),
     "connectives": ("then", "meanwhile", "first", "otherwise"),
-    "questions": ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting"),
+    "questions": (
+        "asking",
+        "placing",
+        "stating",
+        "helping",
+        "asked",
+        "suggesting",
+        "supposing",
+        "requesting",
+    ),
     "told": (
         "joints", "small", "subjects", "determiners", "being", "taking", "going", "there", "by", "vehicles",
         "between", "each way", "helping", "enough", "allowing", "leaving", "going for", "for it",

@@ -190,11 +190,9 @@ class Contents:
         for place in nodes:
             node = self.tree.nodes[place]
             timed = any(a <= node.start < b for a, b in (phrase.span for phrase in self.phrases))
-            # "After everyone's in bed"
-            is_so = self.tree.nodes[last].tag == "POS" and node.lower in self.lexicon.places
             if place > nodes[0] and (
                 timed
-                or (not is_so and node.tag in {"IN", "TO", "CC", ",", ".", ":", "WDT", "WP", "MD"})
+                or node.tag in {"IN", "TO", "CC", ",", ".", ":", "WDT", "WP", "MD"}
                 or node.is_verb
                 or (node.relation == "nsubj" and self.tree.nodes[last].tag not in DETERMINERS)
             ):

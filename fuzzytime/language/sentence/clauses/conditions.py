@@ -106,7 +106,7 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
 
 
 def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
-    """Read "everyone's asleep", where the tree takes the verb for a possessive."""
+    """Read "its dark", where the mark of what is short for "is" was left out."""
     said = [tree.nodes[p] for p in nodes]
     if len(said) < SHORTEST_BEING:
         return None
@@ -121,14 +121,7 @@ def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
                 word=None if measured else last.lower,
                 hedges=() if measured else tuple(node.lower for node in hedges),
             )
-    mark = next((p for p in reversed(range(len(said) - 1)) if said[p].tag == "POS"), 0)
-    subject = [node.lower for node in said[:mark] if node.tag not in ANY_DETERMINERS]
-    # "Everyone's in bed", "mum's back from work"
-    whereabouts = tree.lexicon.places | tree.lexicon.closed.adverbs_of_arrival
-    where = said[mark + 1].lower in whereabouts and not said[-1].tag.startswith("VB")
-    if not subject or not (where or mark == len(said) - SHORTEST_BEING):
-        return None
-    return Condition(text=text, subject=" ".join(subject), word=said[-1].lower)
+    return None
 
 
 def state(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:

@@ -22,6 +22,8 @@ def behind_opening(
         if begin in times:
             # "Let's say noon"
             break
+        if suggestion is None:
+            suggestion = _supposed(words, begin, end, lexicon)
         if suggestion is not None and begin + len(suggestion) < end:
             begin += len(suggestion)
         elif (asked := _asked_before(words, begin, times, lexicon)) is not None:
@@ -44,6 +46,14 @@ def behind_opening(
         else:
             break
     return begin
+
+
+def _supposed(words: Sequence[Word], begin: int, end: int, lexicon: Lexicon) -> tuple[str, ...] | None:
+    """Give "I think", "I hope that" before what is told; not before "about it", "so"."""
+    found = longest_match(words, begin, lexicon.questions["supposing"])
+    behind = begin + len(found or ())
+    told = behind < end and words[behind].is_letters
+    return found if told and words[behind].text not in lexicon.closed.nothing_supposed else None
 
 
 def _opens_clause(words: Sequence[Word], begin: int, end: int, lexicon: Lexicon) -> bool:
@@ -79,6 +89,10 @@ def openings_inside(words: Sequence[Word], times: AbstractSet[int], lexicon: Lex
             continue
         form = longest_match(words, place, lexicon.questions["suggesting"])
         form = (words[place].text,) if form is None and words[place].text in addresses else form
+        pair = (words[place].text, words[place + 1].text)
+        if form is None and pair[0] in lexicon.closed.requesting_modals and pair[1] == "you":
+            # "The library closes at six, can you take these back"
+            form = pair
         end = place + len(form or ())
         if form and end < len(words) and words[end].is_letters | (words[end].text == ","):
             yield words[place].start, words[end - 1].end

@@ -39,7 +39,14 @@ def begins_other_case(
     if any(phrase.first == end and phrase.said.constraint in {None, Constraint.AT} for phrase in phrases):
         return True
     timed = (p for p in phrases if p.first == end + 1 and p.said.constraint is not Constraint.FOR)
-    return words[end].text in lexicon.orders and not any(timed) and all(word.text != "," for word in last)
+    # "If not leave it in"
+    acts = words[end].is_letters and words[end].text not in lexicon.function_words
+    acts = acts and any(word.text in lexicon.closed.behind_verbs for word in last)
+    return (
+        (words[end].text in lexicon.orders or acts)
+        and not any(timed)
+        and all(word.text != "," for word in last)
+    )
 
 
 def _begins_condition(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:

@@ -187,9 +187,9 @@ def _action_of(part: Part, said: SaidOfTime, *, timed: bool) -> Action | None:
     if action is None or not (timed or not says_how_things_are(part.tree, action.place)):
         return None
     verb = part.tree.nodes[action.place].start + part.offset
-    # "…, then every two minutes until it thickens"
-    in_clause = any(clause.span[0] < verb < clause.span[1] for clause in said.clauses)
-    return None if in_clause else action
+    # "…, then every two minutes until it thickens", "a short walk before the nurse comes at eleven"
+    spans = (*(clause.span for clause in said.clauses), *(phrase.span for phrase in said.phrases))
+    return None if any(first < verb < end for first, end in spans) else action
 
 
 def _asked(draft: Draft, part: Part, said: SaidOfTime, action: Action) -> Sketch:

@@ -9,7 +9,7 @@ import importlib
 import importlib.util
 import json
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -37,6 +37,15 @@ GLUED_AT = re.compile(r"(?<=[a-z])@(?=\d{1,2}(?:[:.]\d\d)?(?:[ap]m)?(?![\w@-]|\.
 
 NAME = "Tim"
 """What stands for what is quoted: a tree has it for a thing that is named."""
+
+MARKS_OF_IS = frozenset({"'s", "’s"})
+"""How an owner's mark is typed, and what stands for "is"."""
+
+SHORTEST_ING = 5
+"""Letters of "going" are as few as a verb in "-ing" has; "king" and "ring" are none."""
+
+LONGEST_FRONT = 4
+"""Words from the beginning of what is told to the mark, at most: "the school run's bad"."""
 
 COMMA = r"(?<=\d),(?=[^\W\d])"
 """A comma between an hour and the next word, without a space: "gym 9,shop 10"."""
@@ -130,8 +139,11 @@ def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Ite
     pipeline = _pipeline(package.name)
     verbs = _listed(package.name, "verb") | lexicon.addressing | lexicon.alone
     names = _listed(package.name, "noun", "adj")
-    for text, doc in zip(wanted, pipeline.pipe(map(_sound, wanted), batch_size=BATCH), strict=True):
-        spans = _spans(text, [(token.idx, len(token)) for token in doc])
+    typed = [pipeline.make_doc(_sound(text)) for text in wanted]
+    kinds = {kind: _listed(package.name, kind) for kind in ("noun", "adj")}
+    docs = pipeline.pipe((_with_is(doc, lexicon, kinds) for doc in typed), batch_size=BATCH)
+    for text, said, doc in zip(wanted, typed, docs, strict=True):
+        spans = _spans(text, [(token.idx, len(token)) for token in said])
         nodes = tuple(
             Node(
                 text[start:end],
@@ -149,6 +161,55 @@ def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Ite
         )
         places = [token.i for token in doc if not token.is_space]
         yield Tree(text, _renumbered(nodes, places), lexicon)
+
+
+def _with_is(doc: Any, lexicon: Lexicon, kinds: Mapping[str, AbstractSet[str]]) -> Any:  # noqa: ANN401
+    """Give words with "is" in place of a mark that hardly is an owner's: "the shop's closed at six".
+
+    The model has that for an owner's wherever a noun stands before it. ``kinds``: its nouns, adjectives.
+    """
+    words = [token.text for token in doc]
+    lower = [word.lower() for word in words]
+    marks = [
+        place
+        for place in range(1, len(words) - 1)
+        if words[place] in MARKS_OF_IS and _says_what_is(lower, place, lexicon, kinds)
+    ]
+    if not marks:
+        return doc
+    spaces = [bool(token.whitespace_) for token in doc]
+    for place in marks:
+        # The model looks at where a space stands, too.
+        words[place], spaces[place - 1] = "is", True
+    return type(doc)(doc.vocab, words=words, spaces=spaces)
+
+
+def _says_what_is(
+    words: list[str], place: int, lexicon: Lexicon, kinds: Mapping[str, AbstractSet[str]]
+) -> bool:
+    """Whether what stands behind a mark says where something is, how it is, or what it does."""
+    closed, doing, (said, *behind) = lexicon.closed, lexicon.doing, words[place + 1 : place + 3]
+    owner = words[place - 1]
+    if owner in closed.subject_pronouns | closed.no_owners or lexicon.means(owner, "day"):
+        return False
+    # "Visiting's two till four", but "Tom's two cats"
+    happens = owner in lexicon.happening | lexicon.taken or owner.endswith("ing")
+    before = closed.prepositions_of_nouns | closed.prepositions_of_time
+    if said in before or (happens and said in lexicon.numbers):
+        return True
+    ends = not behind or not behind[0].isalpha() or behind[0] in closed.joints_of_consequence
+    # "The traffic's bad, leave at seven", but "Tom's new bike, Ann's light"
+    begins = closed.joints_of_consequence.union(form[0] for form in lexicon.clauses if len(form) == 1)
+    first = next((p for p in range(place - 1, -1, -1) if words[p] in begins), -1)
+    so = ends and said in kinds["adj"] - lexicon.numbers.keys() and place - first <= LONGEST_FRONT
+    over = ends or behind[0] in lexicon.function_words or behind[0] in lexicon.numbers
+    over = over or (behind[0] in lexicon.entries and not lexicon.means(behind[0], "unit"))
+    states = lexicon.standing | lexicon.results | doing.opening_up | doing.closing_up | doing.foretold
+    states |= lexicon.beside.due | lexicon.beside.states | lexicon.places
+    # "Tom's running late"; but "Tom's running shoes", "tomorrow's meeting tonight"
+    acts = said.endswith("ing") and said not in lexicon.happening | lexicon.taken | lexicon.lasting
+    acts = acts and len(said) > SHORTEST_ING and (over or behind[0] not in kinds["noun"])
+    return so or acts or (over and said in states)
 
 
 def _may_act(token: Any, verbs: AbstractSet[str], names: AbstractSet[str], lexicon: Lexicon) -> bool:  # noqa: ANN401 - spaCy's

@@ -42,7 +42,10 @@ class Particles(Around):
             # "Weigh in every monday"
             return True
         lasts = isinstance(piece.value.time, Duration)
-        if first in {"in", "on"} and self.around.is_day_from_now(piece.start + 1) and not lasts:
+        day = self.around.is_day_from_now(piece.start + 1)
+        # "Put a wash on this morning"
+        day = day or (first == "on" and rest[0] in self.closed.distributives | {"this", "next"})
+        if first in {"in", "on"} and day and not lasts:
             # "Bring the washing in tomorrow", "leave the light on tonight"; but "a call for Al on tomorrow"
             verbs = self.lexicon.particles["on"] & set(self.texts[max(0, piece.start - NEAR) : piece.start])
             return first == "in" or bool(verbs)
@@ -105,7 +108,9 @@ class Particles(Around):
         time = piece.value.time
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
         comes = self.around.before(piece) in self.lexicon.coming_in
-        comes = comes or not self.beside.bringing_in.isdisjoint(before[:-1])
+        # "Put the roast in around six"
+        carries = self.beside.bringing_in | self.lexicon.particles.get("in", frozenset())
+        comes = comes or not carries.isdisjoint(before[:-1])
         number = isinstance(time, Duration) and time.bare_end and len(time.terms) == 1
         return isinstance(time, Wall) or (comes and number and time.terms[0][0] <= HOURS)
 

@@ -11,6 +11,9 @@ NOTABLE = frozenset({"about", "with", "by", "of", "as"})
 NEXT_TO = ("next", "to")
 """Words before somebody who is beside another."""
 
+NUMBER_DIGITS = 3
+"""Digits, at least, of a number that a thing is called by and that looks like an hour with minutes."""
+
 TAG, JOINT, DOT = "#", "_", "."
 """The mark before a tag, and those between words of a name that is typed in one."""
 
@@ -96,6 +99,15 @@ def _is_given_name(place: int, around: Surroundings) -> bool:
     word = around.words[place]
     named = around.texts[place] in around.lexicon.no_times.given_names
     return named and word.capital and any(one.is_letters and not one.capital for one in around.words)
+
+
+def is_numbered_name(piece: Piece, around: Surroundings) -> bool:
+    """Whether its first number belongs to a name with an article: "service the Massey 135 on friday"."""
+    words, texts, place = around.words, around.texts, piece.start
+    led = place > 1 and texts[place - 2] in around.lexicon.closed.noun_openers
+    hour = {":", *around.beside.of_hours, *around.beside.of_clocks}.intersection(texts[place + 1 : place + 2])
+    whole = texts[place].isdecimal() and len(texts[place]) >= NUMBER_DIGITS and not hour
+    return led and whole and words[place - 1].capital and words[place - 1].is_letters
 
 
 def is_typed_name(piece: Piece, around: Surroundings) -> bool:

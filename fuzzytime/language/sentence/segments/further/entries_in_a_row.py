@@ -17,8 +17,8 @@ from fuzzytime.language.sentence.trees.named import names_one
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, PAST
 from fuzzytime.language.sentence.trees.tree import Node
 
-JOINTS = frozenset({",", "and", "&", "then"})
-"""What stands between two entries."""
+JOINTS = frozenset({",", "and", "&", "then", "so"})
+"""What stands between two entries, or what is told and how a thing is to be by then."""
 
 FINITE = frozenset({"VBZ", "VBD", "VBP", "VB", "MD"})
 """Tags of words in what tells, or asks for, more than when something is."""

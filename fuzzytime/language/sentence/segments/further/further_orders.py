@@ -23,7 +23,6 @@ from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of, gone_to_do
 from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
 from fuzzytime.language.sentence.verbs.statements.statements import (
-    being_behind_order,
     due_too,
     goes_on,
     order_behind_statement,
@@ -78,7 +77,6 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int]) -> int | None:
     """Give where the further instruction of a word begins; None where it has none."""
     told = result_behind_statement(tree, place, root, timed)
     told = second_statement(tree, place, timed) if told is None else told
-    told = being_behind_order(tree, place, timed) if told is None else told
     told = having_done(tree, place) if told is None else told
     told = due_too(tree, place, root) if told is None else told
     if told is not None:

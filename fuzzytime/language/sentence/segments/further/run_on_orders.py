@@ -209,7 +209,7 @@ def tells(tree: Tree) -> bool:
     subjects = subjects_before(tree, root)
     verbs = (root, *tree.children(root, "aux", "auxpass"))
     # "Mum's coming": a tree may have it for her own.
-    finite = any(tree.nodes[place].tag in FINITE | {"VBP", "MD", "POS"} for place in verbs)
+    finite = any(tree.nodes[place].tag in FINITE | {"VBP", "MD"} for place in verbs)
     return finite and any(tree.reach(place)[0] == 0 for place in subjects)
 
 

@@ -137,7 +137,7 @@ def _may_tell(tree: Tree, place: int) -> bool:
     if first.tag in {"NN", "NNS"} and not sure:
         # "School starts at nine"; but "buy stamps, cards and the tea mum likes"
         behind = behind[:1]
-    finite = (node.tag in OPEN | {"POS"} for node in behind)
+    finite = (node.tag in OPEN for node in behind)
     taken = (node.may_act and node.tag in NOUNS | {"NNPS", "VB"} for node in behind)
     return known or (first.tag in TELLING and (any(finite) or any(taken)))
 
@@ -187,7 +187,7 @@ def _is_told(tree: Tree, timed: AbstractSet[int]) -> bool:
         plural = tree.nodes[told.root].tag == "NNS" and first.lower not in lexicon.people
         tree = tree if plural and verb.lower not in lexicon.doing.timed else told
     verbs = (tree.root, *tree.children(tree.root, "aux", "auxpass"))
-    return tells(tree) and any(tree.nodes[place].tag in OPEN | {"POS"} for place in verbs)
+    return tells(tree) and any(tree.nodes[place].tag in OPEN for place in verbs)
 
 
 def _is_surely_timed(nodes: Sequence[Node], lexicon: Lexicon) -> bool:

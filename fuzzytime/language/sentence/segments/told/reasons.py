@@ -56,8 +56,13 @@ def reason_in_front(one: Waiting, part: Part) -> list[Segment]:
     first, end = words[places[1]].start, words[comma].start
     timed = any(first < phrase.span[0] and phrase.span[1] <= end for phrase in one.source.phrases)
     tree = part.tree if part.front is None else part.front
+    # "Because the lift is being mended at ten"
+    finite = [
+        {node.tag, *(tree.nodes[p].tag for p in tree.children(place, "aux", "auxpass"))}
+        for place, node in enumerate(tree.nodes)
+    ]
     told = any(
-        node.tag in TOLD and tree.children(place, *SUBJECTS)
+        not finite[place].isdisjoint(TOLD) and tree.children(place, *SUBJECTS)
         for place, node in enumerate(tree.nodes)
         if first <= node.start + (part.offset if part.front is None else one.segment.span[0]) < end
     )

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.instruction import Instruction
-from fuzzytime.language.meaning.expressions import HourMark, Phrase, Wall
+from fuzzytime.language.meaning.expressions import HourMark, Phrase, Wall, wall_of
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.instants import midnight
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Part
@@ -40,8 +40,9 @@ def due_of(
     listed = sketch.operation is not None and (sketch.operation.stated or sketch.operation.due is not None)
     # "I need to be at the dentist at ten to three so leave by quarter past two"
     told = before[-1].operation.stated or before[-1].operation.due is not None or (so and _goes(before[-1]))
-    if not told or (listed and not so):
-        # "Story at seven, lights out by half past" is one after the other.
+    if not told or (listed and not so) or _is_past(before[-1], sketch):
+        # "Story at seven, lights out by half past" is one after the other, and so is what is due past an
+        # hour: "there's a drill at eleven, so have all back by half past".
         return None
     return _begin_of(instructions[-1], due=so)
 
@@ -71,6 +72,18 @@ def _goes(sketch: Sketch) -> bool:
     """Whether somebody is to leave, or to be somewhere: "leave at nine"."""
     operation = sketch.operation
     return operation is not None and operation.is_asked and is_there(operation, sketch.lexicon)
+
+
+def _is_past(before: Sketch, sketch: Sketch) -> bool:
+    """Whether its time is so many minutes past an hour that is not said, and later in it than what was told.
+
+    "The round starts at half eight, so have the charts out by twenty past" is not.
+    """
+    clocks = [wall_of(phrase.said.time).clock for phrase in before.phrases]
+    minutes = (clock.minute + clock.shift // 60 for clock in clocks if clock is not None)
+    told = max((minute % 60 for minute in minutes), default=HALF)
+    times = [phrase.said.time for phrase in sketch.phrases]
+    return bool(times) and all(isinstance(t, HourMark) and t.open and told < t.minute <= HALF for t in times)
 
 
 def _is_to_the_hour(sketch: Sketch) -> bool:

@@ -53,6 +53,10 @@ def _fitting(
     lexicon, near = mentions.lexicon, Mentions(mentions.lexicon)
     for earlier in own:
         passed = _is_setting(earlier, lexicon) and not _is_changing(operation, lexicon)
+        # "The line's down today, do it tomorrow": nothing is done that is only told of.
+        passed = passed or (
+            operation.lemma == "do" and earlier is not None and earlier.stated and earlier.lemma == "be"
+        )
         near.add(None if passed else earlier)
     # "Handover at noon", "print it before that" is of what was written for it.
     said = ((near, len(own)), (mentions, first))

@@ -7,6 +7,9 @@ from fuzzytime.language.meaning.expressions import Repeat
 from fuzzytime.language.sentence.sketches.sketch import Sketch, are_steps
 from fuzzytime.language.sentence.verbs.without_verbs.named_alone import named_alone
 
+TOLD = frozenset({"VBZ", "VBP", "VBD", "MD"})
+"""Tags of what says how something is: "the golf is in first, then …"."""
+
 HEADS = (":", "- ", "– ", "— ")
 """What stands behind a day that heads a list."""
 
@@ -45,10 +48,13 @@ def things_alone(sketches: Sequence[Sketch], text: str, apart: str, *, headed: b
     """
     listed = headed or bool(sketches and heads_list(sketches[0], text))
     found: list[Sketch] = []
+    # "Homework first, then half an hour of tv"
+    led = [sketch.part.segment.connective == "then" for sketch in sketches[:2]] == [False, True]
     for sketch in sketches:
         then = sketch.part.segment.connective == "then"
-        chained = bool(found) and _is_named(found[-1])
-        chained = chained and (then or are_steps(found[-1], sketch, text, apart))
+        leads = led and not found and not any(node.tag in TOLD for node in sketch.part.tree.nodes)
+        chained = leads or (bool(found) and _is_named(found[-1]))
+        chained = leads or (chained and (then or are_steps(found[-1], sketch, text, apart)))
         # "Mrs Patel at ten, the twins at half ten"
         chained = chained or sketch.part.segment.entry
         named = sketch.operation is None and (listed or chained or sketch.heard)

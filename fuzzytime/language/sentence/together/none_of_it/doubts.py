@@ -11,7 +11,7 @@ from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.none_of_it.how_things_are import holds_true, tells_how_things_are
 from fuzzytime.language.sentence.together.none_of_it.orders_again import is_about_orders
-from fuzzytime.language.sentence.together.none_of_it.what_was import tells_what_was
+from fuzzytime.language.sentence.together.none_of_it.what_was import has_done, tells_what_was
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Constraint
@@ -31,6 +31,9 @@ def doubts_of(text: str, span: Span, words: Sequence[Word], sketch: Sketch) -> I
     behind = next((word.text for word in words if word.start >= span[1]), "")
     what = _does(said, behind, sketch)
     before, after = (any(map(str.isalnum, part)) for part in (text[: span[0]], text[span[1] :]))
+    if what is None and (before or after) and has_done(sketch):
+        # Alone, "I've fed the cat" is news of what was planned.
+        what = "tells what was, and says nothing to do"
     beside = before or (after and (sketch.operation is None or holds_true(sketch.part.tree)))
     if what is not None:
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} {what}")

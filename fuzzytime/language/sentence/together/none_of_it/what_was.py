@@ -49,6 +49,17 @@ def tells_what_was(sketch: Sketch) -> bool:
     return (_is_past(tree, root) or moved or has or ended) and (named or did)
 
 
+def has_done(sketch: Sketch) -> bool:
+    """Whether who speaks tells what they have done: "I've put a loaf in"; but "I've got to go"."""
+    tree, closed = sketch.part.tree, sketch.lexicon.closed
+    if not tree.nodes or tree.children(tree.root, "xcomp") or sketch.phrases:
+        return False
+    helping = tree.said(tree.children(tree.root, "aux", "auxpass"))
+    subjects = tree.said(p for p in tree.children(tree.root, *SUBJECTS) if p < tree.root)
+    done = tree.nodes[tree.root].tag == "VBN" and bool(helping) and helping <= closed.have_before_got
+    return done and tree.nodes[tree.root].lower != "got" and bool(subjects & closed.first_person)
+
+
 def _has_been(tree: Tree, root: int) -> bool:
     """Whether it tells what was until now: "rex has been in all morning", "she's been waiting since nine"."""
     node, helping = tree.nodes[root], tree.said(tree.children(root, "aux", "auxpass"))

@@ -170,7 +170,10 @@ def _is_shared(phrase: Phrase, sketch: Sketch, text: str) -> bool:
     if led is not None and led[1].lower() in sketch.lexicon.closed.universal_pronouns:
         return True
     said = phrase.said
-    due = said.constraint is Constraint.BEFORE and said.preposition not in LASTING
+    # "Clear the table and load the dishwasher after dinner"; but "pack and leave after four"
+    meal = isinstance(said.time, Wall) and said.time.clock is None
+    bound = said.constraint is Constraint.BEFORE or (said.constraint is Constraint.AFTER and meal)
+    due = bound and said.preposition not in LASTING
     lengths = all(time is phrase for time in sketch.times)
     # "Wash the car and, after lunch, mow the lawn by five": that is said of the lawn alone.
     alone = lengths and not sketch.clauses and sketch.part.segment.connective in JOINED

@@ -56,7 +56,7 @@ def action_of(tree: Tree, *, told: bool = False) -> Action | None:
     if root is None:
         return None
     needless = _needless(tree, root)
-    negated = needless is not None or _is_negated(tree, root)
+    negated = needless is not None or _is_negated(tree, root) or _can_wait(tree, root)
     root = root if needless is None else needless
     root = gone_to_do(tree, root) or root
     reference: Reference | None = None
@@ -235,6 +235,9 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
         return bool(whose) and whose[0] not in closed.second_person
     subjects = [p for p in tree.children(verb, *SUBJECTS) if p < verb]
     helping = tree.said(tree.children(verb, "aux", "auxpass"))
+    if subjects and tree.nodes[subjects[0]].lower == "it" and tree.children(verb, "dobj") and not helping:
+        # "It burns the leaves"
+        return node.tag == "VBZ" and node.lemma not in tree.lexicon.doing.taking | tree.lexicon.doing.needing
     if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in closed.second_person:
         return False
     is_so = node.lemma in closed.lemmas_of_be and node.tag in PRESENT and not helping
@@ -305,6 +308,15 @@ def _has_to(tree: Tree, below: int) -> bool:
     """Whether it is "have to do", not "have it done"."""
     marks = [tree.nodes[p].lower for p in tree.children(below, "aux")]
     return "to" in marks and not tree.children(below, *SUBJECTS)
+
+
+def _can_wait(tree: Tree, place: int) -> bool:
+    """Whether nothing is done with something up to then: "the ironing can wait until tomorrow"."""
+    subjects = tree.said(tree.children(place, *SUBJECTS))
+    closed, node = tree.lexicon.closed, tree.nodes[place]
+    waits = node.lemma in tree.lexicon.doing.waiting and "can" in tree.said(tree.children(place, "aux"))
+    waits = waits and not tree.said(tree.children(place, "prep")).isdisjoint(closed.prepositions_of_length)
+    return waits and bool(subjects) and subjects.isdisjoint(closed.personal_pronouns)
 
 
 def _is_negated(tree: Tree, place: int) -> bool:

@@ -49,7 +49,7 @@ class Reader(Particles):
         return Operation(
             # "Robot 2 cleans the tank" asks it to clean the tank.
             verb=" ".join(self.tree.nodes[p].lower for p in whole_verb) if doer is None else node.lemma,
-            lemma="be" if stated and (self._has_frame(verb) or self._is_standing(verb)) else node.lemma,
+            lemma="be" if stated and (self._has_then(verb) or self._is_standing(verb)) else node.lemma,
             span=(self.tree.nodes[whole_verb[0]].start, node.end),
             object=direct,
             place=self._within_sentence(where),

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tags import PRESENT, SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import FINITE, passes_on
 from fuzzytime.language.sentence.verbs.places import Places
 from fuzzytime.language.sentence.verbs.statements.statements import others_do
@@ -31,11 +31,11 @@ class Stated(Places):
                 # "I want it cleaned by six"
                 return alone
             helping = self.tree.said(self.tree.children(verb, "aux"))
-            return (
-                alone
-                if alone in closed.third_person_singular and others_do(self.tree, verb, helping)
-                else None
+            # "They collect the bins at seven"
+            acts = alone in closed.third_person_singular or (
+                alone in closed.third_person and bool(self.tree.children(verb, "dobj"))
             )
+            return alone if acts and others_do(self.tree, verb, helping) else None
         return self.said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
 
     def _with_verb_above(self, verb: int) -> tuple[int, ...]:
@@ -83,7 +83,8 @@ class Stated(Places):
             return True
         # "Office hours" go on around other work, but not "a meeting for two hours".
         frames = {self.tree.nodes[p].lower for p in behind if not self.timed(p)} & self.lexicon.frames
-        return not frames and any(self.tree.nodes[p].lower in self.lexicon.taken for p in behind)
+        said = {form for p in behind for form in (self.tree.nodes[p].lower, self.tree.nodes[p].lemma)}
+        return not frames and not said.isdisjoint(self.lexicon.taken)
 
     def _is_own(self, verb: int) -> bool:
         """Whether an appointment of who speaks is said to be then: "my interview is at ten"."""
@@ -127,22 +128,42 @@ class Stated(Places):
         """
         closed = self.lexicon.closed
         helping, timed = self._helping(verb), [p for p in self.tree.children(verb) if self.timed(p)]
+        so = {self.tree.nodes[verb].lower}
+        if not helping and so <= closed.present_be:
+            # "The gym's closed tomorrow": a tree may have that for how it is.
+            helping, so = so, self.tree.said(self.tree.children(verb, "acomp"))
         points = self.tree.said(timed) & closed.prepositions_of_points
         named = bool(self.tree.children(verb, "nsubjpass", "nsubj")) and bool(timed) and not points
         return (
             named
             and bool(helping)
             and helping <= closed.present_be
-            and self.tree.nodes[verb].lower in self.lexicon.standing
+            and not so.isdisjoint(self.lexicon.standing)
         )
 
-    def _has_visitors(self, verb: int) -> bool:
-        """Whether who speaks has somebody there: "we have the electricians in from eight to noon"."""
+    def _has_then(self, verb: int) -> bool:
+        """Whether who speaks has something: "we have visitors at eight", "I'm expecting a parcel at ten".
+
+        It is not so of "I have to go", "I have the car washed at six".
+        """
+        node, closed = self.tree.nodes[verb], self.lexicon.closed
+        helping = self._helping(verb)
+        got = node.lower == "got" and bool(helping) and helping <= closed.have_before_got
+        has = node.lemma == "have" and node.tag in PRESENT and not helping
+        goes_on = node.tag == "VBG" and bool(helping) and helping <= closed.present_be
+        goes_on = goes_on and (node.lemma == "have" or node.lemma in self.lexicon.doing.holding_true)
+        goes_on = goes_on and any(map(self.timed, self.tree.below(verb)))
         subjects = self.tree.said(self.tree.children(verb, "nsubj"))
-        named = self.tree.said(self.tree.children(verb, "dobj"))
-        named |= {name.removesuffix("s") for name in named}
-        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
-        return has and not self.lexicon.persons.isdisjoint(named)
+        # "We're having people round"
+        below = self.tree.children(verb, *STATED_OF, "prt")
+        there = [p for p in below if self.tree.nodes[p].lower in self.lexicon.beside.round_there]
+        things = self.tree.children(verb, "dobj") or [
+            p for place in there for p in self.tree.children(place, "nsubj")
+        ]
+        behind = [self.tree.nodes[p] for p in below if p not in things and p not in there]
+        done = any(other.is_verb or other.lower in self.lexicon.results for other in behind)
+        done = done or any(self.tree.children(p, "acl") for p in things)
+        return bool((has or got or goes_on) and things and not done and subjects & closed.first_person)
 
     def _exists(self, verb: int, helping: set[str]) -> bool:
         """Whether something is said to be then: "there's a delivery at ten"; but not "there's no need to"."""
@@ -192,10 +213,14 @@ class Stated(Places):
         helping = self._helping(verb)
         if others_do(self.tree, verb, helping) or self._exists(verb, helping):
             return True
+        being = [self.tree.nodes[p].tag for p in self.tree.children(verb, "aux", "auxpass")]
+        if being == ["VBZ", "VBG"] or being == ["VBP", "VBG"]:
+            # "The lift is being mended at ten"
+            return True
         if self._is_foretold(verb, helping):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= closed.future
-        if finite and (self._has_frame(verb) or self._has_visitors(verb)):
+        if (finite and self._has_frame(verb)) or self._has_then(verb):
             return True
         happening = self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= closed.present_be
         finite = finite or happening

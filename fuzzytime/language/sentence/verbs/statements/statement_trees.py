@@ -148,8 +148,8 @@ def _with_got(tree: Tree) -> Tree:
         return tree
     helping = [
         p
-        for p in tree.children(root, "aux", "auxpass")
-        if tree.nodes[p].lower in tree.lexicon.closed.have_before_got
+        for p in (*tree.children(root, "aux", "auxpass"), *range(root - 1, root))
+        if p >= 0 and tree.nodes[p].lower in tree.lexicon.closed.have_before_got
     ]
     coming = [p for p in tree.children(root, "ccomp") if tree.nodes[p].tag == "VBG"]
     if coming and helping and tree.children(coming[0], "nsubj"):
@@ -162,67 +162,11 @@ def _with_got(tree: Tree) -> Tree:
 
 
 def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
-    """Give "the drill's at nine" its verb, which was taken for an owner's mark; so of "nobody's home"."""
+    """Give "visiting is two till four" what is then, which was taken for what is done."""
     root = tree.root
-    owner = [
-        p
-        for p in tree.children(root, "poss")
-        if tree.nodes[p].lower in tree.lexicon.closed.indefinite_pronouns or tree.nodes[root].tag == "JJ"
-    ]
-    if owner and owner[0] + 2 == root and tree.nodes[owner[0] + 1].tag == "POS":
-        mark = owner[0] + 1
-        being = tree.hung(tree.children(root), mark).changed(owner[0], relation="nsubj")
-        being = being.changed(mark, tag="VBZ", lemma="be", head=mark, relation="ROOT")
-        return being.changed(root, head=mark, relation="acomp" if tree.nodes[root].tag == "JJ" else "advmod")
-    doing = _with_one_doing(tree) or _with_open(tree, timed)
-    if doing is not None:
-        return doing
-    # "The drill's at nine", "the dog's at the vet"; but "pasta's in now"
-    there = {p for p, node in enumerate(tree.nodes[:-1]) if node.tag == "IN" and p + 1 not in timed} | timed
-    # "The traffic's bad"
-    so = {p for p in tree.children(root, "amod") if p > root}
-    marks = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in there | so)
-    verb = next(marks, None)
     if tree.nodes[root].lower in tree.lexicon.closed.present_be and root + 1 in timed:
-        # "Visiting is two till four"
         return tree.hung((p for p in tree.children(root, "csubj") if p == root - 1), root, "nsubj")
-    if verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith(("NN", "VBG")):
-        return tree
-    being = tree.hung((p for p in tree.children(root) if p > root), verb).hung(so, verb, "acomp")
-    being = being.changed(root, head=verb, relation="nsubj")
-    return being.changed(verb, tag="VBZ", lemma="be", head=verb, relation="ROOT")
-
-
-def _with_open(tree: Tree, timed: AbstractSet[int]) -> Tree | None:
-    """Give "the library's open nine to five" its verb, taken for an owner's mark; None without one."""
-    root, opening = tree.root, tree.lexicon.doing.opening_up
-    marks = (p for p in range(1, len(tree.nodes) - 2) if tree.nodes[p].tag == "POS" and p + 2 in timed)
-    verb = next((p for p in marks if tree.nodes[p + 1].lower in opening), None)
-    if verb is None or root not in timed | {verb - 1, verb + 1}:
-        return None
-    tree = tree.hung((p for p in range(verb - 1) if tree.nodes[p].head >= verb - 1), verb - 1)
-    tree = tree.hung((p for p in timed if tree.nodes[p].head not in timed), verb, "npadvmod")
-    tree = tree.changed(root, head=verb, relation="npadvmod").changed(verb - 1, head=verb, relation="nsubj")
-    tree = tree.changed(verb + 1, head=verb, relation="acomp")
-    return tree.changed(verb, tag="VBZ", lemma="be", head=verb, relation="ROOT")
-
-
-OWNED = frozenset({"'s", "’s"})
-"""How an owner's mark is typed that may be "is"."""
-
-
-def _with_one_doing(tree: Tree) -> Tree | None:
-    """Give "the plumber's coming at nine" its helping verb, taken for an owner's mark; None without one."""
-    root = tree.root
-    mark = root - 1
-    if mark < 1 or tree.nodes[mark].lower not in OWNED or not tree.nodes[root].lower.endswith("ing"):
-        return None
-    who, nodes = tree.nodes[mark].head, tree.nodes
-    if nodes[who].head != root or nodes[who].relation not in {"nsubj", "poss"} or not nodes[root].may_act:
-        return None
-    lemma = nodes[root].lemma if nodes[root].is_verb else nodes[root].lower.removesuffix("ing")
-    being = tree.changed(mark, tag="VBZ", lemma="be", head=root, relation="aux")
-    return being.changed(who, relation="nsubj").changed(root, tag="VBG", lemma=lemma)
+    return tree
 
 
 def singular_verb(verb: str) -> str:

@@ -60,7 +60,7 @@ def order_behind_statement(tree: Tree, root: int, timed: AbstractSet[int]) -> in
         end = max(said) + (tree.nodes[max(said)].lower != "so")
         joined = end < root and tree.nodes[end].lower in tree.lexicon.closed.joints_of_consequence
         marked = [p for p in tree.children(place, "mark", "advmod") if p < place]
-        if joined and not marked and not timed.isdisjoint(said) and _is_statement(tree, place, timed):
+        if joined and not marked and not timed.isdisjoint(said) and _is_statement(tree, place):
             # "The bus leaves at nine, so be there"
             return end + 1 + (tree.nodes[end].lower != "so" and tree.nodes[end + 1].lower == "so")
     return None
@@ -158,26 +158,6 @@ def _start_of_statement(tree: Tree, place: int) -> int | None:
     return None
 
 
-def being_behind_order(tree: Tree, place: int, timed: AbstractSet[int]) -> int | None:
-    """Give where begins what is at a time, behind an order: "get everyone out, the drill's at nine"."""
-    # "…, the library's open nine to five"
-    opens = (
-        tree.nodes[place + 1].lower in tree.lexicon.doing.opening_up if place + 1 < len(tree.nodes) else False
-    )
-    if tree.nodes[place].tag != "POS" or place + 1 + opens not in timed:
-        return None
-    start = place - 1
-    while start > 0 and tree.nodes[start - 1].tag in {*DETERMINERS, *SINGULAR, "JJ", "NNS"}:
-        start -= 1
-    return (
-        start
-        if start > 1
-        and start < place
-        and tree.nodes[start - 1].lower in tree.lexicon.closed.joints_of_consequence
-        else None
-    )
-
-
 def result_behind_statement(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> int | None:
     """Give where begins what should be so by then: "the boss arrives at ten, coffee should be ready"."""
     closed = tree.lexicon.closed
@@ -185,7 +165,7 @@ def result_behind_statement(tree: Tree, place: int, root: int, timed: AbstractSe
     if (
         place <= root
         or not (helping & closed.obligation or _is_brought_about(tree, place))
-        or not _is_statement(tree, root, timed)
+        or not _is_statement(tree, root)
         or timed.isdisjoint(range(place))
     ):
         return None
@@ -222,13 +202,10 @@ def _is_brought_about(tree: Tree, place: int) -> bool:
     return "so" in {tree.nodes[p].lower for p in (first, first - 1) if p >= 0}
 
 
-def _is_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
+def _is_statement(tree: Tree, place: int) -> bool:
     """Whether a verb before an order says what happens; a tree may take it for who does what is ordered."""
     node = tree.nodes[place]
     if node.relation in GRAMMATICAL_SUBJECTS:
-        if tree.nodes[place + 1].tag == "POS" and place + 2 in timed:
-            # "The drill's at nine, clear the hall"
-            return True
         return node.tag in {"VBZ", "NNS"} and plural_subject(tree, place) is not None
     taken = node.tag == "VBZ" and plural_subject(tree, place) is not None
     return node.tag in FINITE and (taken or bool(tree.children(place, *GRAMMATICAL_SUBJECTS)))
@@ -251,11 +228,18 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str]) -> bool:
     if not subjects or (node.lemma == "have" and not _has_thing(tree, verb)):
         return False
     if node.lemma in lexicon.wanting and not closed.it_or_them & tree.said(tree.children(verb, "dobj")):
-        # "Mum wants the car washed"; but "wash the car, mum wants it at six"
-        return False
+        # "Mum wants the car washed"; but "wash the car, mum wants it at six", "the rabbit gets hay at nine"
+        # "He'll want a shower"
+        asked = node.lemma in lexicon.doing.requiring and not helping
+        asked = asked or bool(tree.children(verb, "xcomp", "ccomp"))
+        if asked or not tree.children(verb, "dobj"):
+            return False
     called = {subjects[0].lower, *(tree.nodes[p].lower for p in tree.below(verb) if p < verb)}
-    named = bool(((lexicon.persons | closed.third_person_singular) - closed.persons_addressed) & called)
-    if not helping and node.tag == "VBZ" and subjects[0].tag in {"NN", "NNP"}:
+    persons = lexicon.persons | (closed.third_person - {"it"})
+    named = bool((persons - closed.persons_addressed) & called)
+    # "Don't water it at noon, it burns the leaves"; but "it takes an hour"
+    it = subjects[0].lower == "it" and tree.children(verb, "dobj") and node.lemma not in lexicon.doing.taking
+    if not helping and node.tag == "VBZ" and (subjects[0].tag in {"NN", "NNP"} or it):
         # No order ends in -s: "the caretaker cuts the grass"; but a machine may be asked by its name.
         named = named or subjects[0].lower not in lexicon.machines
     if not helping and node.tag == "VBP" and node.lemma == "have":
@@ -263,7 +247,7 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str]) -> bool:
         whose = [p for p in tree.children(verb, "nsubj") if p < verb]
         several = subjects[0].tag == "NNS" or subjects[0].lower == "they"
         named = named or several or bool(tree.children(whose[0], "conj"))
-    if node.tag == "VBG" and helping <= closed.present_be and subjects[0].tag in NOUNS:
+    if node.tag == "VBG" and helping <= closed.present_be and (subjects[0].tag in NOUNS or named):
         # "Tom is washing the car at five", "Tom washing the car", "rep coming"; but "bins emptying" is to do.
         acts = bool(helping or tree.children(verb, "dobj")) or node.lemma in lexicon.intransitive
         return acts and (named or subjects[0].lower not in lexicon.machines - beside.awaited_in_a_stretch)

@@ -44,8 +44,9 @@ def named_alone(tree: Tree, heard: Collection[int], *, chained: bool = False) ->
         return Operation(verb="be", lemma="be", span=span, place=name)
     heads = [node for node in nodes if node.head not in said or tree.nodes[node.head] is node]
     opened = nodes[0].tag in DETERMINERS
-    if opened and not chained:
-        # "The dog at seven" goes on with the verb said last.
+    another = nodes[0].lower in tree.lexicon.closed.indefinite_determiners
+    if opened and not (chained or another):
+        # "The dog at seven" goes on with the verb said last; but "a short walk before lunch".
         return None
     if not heads or not (opened or nodes[0].tag.startswith((*FIRST, "VB"))) or not _is_noun(heads[0]):
         return None
