@@ -166,7 +166,7 @@ class Language:
                 other = self._in_turn(days, given, early=early)
                 found = min(found, other, key=lambda one: one[1][-1].astray)
         other = self._in_turn(drafts, given, usual=False) if found[1][-1].astray else found
-        return found if other[1][-1].astray else other
+        return min(found, other, key=lambda one: one[1][-1].astray)
 
     def _in_turn(
         self,
