@@ -88,13 +88,11 @@ class LastSaid:
         if last is None or begun is None:
             return replace(self, begun=begun)
         opened = [end for end in (before.earliest, last, begun) if end is not None]
-        # "Bins out before bed", then "stories from seven", goes on from what is in front of both.
-        since = min(last, last if before.released is None else before.released)
         released = [end for end in (before.latest, before.released, self.released) if end is not None]
         return replace(
             self,
             begun=begun,
-            forward=before.forward + (begun > since),
+            forward=before.forward + (begun > last),
             lines=before.lines + (begun != last),
             earliest=min(opened),
             latest=max(released, default=None),
