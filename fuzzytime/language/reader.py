@@ -166,7 +166,11 @@ class Language:
                 other = self._in_turn(days, given, early=early)
                 found = min(found, other, key=lambda one: one[1][-1].astray)
         other = self._in_turn(drafts, given, usual=False) if found[1][-1].astray else found
-        return found if other[1][-1].astray else other
+        said, otherwise = found[1][-1], other[1][-1]
+        # Lines in no order are no nearer to one at unlikely hours; those of a night are astray all the same.
+        goes_on = otherwise.in_order and otherwise.nightly <= said.nightly
+        better = otherwise.astray < said.astray and (goes_on or not otherwise.astray)
+        return other if better else found
 
     def _in_turn(
         self,

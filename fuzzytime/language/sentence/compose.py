@@ -78,6 +78,7 @@ class _Composer:
             draft.now,
             since.policy(draft.lexicon.policy),
             since=since.since,
+            released=since.due_since,
             carried=since.clock is not None,
             in_order=since.in_order,
             begun=since.may_be_over,

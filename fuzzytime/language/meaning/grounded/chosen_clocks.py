@@ -62,7 +62,12 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         # "The interval is at 20:35", "strike the set at ten": that evening, however late.
         chosen = next(moment for moment in moments if here.since < moment)
     elif here.since is not None and chosen < here.since:
-        chosen = _following(here, moments, plausible, wall) or _in_day(here, moments, plausible, chosen)
+        following = _following(here, moments, plausible, wall)
+        if following is None and here.carried and here.released is not None:
+            # "Bins out before bed", then "ring mum after eight": before the deadline.
+            between = (moment for moment in plausible if here.released < moment <= here.since)
+            following = next(between, None)
+        chosen = following or _in_day(here, moments, plausible, chosen)
     if here.night is not None and not named and not here.usual:
         # The shift is from 19:30 to 07:30: "handover at quarter past seven" is where it ends.
         first, last = here.night

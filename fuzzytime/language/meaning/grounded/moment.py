@@ -37,6 +37,7 @@ class Moment(Clues[float]):
             self.policy,
             since=_at(here, self.since),
             day=_at(here, self.day),
+            released=_at(here, self.released),
             event=_at(here, self.event),
             listed=self.listed,
             follows=self.follows,

@@ -23,6 +23,8 @@ class Clues(Generic[At]):
     ----------
     since, day
         The clock time, and the day, that was said before in the same text.
+    released
+        The clock time before it, where it is only a deadline of a line before.
     event
         The day of what was told last to happen.
     listed
@@ -61,6 +63,7 @@ class Clues(Generic[At]):
 
     since: At | None = None
     day: At | None = None
+    released: At | None = None
     event: At | None = None
     listed: bool = False
     follows: bool = False

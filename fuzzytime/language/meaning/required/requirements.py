@@ -81,11 +81,19 @@ def _beside(found: tuple[Grounded, ...], moment: Moment) -> tuple[Grounded, ...]
     return told, *(Grounded(requirement=one) for one in left[1:])
 
 
+def _goes_on(time: Time | Duration | Repeat) -> bool:
+    """Whether something is done again and again from a time of day on, and no end is said."""
+    return isinstance(time, Repeat) and time.until is None and isinstance(time.starting, Wall)
+
+
 class _Grounder:
     def __init__(self, phrase: Phrase, text: str, moment: Moment) -> None:
         self.phrase = phrase
         self.said = _bounded(phrase.said)
         self.text = phrase.above or text[phrase.span[0] : phrase.span[1]]
+        if moment.carried and _goes_on(self.said.time):
+            # The last line of a day, "feed the cells every two hours starting at nine", is through all of it.
+            moment = replace(moment, since=None)
         self.moment = moment
         self._deciding = Deciding(self.text, phrase.span, moment)
 

@@ -24,12 +24,14 @@ TWO = 2
 class Instances:
     """Where each of several begins, as characters, and the stretches that only count them.
 
-    ``counted`` is the word behind their number, where that is said too: "two alarms".
+    ``counted`` is the word behind their number, where that is said too: "two alarms", ``joints`` are words
+    that join them.
     """
 
     starts: tuple[int, ...] = ()
     counting: tuple[Span, ...] = ()
     counted: str | None = None
+    joints: tuple[Word, ...] = ()
 
 
 NONE = Instances()
@@ -44,11 +46,22 @@ def instances_of(scanned: Scanned, grammar: Grammar) -> tuple[Scanned, Instances
     if len(found.starts) < 2 or _begins_alone(scanned, found):
         return scanned, NONE
     bare = Scanned.of(blanked(scanned.text, found.counting), grammar, scanned.lexicon, hours=scanned.hours)
-    times = [phrase.span for phrase in phrases_of(bare)]
     begins = [next((word.start for word in bare.words if word.start >= start), -1) for start in found.starts]
+    if any(sum(first <= begin < end for begin in begins) > 1 for first, end in _spans(bare)):
+        # "Once before noon and once after four" is no stretch between them.
+        apart = bare.text
+        for joint in found.joints:
+            apart = apart[: joint.start] + ",".ljust(joint.end - joint.start) + apart[joint.end :]
+        bare = Scanned.of(apart, grammar, scanned.lexicon, hours=scanned.hours)
+    times = _spans(bare)
     # "Two visits today, one at nine": the first may have its day in front.
     timed = [any(first <= begin < end for first, end in times) for begin in begins]
     return (bare, found) if all(timed) else (scanned, NONE)
+
+
+def _spans(scanned: Scanned) -> list[Span]:
+    """Give where times stand."""
+    return [phrase.span for phrase in phrases_of(scanned)]
 
 
 def _counts_of_lists(scanned: Scanned) -> Iterator[Span]:
@@ -79,6 +92,7 @@ def _marked(scanned: Scanned) -> Instances:
     words = scanned.words
     starts: list[int] = []
     counting: list[Span] = []
+    joints: list[Word] = []
     for place in range(1, len(words)):
         before = words[place - 1]
         named = lexicon.instances["further" if starts else "first"]
@@ -97,19 +111,21 @@ def _marked(scanned: Scanned) -> Instances:
         if form is None or inside or behind >= len(words):
             continue
         starts.append(words[behind - 1].end)
+        joints += [before] if len(starts) > 1 and before.text in lexicon.closed.additions else []
         marked = len(starts) == 1 and not spoken
         counting.append((before.start if marked else words[place].start, words[behind - 1].end))
     if len(starts) == TWO:
         # "Walk the dog twice, once at eight and once at four"
         counting += [(w.start, w.end) for w in words if w.text == "twice" and w.end <= counting[0][0]]
     number = next(_counts(words, counting, lexicon), None) if len(starts) > 1 else None
+    counted = None
     if number is not None and lexicon.numbers.get(number.text, number.text) in {
         len(starts),
         str(len(starts)),
     }:
         counting.append((number.start, number.end))
-        return Instances(tuple(starts), tuple(counting), counted=_behind(scanned, number))
-    return Instances(tuple(starts), tuple(counting))
+        counted = _behind(scanned, number)
+    return Instances(tuple(starts), tuple(counting), counted, tuple(joints))
 
 
 def _times_behind(words: Sequence[Word], place: int) -> bool:

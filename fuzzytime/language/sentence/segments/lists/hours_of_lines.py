@@ -83,7 +83,7 @@ def hours_behind(halves: frozenset[str]) -> re.Pattern[str]:
         rf"""
         (?<=[\w)]) (?P<gap>: | , | … | \s[-–—=](?=\s))? \s* (?P<mark>[ \t])
         (?: (?P<digits>{DIGITS}) | {hour} (?P<minutes>{minutes}) | (?:1[0-2]|0?[1-9])(?![\d.:]) )
-        (?P<until> {half} (?:(?P<dash>\s[-–]\s)|\s?[-–]\s?|\s(?:to|till|until)\s)
+        (?P<until> {half} (?:(?P<dash>\s[-–]\s)|\s?[-–]\s?|\s(?:to|'?till?|until)\s)
                    (?:{DIGITS} | {hour} (?P<last>{minutes})?) )?
         (?P<more> (?:,\s{hour}(?:{minutes})?)* \s(?:and|&|\+)\s{hour}(?:{minutes})?
                 | (?:,\s{hour}{minutes})+ )?

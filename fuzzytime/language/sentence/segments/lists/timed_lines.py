@@ -35,19 +35,27 @@ FIVES = 5
 CALENDAR = ("weekday", "day", "part", "meal", "month")
 """What a word means in a title that says when: "Monday morning:"."""
 
+HALF_DAY = 12
+"""Hours that numbers spelled out may be: "at half eight"."""
+
 FEW_ODD = 4
 """Of so many numbers with two digits behind their points, one may have others."""
 
 
 @cache
-def _sure(prepositions: frozenset[str], halves: frozenset[str]) -> re.Pattern[str]:
+def _sure(
+    prepositions: frozenset[str], halves: frozenset[str], parts: frozenset[str], hours: frozenset[str]
+) -> re.Pattern[str]:
     """Give what finds a time that is surely one by how it is typed, or by what stands in front of it."""
     half = "|".join(map(re.escape, sorted(halves, key=len, reverse=True)))
+    part = rf"(?:{'|'.join(sorted(parts))})\s(?:[a-z]+\s)?"
+    before = rf"(?:{'|'.join(sorted(prepositions))})\s"
     return re.compile(
         rf"""
         (?<![\d.:]) \d{{1,2}} (?: : [0-5]\d (?![\d:]) | (?:\.[0-5]\d)?\s?(?:{half})(?!\w) )
         | (?<=\w\s) 0\d[0-5]\d (?!\w)
-        | \b (?:{"|".join(sorted(prepositions))}) \s (?:[01]?\d|2[0-3]) (?:\.[0-5]\d)? (?= \s* (?:[,;.)]|$) )
+        | \b (?: {before} (?:{part})? | {part} )
+          (?: (?:[01]?\d|2[0-3])(?:\.[0-5]\d)? | {"|".join(sorted(hours))} ) (?= \s* (?:[,;.)]|$) )
         """,
         re.VERBOSE | re.IGNORECASE,
     )
@@ -97,7 +105,9 @@ def _is_title(text: str, lexicon: Lexicon) -> bool:
 def _surely(line: str, lexicon: Lexicon) -> re.Match[str] | None:
     """Give the first time of a line that is surely one."""
     prepositions = lexicon.closed.prepositions_of_points | lexicon.closed.prepositions_of_time
-    return _sure(prepositions, lexicon.beside.of_hours).search(line)
+    parts = lexicon.beside.parts_of_hours - lexicon.closed.noun_openers
+    hours = frozenset(word for word, number in lexicon.numbers.items() if 0 < number <= HALF_DAY)
+    return _sure(prepositions, lexicon.beside.of_hours, parts, hours).search(line)
 
 
 def _is_typed(front: re.Match[str] | None, behind: Iterable[re.Match[str]]) -> bool:

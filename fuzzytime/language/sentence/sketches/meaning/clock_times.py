@@ -25,9 +25,10 @@ class LastSaid:
 
     ``night`` is from when to when something goes on over midnight, as was told; ``begun`` is the first clock
     time of a line, ``forward`` how many of them came later than the one before, on ``lines`` before this, and
-    ``earliest`` and ``latest`` the ends of all, ``nightly`` how many are at night. ``early`` says that the
-    first may be as early as people are up, ``over`` that it may be a little while ago, ``usual`` that things
-    are done at their usual hours.
+    ``earliest`` and ``latest`` the ends of all, ``nightly`` how many are at night. ``released`` is the last
+    clock time that is no deadline: what is due "before bed" is no clue that the next line is behind it, nor
+    are deadlines among the latest. ``early`` says that the first may be as early as people are up, ``over``
+    that it may be a little while ago, ``usual`` that things are done at their usual hours.
     """
 
     clock: float | None = None
@@ -39,6 +40,7 @@ class LastSaid:
     earliest: float | None = None
     latest: float | None = None
     nightly: int = 0
+    released: float | None = None
     early: bool = False
     over: bool = False
     usual: bool = True
@@ -61,6 +63,11 @@ class LastSaid:
         return self.latest if 0 < self.latest - self.clock < A_DAY / 2 else self.clock
 
     @property
+    def due_since(self) -> float | None:
+        """The clock time that it goes on from where it is not behind a deadline that was said last."""
+        return None if self.released == self.clock else self.released
+
+    @property
     def astray(self) -> int:
         """How many lines begin earlier than the one before, or at night."""
         return self.lines - self.forward + self.nightly
@@ -80,14 +87,15 @@ class LastSaid:
         last, begun = before.begun, before.begun if self.begun is None else self.begun
         if last is None or begun is None:
             return replace(self, begun=begun)
-        ends = [end for end in (before.earliest, before.latest, last, begun) if end is not None]
+        opened = [end for end in (before.earliest, last, begun) if end is not None]
+        released = [end for end in (before.latest, before.released, self.released) if end is not None]
         return replace(
             self,
             begun=begun,
             forward=before.forward + (begun > last),
             lines=before.lines + (begun != last),
-            earliest=min(ends),
-            latest=max(ends),
+            earliest=min(opened),
+            latest=max(released, default=None),
         )
 
 
@@ -147,7 +155,8 @@ def night_told(reading: Reading, before: LastSaid) -> LastSaid:
 
 def said_in(reading: Reading, before: LastSaid) -> LastSaid:
     """Give what was said last behind a reading, by what was said before it."""
-    firsts = list(_first_times(reading))
+    # What goes on overnight is no clue to the hours of the lines behind it.
+    firsts = [one for one in _first_times(reading) if not _goes_on(one)]
     clocks = (last_said([one], NOTHING).clock for one in firsts)
     begun = next((clock for clock in clocks if clock is not None), None)
     now = reading.now
@@ -155,10 +164,21 @@ def said_in(reading: Reading, before: LastSaid) -> LastSaid:
     # Who writes a list at half past two is up.
     at_night = at_night and now is not None and now.time() >= UP
     said = last_said(_times_in(reading), before)
+    released = [one for one in firsts if one.constraint is not Constraint.BEFORE]
     said = replace(
-        said, clock=last_said(firsts, before).clock, begun=begun, nightly=before.nightly + at_night
+        said,
+        clock=last_said(firsts, before).clock,
+        released=last_said(released, replace(before, clock=before.released)).clock,
+        begun=begun,
+        nightly=before.nightly + at_night,
     )
     return night_told(reading, said.behind(before))
+
+
+def _goes_on(one: TimeRequirement) -> bool:
+    """Whether a time is as long as a night."""
+    length = 0.0 if one.earliest is None or one.latest is None else one.latest - one.earliest
+    return one.grain in SUB_DAY and length > FOLLOWING.total_seconds()
 
 
 def _times_in(reading: Reading) -> Iterator[TimeRequirement]:
