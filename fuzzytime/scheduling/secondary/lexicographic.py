@@ -33,7 +33,7 @@ FLAT = 1.0
 """Seconds: where a skill may move by less than this, it does not move at all."""
 
 SEARCHED = 50
-"""Up to so many skills another order is sought even where no start was named."""
+"""Up to so many skills another order is sought even where no start was named, and pauses keep that said."""
 
 COUNTS = 1e3
 """How much a gentle wish counts: enough for a search to see the difference of a second in a long horizon."""
@@ -92,7 +92,7 @@ def rearranged(
                 search = objective.reorders and (named or len(members) <= SEARCHED)
                 group = wishing.select(members)
                 found = _best(group, starts[members], agents[members], watch if search else None)
-                if search and objective.in_order and group.lags:
+                if search and objective.in_order and group.lags and len(members) <= SEARCHED:
                     near = [at for at, one in enumerate(members) if following[one].preferred is not None]
                     found = in_order_said(group, found, near)
                 starts[members], agents[members] = found.starts, found.agents
