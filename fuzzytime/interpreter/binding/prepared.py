@@ -32,6 +32,9 @@ def _meant(operation: Operation, lexicon: Lexicon) -> frozenset[str]:
     if operation.lemma in lexicon.doing.rewarding:
         return frozenset()
     thing = " ".join(filter(None, (operation.object, operation.complement)))
+    if not thing and " " in operation.verb:
+        # "Prep slides for the client call", where no tree tells verb and object apart
+        thing = operation.verb
     placed = (operation.place or "").lower() if thing else ""
     _, _, purpose = thing.lower().partition(f" {FOR} ")
     return content_words(
