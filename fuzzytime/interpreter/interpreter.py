@@ -1,6 +1,6 @@
 """The meeting of language and rulebook: from wishes to fuzzy skills, with everything an explanation needs."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -9,6 +9,8 @@ from fuzzytime.errors import InstructionError
 from fuzzytime.interpreter.asked import by_agents
 from fuzzytime.interpreter.binding.giving_way import giving_way
 from fuzzytime.interpreter.binding.in_order import Rows, free_of_circles, of_places
+from fuzzytime.interpreter.binding.leaning import lean_on_each_other
+from fuzzytime.interpreter.binding.prepared import of_prepared
 from fuzzytime.interpreter.binding.references import Links, link
 from fuzzytime.interpreter.binding.same_things import of_things
 from fuzzytime.interpreter.binding.timetables import of_timetables
@@ -122,9 +124,11 @@ class Interpreter:
         request = in_full(request.named(), self.language)
         names = frozenset(wish.identifier for wish in request.wishes)
         maker = Maker(self.rulebook, self.language.lexicon, request)
-        gathered = Gathering(maker, Links(names), Rows(request.in_order))
-        problems = gathered.problems
-        for wish, reading in zip(request.wishes, self._readings(request, problems), strict=True):
+        problems: list[Problem] = []
+        readings = self._readings(request, problems)
+        rows = Rows(request.in_order or self._are_steps(request, readings))
+        gathered = Gathering(maker, Links(names), rows, problems=problems)
+        for wish, reading in zip(request.wishes, readings, strict=True):
             if isinstance(wish, DirectWish):
                 gathered.direct(wish)
             elif isinstance(wish, SpokenWish) and reading is not None:
@@ -138,8 +142,12 @@ class Interpreter:
         skills = giving_way(skills, self.language.lexicon, request.agents)
         skills, passing = in_passing(skills, self.rulebook, request.agents, gathered.links)
         problems += (*called, *passing)
-        skills, precedences, unresolved = link(skills, gathered.links, self.rulebook, request.now)
-        order = (*gathered.rows.kept(), *of_places(skills), *of_things(skills), *of_timetables(skills))
+        skills, precedences, unresolved = link(
+            skills, gathered.links, self.rulebook, request.now, request.agents
+        )
+        prepared = tuple(of_prepared(skills, self.language.lexicon))
+        kept = (*gathered.rows.kept(), *of_places(skills), *prepared)
+        order = (*kept, *of_things(skills), *of_timetables(skills, prepared))
         order = free_of_circles(order, precedences)
         out = turns_out_of_bounds(skills, precedences)
         dropped = {skills[place].identifier for place in out}
@@ -169,6 +177,12 @@ class Interpreter:
         }
         readings = dict(zip(read, self.language.read_all(list(read.values())), strict=True))
         return [readings.get(place) for place in range(len(request.wishes))]
+
+    def _are_steps(self, request: Request, readings: Sequence[Reading | None]) -> bool:
+        """Whether the lines of a file, and nothing beside them, lean on each other."""
+        listed = all(wish.line is not None for wish in request.wishes)
+        read = [reading for reading in readings if reading is not None]
+        return listed and lean_on_each_other(read, self.language.lexicon)
 
     def _remark(self, reading: Reading, wish: SpokenWish, context: Context, problems: list[Problem]) -> None:
         """Note a reading's remarks, and that it says nothing to do where it does not."""

@@ -30,6 +30,12 @@ def told(
     return plan(request, interpreter(), limits=limits or Limits())
 
 
+def listed(lines: Sequence[str], *, now: datetime = SEVEN) -> Plan:
+    """Plan the lines of a file."""
+    wishes = tuple(SpokenWish(text=line, given=now, line=place) for place, line in enumerate(lines, 1))
+    return plan(Request(now=now, wishes=wishes), interpreter())
+
+
 def starts(made: Plan) -> dict[str, str]:
     """Give the starts of what is planned by the clock, by identifiers, in the order of the wishes."""
     return {

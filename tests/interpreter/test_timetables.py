@@ -1,20 +1,13 @@
 """Lines of a file whose times go up stand in that order; other lists of things to do stand in none."""
 
-from collections.abc import Sequence
 from datetime import datetime
 
 import pytest
 
-from fuzzytime.interpreter import Plan, Request, SpokenWish, plan
-from interpreter.telling import SEVEN, interpreter, order, starts
+from fuzzytime.interpreter import Request, SpokenWish, plan
+from interpreter.telling import SEVEN, interpreter, listed, order, starts
 
 pytestmark = pytest.mark.model
-
-
-def listed(lines: Sequence[str], *, now: datetime = SEVEN) -> Plan:
-    """Plan the lines of a file."""
-    wishes = tuple(SpokenWish(text=line, given=now, line=place) for place, line in enumerate(lines, 1))
-    return plan(Request(now=now, wishes=wishes), interpreter())
 
 
 def test_a_line_without_a_time_comes_behind_the_one_above() -> None:
@@ -41,6 +34,15 @@ def test_several_lines_between_two_times_follow_each_other() -> None:
 def test_below_a_day_a_line_stands_where_it_is_written() -> None:
     lines = ["Saturday", "8:00 set up the stall", "9:00 doors open", "12:30 lunch", "count the till"]
     assert starts(listed([*lines, "16:00 pack up"]))["s5"] == "13:15"
+
+
+def test_what_is_from_a_time_on_has_its_place_among_the_times() -> None:
+    lines = ["lunch at half twelve", "fetch the bike any time after 2", "buy bread on the way home"]
+    made = starts(listed([*lines, "school is out at quarter past three", "swimming at 5"]))
+    assert (made["s2"], made["s3"]) == ("14:00", "14:05")
+    # "After six" among the lines of the morning holds nothing up.
+    lines = ["08:00 open up", "ring Leo any time after 6 pm", "count the till", "09:00 briefing", "10:00 van"]
+    assert starts(listed(lines))["s3"] < "09:00"
 
 
 def test_what_goes_on_by_itself_is_over_by_the_next_time() -> None:

@@ -118,6 +118,17 @@ def test_what_nobody_named_a_time_for_is_done_in_the_order_said(durations: tuple
     assert starts == pytest.approx(np.cumsum((0.0, *durations[:-1])).tolist())
 
 
+def test_what_goes_on_by_itself_changes_nothing_of_the_order_said() -> None:
+    always = Trapezoid(0, 0, 1e5, 2e5)
+    hands, over = (900.0, 480.0, 720.0, 60.0, 60.0, 300.0), (900.0, 480.0, 720.0, 1800.0, 60.0, 300.0)
+    skills = tuple(
+        FuzzySkill(f"chore {place}", always, length, elapsed=elapsed)
+        for place, (length, elapsed) in enumerate(zip(hands, over, strict=True))
+    )
+    task = FuzzyTask(skills, precedences=(Precedence(2, 3), Precedence(3, 4), Precedence(4, 5)))
+    assert solve(task).start_times == pytest.approx((0, 900, 1380, 2100, 3900, 3960))
+
+
 def test_the_order_said_gives_way_to_a_start_that_was_named() -> None:
     always = Trapezoid(0, 0, 1e4, 2e4)
     chores = tuple(FuzzySkill(name, always, 300.0) for name in ("sweep", "dust", "mop"))

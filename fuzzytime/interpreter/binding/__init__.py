@@ -1,8 +1,8 @@
 """What binds skills to each other.
 
 What wishes say of each other: ``references``, made to ``ties`` without ``circles``; what goes on
-``meanwhile``, unless it keeps ``both_hands``; and a length ``giving_way`` to what begins then. Order:
-``in_order`` by ``steps``, ``procedures``, ``same_things``, ``timetables``. Where something cannot be
-planned: what waits is set ``apart``, and the order of the others is kept by ``loosening`` and
-``renumbering``.
+``meanwhile``, unless it keeps ``both_hands``; and a length ``giving_way`` to what begins then. What is
+``prepared`` comes before what it is for. Order: ``in_order`` by ``steps``, ``leaning``, ``procedures``,
+``same_things``, ``timetables``. Where something cannot be planned: what waits is set ``apart``, and the
+order of the others is kept by ``loosening`` and ``renumbering``.
 """

@@ -38,4 +38,7 @@ def _names_another(part: TimeRequirement) -> bool:
 def _is_during(entry: Precedence) -> bool:
     """Whether one was wished to begin before the other is done, and not long after that begins."""
     wished = -math.inf if entry.wished_lag is None else entry.wished_lag
-    return entry.minimum_lag < 0 and math.isfinite(entry.maximum_lag) and wished < 0
+    if entry.maximum_lag == math.inf:
+        # Behind it, where one agent does both.
+        return entry.minimum_lag < 0 and wished == 0
+    return entry.minimum_lag < 0 and wished < 0

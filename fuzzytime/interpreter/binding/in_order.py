@@ -194,6 +194,7 @@ class Rows:
         return tuple(self.precedences)
 
     def _close(self) -> None:
+        self.row.close()
         self.precedences += self.row.precedences
         self.row = Row()
 

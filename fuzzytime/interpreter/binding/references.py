@@ -52,9 +52,11 @@ class Links:
 
 
 def link(
-    skills: Sequence[Interpreted], links: Links, rulebook: Rulebook, now: datetime
+    skills: Sequence[Interpreted], links: Links, rulebook: Rulebook, now: datetime, agents: int
 ) -> tuple[list[Interpreted], tuple[Precedence, ...], list[Problem]]:
     """Turn references into precedences, and let ψ follow the skills that it is measured from; 0 is ``now``.
+
+    Where there is one of the ``agents`` only, what is done during what keeps the hands comes behind it.
 
     Returns
     -------
@@ -82,7 +84,8 @@ def link(
             if requirement.anchor.assumed:
                 problems.append(_assumed(interpreted, requirement, skills[targets[0]]))
             # Of a repetition, the first occurrence is meant where words name no other.
-            tie = Tie(linked[targets[0]], linked[position], requirement, requirement.anchor, rulebook)
+            pair = linked[targets[0]], linked[position]
+            tie = Tie(*pair, requirement, requirement.anchor, rulebook, one_agent=agents == 1)
             linked[position] = tie.follower(now)
             wanted.append((position, tie.precedence(targets[0], position)))
     kept = _without_circles(linked, wanted, problems)

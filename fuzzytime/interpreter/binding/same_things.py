@@ -11,6 +11,9 @@ from fuzzytime.skills import Precedence
 LEAVES_OPEN = frozenset({Constraint.VAGUE, Constraint.BEFORE, Constraint.WHEN})
 """What a step may say of its time, and still be meant before what is said next of its thing."""
 
+BESIDE_OR_BEHIND = frozenset({Constraint.AT, Constraint.AFTER})
+"""What a step may say of another, and still be meant before what is said next: "meanwhile", "then"."""
+
 LEADS = OWN_TIME | {Constraint.BEFORE}
 """What says of a step when it is, whatever was said before it."""
 
@@ -49,7 +52,7 @@ def _leaves_open(step: Step) -> bool:
     return all(
         part.constraint in LEAVES_OPEN
         if part.anchor is None
-        else part.constraint is Constraint.AFTER and not part.anchor.exact
+        else part.constraint in BESIDE_OR_BEHIND and not part.anchor.exact
         for part in step.interpreted.requirements
     )
 

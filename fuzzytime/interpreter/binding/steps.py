@@ -55,6 +55,15 @@ class Step:
             for part in self.interpreted.requirements
         )
 
+    @property
+    def beside(self) -> bool:
+        """Whether it goes on beside the step before it: "meanwhile boil the potatoes"."""
+        return any(
+            is_anchored(part) and part.anchor is not None and not part.anchor.exact
+            for part in self.interpreted.requirements
+            if part.constraint is Constraint.AT
+        )
+
     def _comes_before(self, part: TimeRequirement) -> bool:
         target = None if part.anchor is None or part.anchor.exact else part.anchor.target
         later = self.place is not None and target is not None and target > self.place
@@ -78,7 +87,7 @@ class Step:
     def _leaves(self, following: "Step") -> bool:
         needed = self.interpreted.duration.needed_for
         operation, other = self.interpreted.operation, following.interpreted.operation
-        if not needed or operation is None or other is None:
+        if not (needed or self.beside) or operation is None or other is None:
             return False
         return other.lemma not in needed and not shares_thing(operation, other)
 
@@ -105,9 +114,17 @@ class Row:
             self.precedences += [
                 before.precedence(step) for before in self.needed if before.position not in open_ends
             ]
-        if step.interpreted.duration.needed_for:
+        if step.interpreted.duration.needed_for or step.beside:
             self.needed.append(step)
         self.last = [*left, step]
+
+    def close(self) -> None:
+        """Let the last step wait for all that goes on beside others: "meanwhile boil the rice"."""
+        for step in self.last[-1:]:
+            beside = [one for one in self.needed if one.beside and one is not step and step.ordered]
+            # What is said first of two counts.
+            waited = [Precedence(one.position, step.position) for one in beside]
+            self.precedences = [*waited, *self.precedences]
 
 
 def _is_own(part: TimeRequirement) -> bool:

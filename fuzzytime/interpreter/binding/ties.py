@@ -24,6 +24,7 @@ class Tie:
     """One skill bound to another by a requirement.
 
     With x the start of this skill minus the moment it is measured from, the words allow an interval of x.
+    Where ``one_agent`` does everything, nothing that keeps the hands is done while they are kept.
     """
 
     target: Interpreted
@@ -31,6 +32,7 @@ class Tie:
     requirement: TimeRequirement
     anchor: Anchor
     rulebook: Rulebook
+    one_agent: bool = False
 
     @property
     def moment(self) -> float:
@@ -97,7 +99,16 @@ class Tie:
             case Constraint.BETWEEN:  # within so long of it
                 return Interval(0.0, self.anchor.lag)
             case _:  # while the other goes on
-                return Interval(0.0, max(0.0, self.target.skill.time_until_done - self.moment))
+                over = max(0.0, self.target.skill.time_until_done - self.moment)
+                return Interval(0.0, math.inf if self._is_behind else over)
+
+    @property
+    def _is_behind(self) -> bool:
+        """Whether what is to go on meanwhile has to wait: "fry the onions, meanwhile peel the beans"."""
+        target, open_ended = self.target, {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
+        during = not self.anchor.exact and self.requirement.constraint not in open_ended
+        kept = target.keeps_hands >= target.skill.time_until_done > 0 and not target.stated
+        return during and self.one_agent and kept and self.this.skill.duration > 0
 
     def _leeway(self) -> Interval:
         """Give how far from the lag is acceptable: as far as "in" that time from now would be."""
@@ -141,6 +152,8 @@ class Tie:
 
         What is done beside each of several ("before every feed") is done near that one.
         """
+        if self._is_behind:
+            return max(0.0, self.target.skill.time_until_done - self.moment)
         if not self.anchor.exact:
             x = self.allowed()
             ends = {Constraint.BEFORE: x.high, Constraint.AFTER: x.low}

@@ -5,7 +5,7 @@ they may, says nothing of the kind.
 """
 
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from fuzzytime.interpreter.binding.steps import OWN_TIME, Step, is_anchored
 from fuzzytime.interpreter.interpretation import Interpreted
@@ -26,12 +26,14 @@ BY_THE_CLOCK = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 """How finely a time is said that shows where its line stands; a day does not."""
 
 
-def of_timetables(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
+def of_timetables(skills: Sequence[Interpreted], prepared: Iterable[Precedence] = ()) -> Iterator[Precedence]:
     """Give the order of a file's lines, if their times show one: what says no time follows what is above it.
 
     By when something is done is no time of its own where times stand as in a table ("9:45", not "at 9:45").
+    What is ``prepared`` for what stands above it follows nothing.
     """
-    listed = [place for place, one in enumerate(skills) if one.wish.line is not None]
+    free = {entry.first for entry in prepared if entry.second < entry.first}
+    listed = [place for place, one in enumerate(skills) if one.wish.line is not None and place not in free]
     moments = {place: part for place in listed if (part := _moment_of(skills[place])) is not None}
     run = _rising({place: _began(part) for place, part in moments.items()})
     timed, lines = ({skills[place].wish.line for place in places} for places in (run, listed))
@@ -52,6 +54,17 @@ def of_timetables(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
             due = _began(moments[coming[-1]]) if coming else None
             yield from (_behind(one, moments.get(one.position), step, due) for one in above)
             above = [step]
+        elif above and _begins_here(step.interpreted, over, _began(moments[coming[-1]]) if coming else None):
+            # "Pick up the car any time after two", then "get some milk on the way"
+            above.append(step)
+
+
+def _begins_here(one: Interpreted, over: float, due: float | None) -> bool:
+    """Whether something is from a time on that lies between those of the lines above and below."""
+    said = [part for part in one.requirements if _says_when(part)]
+    from_then = all(part.constraint is Constraint.AFTER and not is_anchored(part) for part in said)
+    begins = max((_began(part) for part in said if part.grain in BY_THE_CLOCK), default=-1.0)
+    return from_then and not one.repeats and over <= begins and (due is None or begins < due)
 
 
 def _behind(above: Step, at: TimeRequirement | None, step: Step, due: float | None) -> Precedence:

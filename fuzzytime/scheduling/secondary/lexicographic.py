@@ -17,6 +17,7 @@ from fuzzytime.scheduling.problem.grid import Ints
 from fuzzytime.scheduling.problem.jobs import Job, Lag, Problem
 from fuzzytime.scheduling.problem.windows import above, in_common
 from fuzzytime.scheduling.search.local_search import LocalSearch
+from fuzzytime.scheduling.secondary.as_said import in_order_said
 from fuzzytime.scheduling.secondary.clusters import with_clusters_moved
 from fuzzytime.scheduling.secondary.distances import at_distances, wished_distances
 from fuzzytime.scheduling.secondary.objectives import Arrangement, Objective
@@ -32,7 +33,7 @@ FLAT = 1.0
 """Seconds: where a skill may move by less than this, it does not move at all."""
 
 SEARCHED = 50
-"""Up to so many skills another order is sought even where no start was named."""
+"""Up to so many skills another order is sought even where no start was named, and pauses keep that said."""
 
 COUNTS = 1e3
 """How much a gentle wish counts: enough for a search to see the difference of a second in a long horizon."""
@@ -91,6 +92,9 @@ def rearranged(
                 search = objective.reorders and (named or len(members) <= SEARCHED)
                 group = wishing.select(members)
                 found = _best(group, starts[members], agents[members], watch if search else None)
+                if search and objective.in_order and group.lags and len(members) <= SEARCHED:
+                    near = [at for at, one in enumerate(members) if following[one].preferred is not None]
+                    found = in_order_said(group, found, near)
                 starts[members], agents[members] = found.starts, found.agents
             before, following = following, at_distances(mine, distances, starts)
             if following == before:

@@ -79,6 +79,9 @@ class Objective(Protocol):
     reorders: ClassVar[bool]
     """Whether its wishes still say what is wanted when the skills change places."""
 
+    in_order: ClassVar[bool]
+    """Whether the order said counts more than the wishes where no start was named, and pauses bind skills."""
+
     def wishes(self, arrangement: Arrangement) -> Sequence[SatisfactionFunction]:
         """Give the wish for each skill's start, close to 1 everywhere before the reach."""
         ...
@@ -94,6 +97,7 @@ class _EachForItself(ABC):
     __slots__ = ()
 
     reorders: ClassVar[bool] = True
+    in_order: ClassVar[bool] = False
 
     @abstractmethod
     def wish(self, skill: FuzzySkill, reach: float) -> SatisfactionFunction:
@@ -126,6 +130,8 @@ class Nearness(_EachForItself):
     nobody named a time for is done in the order said, and not by its length (Smith's rule, 1956).
     Of equal sums the one that is shared out more evenly is wished a little more.
     """
+
+    in_order: ClassVar[bool] = True
 
     def wishes(self, arrangement: Arrangement) -> Sequence[SatisfactionFunction]:
         """Give the wish for each skill's start, close to 1 everywhere before the reach."""
@@ -166,6 +172,7 @@ class Makespan:
     """The least total time: the end of each agent's last skill, for the order that was found."""
 
     reorders: ClassVar[bool] = False
+    in_order: ClassVar[bool] = False
 
     def wishes(self, arrangement: Arrangement) -> Sequence[SatisfactionFunction]:
         """Wish for early starts of the last skills only."""
@@ -189,6 +196,7 @@ class IdleTime:
     """The least time without work between an agent's first and last skill, for the order that was found."""
 
     reorders: ClassVar[bool] = False
+    in_order: ClassVar[bool] = False
 
     def wishes(self, arrangement: Arrangement) -> Sequence[SatisfactionFunction]:
         """Wish for early last skills and late first ones."""

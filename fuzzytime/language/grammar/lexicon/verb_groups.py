@@ -86,6 +86,7 @@ class Doing(NamedTuple):
     hours: Words
     moments: Words
     errands: Words
+    rewarding: Words
     dropping: Words
     declining: Words
     revoking: Words

@@ -89,8 +89,9 @@ def _is_of_that(sketch: Sketch) -> bool:
 
 
 def is_errand(sketch: Sketch) -> bool:
-    """Whether it is done at a place while that is open."""
-    return sketch.operation is not None and sketch.operation.lemma in sketch.lexicon.doing.errands
+    """Whether it is done at a place while that is open, or something is needed from there: "need feed"."""
+    doing = sketch.lexicon.doing
+    return sketch.operation is not None and sketch.operation.lemma in doing.errands | doing.needing
 
 
 def _is_beside(before: Sketch, sketch: Sketch, text: str) -> bool:
