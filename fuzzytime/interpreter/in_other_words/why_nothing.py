@@ -22,7 +22,18 @@ def why_nothing(
     if _is_about_others(instruction, before, lexicon):
         words = reading.text[slice(*instruction.span)].strip(" .!")
         return f"{words!r} is about what was asked for before: say anew what is meant"
+    if _only_tells(instruction, lexicon):
+        return "tells what is, and says nothing to do"
     return "asks for something not to be done" if instruction.operation.negated else None
+
+
+def _only_tells(instruction: Instruction, lexicon: Lexicon) -> bool:
+    """Whether it is told what somebody or something has, and not when: "Gareth's got a cold"."""
+    operation = instruction.operation
+    if operation is None or not operation.stated or operation.attended:
+        return False
+    has = operation.lemma in lexicon.doing.holding_true | lexicon.doing.getting
+    return has and not instruction.requirements and instruction.duration is None
 
 
 def _is_about_others(instruction: Instruction, before: Sequence[Interpreted], lexicon: Lexicon) -> bool:
