@@ -9,7 +9,7 @@ from fuzzytime.requirement import TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution
 from fuzzytime.skills import FuzzySkill, Precedence
 
-WITHIN = "all of it lies between the two: how long it takes was said, and it fits"
+WITHIN = "all of it should lie between the two: how long it takes was said, and it fits"
 """What an explanation notes of "between two and four, for an hour"; a plan says it of nobody."""
 
 

@@ -99,8 +99,9 @@ def within_its_ends(
 ) -> Resolution:
     """Let all of what has two ends lie between them, if how long it takes was told and it fits.
 
-    "Paint the fence between two and four for an hour" begins by three. Without a length that was told, or
-    with one that is longer, the ends bound when it begins. Times, and ``now``, count from when it was said.
+    "Paint the fence between two and four for an hour" begins by three; later, it satisfies the less the more
+    of it is behind the end, and is not lost. Without a length that was told, or with one that is longer, the
+    ends bound when it begins. Times, and ``now``, count from when it was said.
     """
     function, length = resolution.satisfaction, duration.elapsed
     begun = part.reference_said or part.reference is not Reference.START
@@ -112,5 +113,5 @@ def within_its_ends(
         return resolution
     rise_start, full_start, full_end, fall_end = function.corners
     last = max(full_start, full_end - length)
-    corners = (rise_start, full_start, last, max(last, fall_end - length))
+    corners = (rise_start, full_start, last, fall_end)
     return replace(resolution, satisfaction=Trapezoid(*corners), notes=(*resolution.notes, WITHIN))

@@ -44,3 +44,15 @@ def test_each_of_alternatives_has_room_for_all_of_it() -> None:
         if float(skill.skill.satisfaction((hour - now) * HOUR)) == 1
     ]
     assert full == [14.5, 17.5]
+
+
+@pytest.mark.model
+def test_what_overruns_satisfies_less_and_is_not_lost() -> None:
+    task = told(
+        ["Write the report between ten and one for two hours", "Call Bob at 11:30 am for ten minutes"]
+    )
+    report = task.skills[0]
+    now = report.wish.given.hour + report.wish.given.minute / 60
+    early, late, later = report.skill.satisfaction([(hour - now) * HOUR for hour in (10.5, 11.7, 12.5)])
+    assert early == 1 > late > later > 0
+    assert all(task.has_time(place) for place in range(2))
