@@ -68,6 +68,9 @@ class Offered:
             return "", False
         others = tuple(one for one in self.times if not all(part.reason for part in one))
         left = replace(self, times=others).satisfaction.support.high
+        if left == -math.inf:
+            # What else is said contradicts itself, whatever comes: "soon but later, unless it rains".
+            return "", False
         return (passed(-left), False) if left < 0 else (untold[0] or "", True)
 
     def _origin(self, resolution: Resolution) -> float:

@@ -24,6 +24,12 @@ def planned(texts: tuple[str, ...], context: Context, *, given: datetime = SEVEN
     return plan(Request(now=SEVEN, wishes=wishes, context=context), interpreter())
 
 
+def test_what_contradicts_itself_waits_for_nothing() -> None:
+    made = told(["call mum really soon but at christmas if the parcel is coming"])
+    assert made.schedule.rejected == (True,)
+    assert made.skills[0].reason == "what is said about its time contradicts itself"
+
+
 def test_what_comes_after_a_rejected_skill_says_so() -> None:
     made = planned(
         (

@@ -243,7 +243,8 @@ class PlanView:
             yield self._lane(label, cells, style)
         drawn = {cell for _, cells, _ in lanes for cell in cells}
         indent = self.label_width + 1
-        yield from wrapped_text(Text(f"{' ' * indent}{legend(drawn)}", style="dim"), self.width, indent)
+        if told := legend(drawn):
+            yield from wrapped_text(Text(f"{' ' * indent}{told}", style="dim"), self.width, indent)
 
     def _cells(self, position: int, window: Window) -> list[str]:
         """Give the lane of a skill; of one that is rejected only when it would have satisfied."""
