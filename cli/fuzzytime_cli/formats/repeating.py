@@ -15,8 +15,9 @@ from zoneinfo import ZoneInfo
 from fuzzytime.interpreter import Plan
 from fuzzytime.interpreter.turns.waking_hours import on_their_days
 from fuzzytime.requirement import Recurrence, TimeRequirement, Window
-from fuzzytime.times import DAY, HOUR, seconds_between
+from fuzzytime.times import seconds_between
 from fuzzytime_cli.formats.rules_of_series import Rule, rule_of
+from fuzzytime_cli.formats.series import NEARLY_A_DAY
 
 LOOKED_AT = 400
 """Occurrences of a repetition without an end that must follow a rule: more than a year of days."""
@@ -29,9 +30,6 @@ MOST_A_DAY = 12
 
 NEAR = 0.5
 """Seconds that two moments may be apart, and still are the same."""
-
-NEARLY_A_DAY = DAY - 2 * HOUR
-"""What lies less apart comes several times a day; the clocks may go forward in between."""
 
 
 @dataclass(frozen=True, slots=True)

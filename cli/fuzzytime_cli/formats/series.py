@@ -16,7 +16,10 @@ AS_ASKED = 0.995
 """Satisfaction from which an occurrence is shown as 1.00."""
 
 NEARLY_A_DAY = DAY - 2 * HOUR
-"""For how long it is planned at least what comes several times a day, and goes on at night."""
+"""What lies less apart comes several times a day, and what is planned for as long goes on at night.
+
+Clocks may go forward in between.
+"""
 
 MINUTE = 60.0
 COARSE = 15 * MINUTE

@@ -48,8 +48,8 @@ ROUNDS = 6
 """How often the best pieces are chosen anew because the judge refused some of them."""
 
 
-REMEMBERED = 256
-"""Texts that are kept as they were scanned: one text is looked at in turn for all that it may be."""
+REMEMBERED = 64
+"""Texts that are kept as they were scanned: one is looked at for all that it may be. They may be long."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

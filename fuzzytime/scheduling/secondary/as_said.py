@@ -5,7 +5,7 @@ what was said later done first: "vacuum, mop the floor, let it dry for an hour, 
 """
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 import numpy as np
 
@@ -23,11 +23,14 @@ def in_order_said(problem: Problem, draft: Draft, fixed: Collection[int]) -> Dra
     """
     starts = np.full(len(problem.jobs), np.nan)
     starts[[*fixed]] = draft.starts[[*fixed]]
-    taken: dict[int, list[Interval]] = {agent: [] for agent in lanes_of_agents(problem)}
+    lanes = lanes_of_agents(problem)
+    taken: dict[int, list[Interval]] = {agent: [] for agent in lanes}
     for job in fixed:
         _take(problem, draft, taken, job, float(starts[job]))
     for job in _in_turn(problem, fixed):
-        start = _earliest(problem, draft, starts, taken, job)
+        agent = int(draft.agents[job])
+        windows = problem.jobs[job].windows[lanes[agent]]
+        start = _earliest(problem, windows, starts, taken[agent], job)
         if start is None:
             return draft
         starts[job] = start
@@ -47,9 +50,9 @@ def _in_turn(problem: Problem, fixed: Collection[int]) -> Iterator[int]:
 
 
 def _earliest(
-    problem: Problem, draft: Draft, starts: Floats, taken: dict[int, list[Interval]], job: int
+    problem: Problem, windows: Sequence[Interval], starts: Floats, taken: Sequence[Interval], job: int
 ) -> float | None:
-    """Give when a job can start at the earliest beside what has its place; None if it never can."""
+    """Give when a job can start at the earliest in its windows, beside what is taken; None if never."""
     bound = Interval(-math.inf, math.inf)
     for lag in problem.lags:
         if lag.second == job and not math.isnan(starts[lag.first]):
@@ -60,9 +63,7 @@ def _earliest(
             bound = bound.intersection(Interval(start - lag.high, start - lag.low))
     if bound.empty:
         return None
-    agent = int(draft.agents[job])
-    wanted = in_common(problem.jobs[job].windows[lanes_of_agents(problem)[agent]], [bound])
-    free = free_of(wanted, tuple(taken[agent]), problem.jobs[job].duration)
+    free = free_of(in_common(windows, [bound]), tuple(taken), problem.jobs[job].duration)
     return free[0].low if free else None
 
 

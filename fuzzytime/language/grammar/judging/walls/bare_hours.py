@@ -154,19 +154,22 @@ class BareHours(Standing):
 
     def _is_told(self, piece: Piece) -> bool:
         """Whether what happens is said to be then: "start time is 14.00"; but "the total is 14.00"."""
+        if self.around.before(piece) not in self.closed.third_person_be or not self._ends_order(piece):
+            return False
         doing, said = self.lexicon.doing, self.texts[: piece.start - 1]
-        begins = doing.timed | doing.several_timed | self.lexicon.happening | self.lexicon.taken
-        begins |= self.lexicon.events
-        told = self.around.before(piece) in self.closed.third_person_be and self._ends_order(piece)
-        return told and not begins.isdisjoint(said)
+        begins = doing.timed | doing.several_timed
+        return any(word in begins or self._happens(word) for word in said)
 
     def _is_hour_of(self, piece: Piece) -> bool:
         """Whether a number is the hour of what happens: "curfew is 11", "closing time is 6"."""
-        wall, event = piece.value.time, self.texts[piece.start - 2] if piece.start > 1 else ""
-        clock = wall.clock if isinstance(wall, Wall) else None
-        timed = event in self.lexicon.happening | self.lexicon.taken | self.lexicon.events
+        clock = piece.value.time.clock if isinstance(piece.value.time, Wall) else None
         hour = clock is not None and clock.grain is Unit.HOUR and not clock.full_day
-        return timed and hour and self._is_told(piece)
+        return hour and self._is_told(piece) and self._happens(self.texts[piece.start - 2])
+
+    def _happens(self, word: str) -> bool:
+        """Whether a word names what has a time: "curfew", "meeting"."""
+        lexicon = self.lexicon
+        return any(word in words for words in (lexicon.happening, lexicon.taken, lexicon.events))
 
     def _begins_then(self, word: str) -> bool:
         """Whether what a word says is at a moment: "leave | 7.30", "the film starts | 8.10"."""

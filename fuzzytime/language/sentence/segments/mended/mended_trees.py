@@ -74,9 +74,11 @@ def as_thing(tree: Tree, timed: AbstractSet[int]) -> Tree:
 
 def _names_event(tree: Tree, end: int) -> bool:
     """Whether the words before a time are nouns, and the last of them what happens: "team meeting"."""
-    events, last = tree.lexicon.happening | tree.lexicon.taken, end - 1
-    named = last > 0 and all(node.tag.startswith("NN") for node in tree.nodes[:last])
-    return named and tree.root == last and tree.nodes[last].tag == "VBG" and tree.nodes[last].lower in events
+    last = end - 1
+    if last <= 0 or tree.root != last or tree.nodes[last].tag != "VBG":
+        return False
+    event = any(tree.nodes[last].lower in words for words in (tree.lexicon.happening, tree.lexicon.taken))
+    return event and all(node.tag.startswith("NN") for node in tree.nodes[:last])
 
 
 def _with_manner(tree: Tree) -> Tree:
