@@ -6,7 +6,7 @@ way.
 Understanding (``interpreter``)
     Values: ``request``, ``interpretation``.
     Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``, ``notes``.
-    When they are done: ``offered``, ``joining``.
+    When they are done: ``offered``, ``joining``, ``bounding``.
     What was said ``in_other_words``; what happens, ``told_anew``; ``turns`` of what is repeated.
     Who, and how far ahead: ``asked``, ``horizon``.
 

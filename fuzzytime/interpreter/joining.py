@@ -2,23 +2,9 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
-from fuzzytime.interpreter.interpretation import WITHIN
-from fuzzytime.requirement import Constraint, Reference, TimeRequirement, Unit
-from fuzzytime.rulebook import OperationDuration, Resolution
-from fuzzytime.satisfaction import (
-    Clipped,
-    Either,
-    Interval,
-    Rectangle,
-    SatisfactionFunction,
-    Trapezoid,
-    product,
-)
-
-BETWEEN = "between"
-"""The preposition of two ends."""
+from fuzzytime.requirement import Constraint, TimeRequirement, Unit
+from fuzzytime.satisfaction import Clipped, Either, Interval, Rectangle, SatisfactionFunction, product
 
 CLOCKED = frozenset({Unit.HOUR, Unit.MINUTE, Unit.SECOND})
 """How fine clock times are."""
@@ -78,40 +64,3 @@ def _is_full(function: SatisfactionFunction) -> bool:
     best = function.best
     inside = min(max(best.low, 0.0), best.high)
     return float(function(inside)) == 1.0
-
-
-def from_there_on(function: SatisfactionFunction, to: float, *, later: bool) -> SatisfactionFunction:
-    """Give what a start that ψ is moved to leaves: none sooner, or none later, but as vaguely as ψ begins.
-
-    What may begin at any time from now on, as "soon", begins nowhere vaguely, and does not begin sooner.
-    """
-    support, best = function.support, function.best
-    vague = best.low - support.low if later else support.high - best.high
-    if isinstance(function, Either) or not math.isfinite(vague):
-        vague = 0.0
-    if later:
-        return Trapezoid(to - vague, to, math.inf, math.inf)
-    return Trapezoid(-math.inf, -math.inf, to, to + vague)
-
-
-def within_its_ends(
-    resolution: Resolution, part: TimeRequirement, duration: OperationDuration, now: float
-) -> Resolution:
-    """Let all of what has two ends lie between them, if how long it takes was told and it fits.
-
-    "Paint the fence between two and four for an hour" begins by three; later, it satisfies the less the more
-    of it is behind the end, and is not lost. Without a length that was told, or with one that is longer, the
-    ends bound when it begins. Times, and ``now``, count from when it was said.
-    """
-    function, length = resolution.satisfaction, duration.elapsed
-    begun = part.reference_said or part.reference is not Reference.START
-    told = part.preposition == BETWEEN or (part.recurrence is not None and part.recurrence.spans)
-    begin, end = part.earliest, part.latest
-    if not told or begun or duration.assumed or begin is None or end is None:
-        return resolution
-    if not isinstance(function, Trapezoid) or end - max(now, begin) < length:
-        return resolution
-    rise_start, full_start, full_end, fall_end = function.corners
-    last = max(full_start, full_end - length)
-    corners = (rise_start, full_start, last, fall_end)
-    return replace(resolution, satisfaction=Trapezoid(*corners), notes=(*resolution.notes, WITHIN))

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import islice
 
+from fuzzytime.interpreter.bounding import from_there_on, within_its_ends
 from fuzzytime.interpreter.how_long import HowLong
 from fuzzytime.interpreter.in_other_words.lasting import with_lasting
 from fuzzytime.interpreter.in_other_words.retold import (
@@ -15,7 +16,7 @@ from fuzzytime.interpreter.in_other_words.retold import (
 )
 from fuzzytime.interpreter.in_other_words.waits import with_waits, without_readings
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.joining import both, from_there_on, within_its_ends
+from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.offered import Offered
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.turns.behind import Behind
