@@ -253,6 +253,12 @@ def test_tags_in_front_of_a_line_are_not_used() -> None:
     assert (remark.kind, reading.text[slice(*remark.span)]) == (RemarkKind.POLICY, "(A)")
 
 
+def test_tags_behind_a_line_are_not_used_and_none_of_its_name() -> None:
+    reading = language().read("call the bank at noon #money #urgent", now=NOW)
+    assert [str(one.operation.name) for one in reading.instructions if one.operation] == ["call the bank"]
+    assert [reading.text[slice(*remark.span)] for remark in reading.remarks] == ["#money", "#urgent"]
+
+
 def test_a_time_on_a_day_that_is_not_known_is_pointed_at() -> None:
     reading = language().read("Fetch the cake by noon the day before the christening", now=NOW)
     (remark, _) = reading.remarks

@@ -17,7 +17,12 @@ def said(text: str) -> list[tuple[int | None, str]]:
 
 
 @pytest.mark.parametrize(
-    "line", ["# tonight", "  #tonight", "- [x] feed the cat", "[X] feed the cat", "☑ iron", "✓ iron"]
+    "line",
+    [
+        *("# tonight", "  #tonight", "- [x] feed the cat", "[X] feed the cat", "☑ iron", "✓ iron"),
+        *("- [-] iron", "- [>] iron", "* DONE iron", "DONE: iron", "CANCELED iron", "x 2026-03-04 iron"),
+        *("~~iron~~", "- ~~iron at six~~.", "- [ ] ~~iron~~", "<!-- iron -->", "---", "* * *", "```sh"),
+    ],
 )
 def test_a_comment_and_what_is_done_ask_for_nothing(line: str) -> None:
     assert said_in(line) == ""
@@ -29,7 +34,11 @@ def test_an_empty_box_is_no_part_of_what_is_asked_for(mark: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "line", ["1. chop the onions", "- feed the cat", "call room #12", "[kitchen] wipe the table"]
+    "line",
+    [
+        *("1. chop the onions", "- feed the cat", "call room #12", "[kitchen] wipe the table"),
+        *("done by six: the soup", "x-ray at nine", "call ~~mum~~ dad", "-- iron"),
+    ],
 )
 def test_other_marks_are_words(line: str) -> None:
     assert said_in(line) == line
@@ -72,6 +81,11 @@ def test_all_marks_are_those_of_headings_in_markdown() -> None:
 def test_when_a_message_was_sent_is_no_time_of_what_it_says(stamp: str) -> None:
     assert said_in(f"{stamp}Ann Lee: vet at 3.40") == "Ann Lee: vet at 3.40"
     assert said_in("[9:30] Van: load chairs") == "[9:30] Van: load chairs"
+
+
+def test_what_stands_in_front_of_a_page_of_markdown_is_none_of_it() -> None:
+    assert said("---\ntitle: Saturday\ntags:\n  - home\n---\nvet 9.15\n") == [(6, "vet 9.15")]
+    assert said("---\nvet at 9.15\n---\n") == [(2, "vet at 9.15")]
 
 
 def test_a_comment_may_stand_behind_an_instruction() -> None:

@@ -30,10 +30,30 @@ DATE = re.compile(r"\d{1,2}(?:st|nd|rd|th)?|the|of")
 
 MARKDOWN = (".md", ".markdown")
 
-BOX = re.compile(r"(?:[-*+•]\s+)?(?:\[(?P<tick>[ xX]?)\]|(?P<sign>[☐☑☒✓✔✗✘]))\s+|[•‣◦▪]\s*")
-"""What an item of a list of things to do begins with; it is done, or dropped, unless the box is empty."""
+BOX = re.compile(
+    r"""
+      (?: [-*+•]\s+ )? (?: \[ (?P<tick>[ xX/>-]?) \] | (?P<sign>[☐☑☒✓✔✗✘]) ) \s+
+    | (?: [-*+•]\s+ )? (?P<done> (?: DONE | CANCELL?ED )\b :? | x (?= \s+ \d{4}-\d\d-\d\d \s) ) \s+
+    | [•‣◦▪] \s*
+    """,
+    re.VERBOSE,
+)
+"""What an item of a list of things to do begins with; it is done, or dropped, unless the box is empty.
 
-OPEN = frozenset({None, "", " ", "☐"})
+``done`` are the marks of lists in plain text (Org, todo.txt).
+"""
+
+OPEN = frozenset({None, "", " ", "/", "☐"})
+"""The boxes of what is to be done; "/" is begun."""
+
+STRUCK = re.compile(r"(?:[-*+•]\s+)?(?:\[ ?\]\s+)?~~(?=\S)[^~]+~~[.\s]*")
+"""A line of which all is struck out."""
+
+DIVIDER = re.compile(r"(?:[-*_=]\s*){3,}|```.*|<!--.*-->")
+"""A line that only divides others, or is a comment of Markdown."""
+
+FIELD = re.compile(r"[\w-]+:(?:\s.*)?|\s*-\s.*|\s+\S.*")
+"""A line of what stands in front of a page of Markdown, between two dividers: "title: Saturday"."""
 
 CELLS = re.compile(r"\s*\|\s*|\s*\t\s*")
 """What stands between the cells of a row of a table."""
@@ -56,13 +76,27 @@ def said_in(line: str, *, marked: bool = False) -> str:
     'Kate: keys at 10'
     """
     words = STAMP.sub("", line.strip())
+    if DIVIDER.fullmatch(words) or STRUCK.fullmatch(words):
+        return ""
     heading = HEADING.fullmatch(words)
     if heading is not None and (marked or len(heading["marks"]) > 1 or _is_date(heading["named"])):
         return f"{heading['named']}:"
     box = BOX.match(words)
-    if words.startswith("#") or (box is not None and not {box["tick"], box["sign"]} <= OPEN):
+    if words.startswith("#") or (box is not None and not {box["tick"], box["sign"], box["done"]} <= OPEN):
         return ""
     return words if box is None else words[box.end() :]
+
+
+def _front(lines: list[str]) -> int:
+    """Give how many lines at the beginning are about a page of Markdown, and none of it.
+
+    >>> _front(["---", "title: Saturday", "---", "feed the cat"]), _front(["---", "feed the cat", "---"])
+    (3, 0)
+    """
+    if lines[0].strip() != "---" or "---" not in map(str.strip, lines[1:]):
+        return 0
+    end = list(map(str.strip, lines)).index("---", 1)
+    return end + 1 if all(FIELD.fullmatch(line) for line in lines[1:end]) else 0
 
 
 def _is_date(words: str) -> bool:
@@ -98,8 +132,11 @@ def is_ticked_off(line: str) -> bool:
 
     >>> is_ticked_off("- [x] feed the cat"), is_ticked_off("- [ ] feed the cat")
     (True, False)
+    >>> is_ticked_off("DONE feed the cat"), is_ticked_off("- ~~feed the cat~~")
+    (True, True)
     """
-    return BOX.match(line.strip()) is not None and not said_in(line)
+    words = line.strip()
+    return (BOX.match(words) or STRUCK.fullmatch(words)) is not None and not said_in(line)
 
 
 def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
@@ -115,6 +152,7 @@ def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
     wishes: list[SpokenWish] = []
     mistakes: list[Mistake] = []
     lines = source.text.split("\n")
+    lines[: _front(lines)] = [""] * _front(lines)
     marked = source.name.endswith(MARKDOWN) or any(line.startswith("## ") for line in lines)
     for number, (line, below) in enumerate(zip(lines, [*lines[1:], ""], strict=True), 1):
         words = said_in(without_cells(REMARK.sub("", line)), marked=marked)

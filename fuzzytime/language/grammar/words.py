@@ -15,7 +15,12 @@ from fuzzytime.language.instruction import Span
 REMEMBERED = 4096
 """Texts whose words are kept: whoever reads a text asks for the words of the same stretches over and over."""
 
-_WORD = re.compile(r"\b[wW]/(?!\S)|\d+|[^\W\d_]+(?:['’ʼ][^\W\d_]+)?|\S")
+_ADDRESS = (
+    r"\b(?:https?://|www\.)[^\s<>()\[\]]*[^\s<>()\[\].,;:!?]"
+    r"|\b[\w.+-]+@[^\W\d_][\w-]*(?:\.[\w-]+)*\.[^\W\d_]{2,}\b"
+)
+_ADDRESSED = re.compile(_ADDRESS)
+_WORD = re.compile(rf"{_ADDRESS}|\b[wW]/(?!\S)|\d+|[^\W\d_]+(?:['’ʼ][^\W\d_]+)?|\S", re.IGNORECASE)
 _LEVELLED = str.maketrans(
     {"’": "'", "ʼ": "'", "′": "'", "‘": "'", "“": '"', "”": '"', "″": '"', "×": "x", "∼": "~"}
 )
@@ -53,10 +58,17 @@ class Word:
         """Whether it is a word in the common sense."""
         return self.text[0].isalpha()
 
+    @property
+    def is_address(self) -> bool:
+        """Whether it is where a page is, or who gets a letter: "https://example.org", "ann@example.org"."""
+        return len(self.text) > 1 and _ADDRESSED.fullmatch(self.text) is not None
+
 
 @lru_cache(maxsize=REMEMBERED)
 def words_of(text: str) -> tuple[Word, ...]:
     """Cut a text into words and marks; letters and digits that touch are cut apart ("3pm" are two).
+
+    The address of a page, or of who gets a letter, is one word.
 
     >>> [word.text for word in words_of("At 3PM – o’clock")]
     ['at', '3', 'pm', '-', "o'clock"]

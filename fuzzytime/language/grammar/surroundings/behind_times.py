@@ -19,6 +19,9 @@ class BehindTimes(LookedUp):
             return True
         if not follower or not follower[0].isalnum():
             return follower not in {"%", "°", "€", "$"}
+        if self.words[piece.end].is_address:
+            # "Call mum at six", and where the call is.
+            return True
         known = follower in self.lexicon.function_words or self.timely(piece.end)
         known = known or self._is_taken_back(piece.end) or follower in self.beside.saying_more
         known = known or self._is_polite_end(piece.end) or follower in self.closed.negators_as_typed

@@ -6,6 +6,12 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, Span, blanked
 
+TAGS = re.compile(r"(?:\s+[#^][^\W\d][\w/-]*)+[ \t]*$", re.MULTILINE)
+"""Marks behind it that sort it among others: "call Ann at nine #work #urgent"."""
+
+ONE_TAG = re.compile(r"\S+")
+"""One of them."""
+
 BOX = r"(?:[-*+•]\s+)?(?:\[\s?\]\s+)?"
 TAG = re.compile(
     rf"^\s*{BOX}(?P<tag>\([A-F]\)|!+[^\W\d]*\d?|[pP][1-4]|\#[^\W\d]\w*)(?=:?\s+\w):?", re.MULTILINE
@@ -14,29 +20,41 @@ TAG = re.compile(
 
 HOUR = r"(?:2[0-3]|[01]?\d)(?:[.:h]|(?<=[01]\d))[0-5]\d(?:\s?[ap]m)?"
 FRONT = r"^[ \t]*(?:[-+*•–][ \t]+)?(?:\[[ \t]?\][ \t]+)?(?:\d{1,2}[.)][ \t]+)?"
+EMPHASIS = r"(?P<open>\*{1,2}|__)(?=[\w([])[^*_\n]*(?<=\S)(?P<close>(?P=open))(?!\w)"
 _UNSAID = (
-    rf"{FRONT}(?:\d[\d.:–-]*[ \t]+)?(?P<open>\*{{1,2}}|__)(?=[\w([])[^*_\n]*(?<=\S)(?P<close>(?P=open))\B",
+    rf"{FRONT}(?:\d[\d.:–-]*[ \t]+)?{EMPHASIS}",
     rf"{FRONT}(?P<open>\|)|(?P<close>\|)[ \t]*$",
-    r"^[ \t]*(?P<open>[-+*•–])(?=[ \t]+[\w([])(?P<close>[ \t]+\[[ \t]?\](?=[ \t]+\S))?",
+    r"^[ \t]*(?P<open>[-+*•–]|>+)(?=[ \t]+[\w([])(?P<close>[ \t]+\[[ \t]?\](?=[ \t]+\S))?",
     rf"{FRONT}{HOUR}(?P<open>[?!,;:]|[ \t]+=)(?P<close>)(?=[ \t]|[^\W\d])",
     rf"{FRONT}[^\W\d][^\n,\d]*(?P<open>,)(?P<close>)(?=[ \t]+{HOUR}(?:$|,|[ \t]+[(\[]))",
     rf"{FRONT}[^\d\n]*(?P<open>[(\[]){HOUR}(?:\s?[-–]\s?{HOUR})?(?P<close>[)\]])",
     r"(?<=[^\W\d])[ \t]?(?P<open>\.{2,})(?P<close>)(?=[ \t]?\d)",
+    r"(?P<open>!?\[)[^\]\[\n]+(?P<close>\]\([^()\s]*\))",
+    r"(?P<open>\[\[(?:[^\]\[|\n]+\|)?)[^\]\[|\n]+(?P<close>\]\])",
+    r"(?P<open><)(?:https?://|mailto:)[^<>\s]+(?P<close>>)",
+    r"(?P<open>~~(?=\S)[^~\n]+~~)(?P<close>)",
+    r"(?P<open><!--.*?-->)(?P<close>)",
+    r"(?<=[^\W\d]\s)re(?P<open>:)(?P<close>)(?=\s)",
 )
 UNSAID = tuple(re.compile(marks, re.MULTILINE | re.IGNORECASE) for marks in _UNSAID)
-"""Marks that are no words: of emphasis, cells, lists and fields, around an hour, and in front of it."""
+"""Marks that are no words: of emphasis, cells, lists and fields, around an hour, and in front of it.
+
+Then those of links, of which the words are read and not where they lead, and what is struck out.
+"""
 
 LABEL = re.compile(rf"^\s*{BOX}(?P<label>[^\W\d][\w.]*(?:[ -]\w+)?)(?:[ \t]+-|:)[ \t]+(?=\w)", re.MULTILINE)
 """A word with a colon or a dash behind it, or two, before more on the same line."""
 
 
 def leading_tags(text: str) -> list[Span]:
-    """Give the stretches of such marks that may say something.
+    """Give the stretches of such marks that may say something, and of those behind it.
 
-    >>> leading_tags("!high call the bank at nine")
-    [(0, 5)]
+    >>> leading_tags("!high call the bank at nine #money")
+    [(0, 5), (28, 34)]
     """
-    return [found.span("tag") for found in TAG.finditer(text)]
+    front = [found.span("tag") for found in TAG.finditer(text)]
+    behind = (ONE_TAG.finditer(text, *tags.span()) for tags in TAGS.finditer(text))
+    return front + [found.span() for tags in behind for found in tags]
 
 
 def without_bullets(text: str) -> str:

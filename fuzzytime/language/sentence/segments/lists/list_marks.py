@@ -14,10 +14,13 @@ MARK = re.compile(
 """A number with a full stop or a bracket before a word, or "step" and a number."""
 
 HOUR = r"(?:\d{1,2}(?:[:.h]\d\d)?\s?(?:[ap]m\b)?|\d{4})"
+CLOCK = r"\d{1,2}[:h]\d\d"
 TIMED = re.compile(
-    rf"{HOUR}(?:\s?(?:[-–]|to|till)\s?{HOUR})?(?:\s[-–—|>=→/(\[]|:)?\s+(?:[^\W\d]|[(\[]\d)", re.IGNORECASE
+    rf"{HOUR}(?:\s?(?:[-–]|to|till)\s?{HOUR})?(?:\s[-–—|>=→/(\[]|:)?\s+(?:[^\W\d]|[(\[]\d)"
+    rf"|{CLOCK}(?:\s?(?:[-–]|to|till)\s?{CLOCK})?\s+\d",
+    re.IGNORECASE,
 )
-"""The clock time that an item begins with, and what is then: "1. 10:00 call Bob", "2) 9 dentist"."""
+"""The clock time that an item begins with, and what is then: "1. 10:00 call Bob", "2) 9:30 2 calls"."""
 
 BEGINS = re.compile(r"[\s>*•+-]*\Z")
 """What may stand in a line before its mark."""
