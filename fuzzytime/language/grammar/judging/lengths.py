@@ -52,8 +52,9 @@ class Lengths(Standing):
             # "Set a ninety second timer"
             return True
         if last.ordinal_end or last.bare_end:
-            # "An hour or two before the guests arrive"
+            # "An hour or two before the guests arrive", "it takes an hour and ten"
             away = duration.until is not None and self._is_before_marker(piece.end)
+            away = away or self.around.before(piece) in self.lexicon.asides["taking"]
             return self.around.may_end(piece) and not (
                 said.preposition is None and last.bare_end and not away
             )

@@ -76,6 +76,8 @@ class BehindTimes(LookedUp):
         last, follower = self.texts[piece.end - 1], self.follower(piece)
         several = last in self.lexicon.numbers and last not in self.closed.singular_determiners
         several = several or self.words[piece.end - 1].is_digits
+        # "At ten past do the veg"
+        several = several or (last == "past" and self.texts[piece.start] == "at")
         # "It needs forty minutes take it out"
         lasts = self.is_unit(piece.end - 1)
         # "On the fourteenth at seven put it in"

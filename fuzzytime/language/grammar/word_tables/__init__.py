@@ -178,6 +178,7 @@ _ROWS = {
         "helping",
         "asked",
         "suggesting",
+        "obliging",
         "supposing",
         "requesting",
     ),

@@ -18,12 +18,10 @@ def behind_opening(
     """
     begin = start
     while begin < end - 1:
-        suggestion = longest_match(words, begin, lexicon.questions["suggesting"])
         if begin in times:
             # "Let's say noon"
             break
-        if suggestion is None:
-            suggestion = _supposed(words, begin, end, lexicon)
+        suggestion = _suggested(words, begin, lexicon) or _supposed(words, begin, end, lexicon)
         if suggestion is not None and begin + len(suggestion) < end:
             begin += len(suggestion)
         elif (asked := _asked_before(words, begin, times, lexicon)) is not None:
@@ -46,6 +44,17 @@ def behind_opening(
         else:
             break
     return begin
+
+
+def _suggested(words: Sequence[Word], begin: int, lexicon: Lexicon) -> tuple[str, ...] | None:
+    """Give "why don't you", "make sure that you" before an order; not before "you are there"."""
+    found = longest_match(words, begin, lexicon.questions["suggesting"])
+    behind = begin + len(found or ())
+    if found is None or behind >= len(words) or found[-1] not in lexicon.closed.personal_pronouns:
+        return found
+    verb = words[behind].text.removesuffix("n't")
+    told = (verb,) in lexicon.questions["helping"] or verb in lexicon.closed.stative_verbs
+    return None if told else found
 
 
 def _supposed(words: Sequence[Word], begin: int, end: int, lexicon: Lexicon) -> tuple[str, ...] | None:
@@ -96,6 +105,62 @@ def openings_inside(words: Sequence[Word], times: AbstractSet[int], lexicon: Lex
         end = place + len(form or ())
         if form and end < len(words) and words[end].is_letters | (words[end].text == ","):
             yield words[place].start, words[end - 1].end
+
+
+def requests_behind(
+    words: Sequence[Word], times: Mapping[int, int], lexicon: Lexicon
+) -> Iterator[tuple[int, int]]:
+    """Give where what was asked ends, and a further request begins: "… before eleven | oh and | can you …".
+
+    It stands behind a joint, or behind a time that ends the first; the time in front of it is its own: "and
+    at six could you …". ``times`` are ends by starts.
+    """
+    inside = {place for first, end in times.items() for place in range(first, end)}
+    starts = {end: first for first, end in times.items()}
+    # What "then" leads is cut there.
+    joints = lexicon.closed.joints_of_orders - {"or", "then"}
+    begun = behind_opening(words, 0, len(words), times.keys(), lexicon)
+    for place in range(begun + 1, len(words) - 1):
+        form = () if place in inside else _request_at(words, place, lexicon)
+        behind = place + len(form)
+        if not form or behind >= len(words) or not words[behind].is_letters:
+            continue
+        for opening in sorted({starts.get(place, place), place}):
+            start = opening
+            while start > begun and words[start - 1].text in joints | lexicon.addresses:
+                start -= 1
+            joined = not joints.isdisjoint(word.text for word in words[start:opening])
+            timed = opening == place and start - 1 in inside
+            said = [at for at in range(begun, start) if at not in inside]
+            if not any(words[at].is_letters for at in said):
+                continue
+            # "When it's hot and I have to …"; but nobody asks in a clause: "…, and can you …".
+            told = form[0] not in lexicon.closed.requesting_modals and _holds_clause(words, said, lexicon)
+            # "She said at six I have to call"
+            told = told or (timed and words[said[-1]].text in lexicon.doing.saying)
+            if (joined or timed) and not told:
+                yield start, opening
+                break
+
+
+def _holds_clause(words: Sequence[Word], places: Sequence[int], lexicon: Lexicon) -> bool:
+    """Whether a condition or a reason begins at one of some places."""
+    reasons = lexicon.closed.subordinators_of_reason
+    return any(
+        words[place].text in reasons or longest_match(words, place, lexicon.clauses) is not None
+        for place in places
+    )
+
+
+def _request_at(words: Sequence[Word], place: int, lexicon: Lexicon) -> tuple[str, ...]:
+    """Give the words at a place that ask somebody for what is behind them: "can you", "do you mind"."""
+    pair = words[place].text, words[place + 1].text
+    if pair[0] in lexicon.closed.requesting_modals and pair[1] == "you":
+        return pair
+    form = longest_match(words, place, lexicon.questions["suggesting"]) or ()
+    if len(form) > len(pair) and form[0] != "if":
+        return form
+    return longest_match(words, place, lexicon.questions["obliging"]) or ()
 
 
 def lengths_in_front(words: Sequence[Word], phrases: Sequence[Phrase]) -> Iterator[Span]:

@@ -17,8 +17,14 @@ from fuzzytime.language.sentence.segments.events.named_events import (
     counts_event,
     heads,
     listed,
+    one_by_one,
 )
-from fuzzytime.language.sentence.segments.openings import before_courtesies, behind_all_due, behind_opening
+from fuzzytime.language.sentence.segments.openings import (
+    before_courtesies,
+    behind_all_due,
+    behind_opening,
+    requests_behind,
+)
 from fuzzytime.language.sentence.segments.other_cases import OTHER_CASE, begins_other_case
 from fuzzytime.language.sentence.segments.taken_back.corrected_things import (
     AFTER_ALL,
@@ -72,9 +78,14 @@ def segments_of(
     instead = {thing.pause: thing.start for thing in corrections}
     following = _following(words, phrases, lexicon) | {thing.end for thing in corrections if thing.further}
     following |= {end for let in retractions(words, lexicon, taken_back) for end in (let.start, let.stop)}
+    times = {phrase.first: phrase.end for phrase in phrases}
+    requests = dict(requests_behind(words, times, lexicon))
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
+        if place in requests:
+            cuts.append((place, requests[place], ""))
+            place = requests[place]
         if place in instead:
             cuts.append((place, instead[place], AFTER_ALL))
             place = instead[place]
@@ -93,7 +104,7 @@ def segments_of(
         if ends or (begun and _parts_what_is_told(words, place, lexicon)):
             cuts.append((place, place + 1, ""))
         place += 1
-    return list(_between(text, words, cuts, {phrase.first: phrase.end for phrase in phrases}, lexicon))
+    return list(_between(text, words, cuts, times, lexicon))
 
 
 def _following(words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon) -> set[int]:
@@ -103,6 +114,7 @@ def _following(words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexico
     found |= {phrase.end for phrase in phrases[:1] if heads(phrase, words)}
     return found.union(
         listed(phrases, words, lexicon),
+        one_by_one(phrases, words, lexicon),
         behind_happening(phrases, words, lexicon),
         behind_statements(phrases, words, lexicon, ENDS),
         beside(phrases, words, lexicon),

@@ -87,7 +87,13 @@ def _hang_name(tree: Tree, places: range, head: int, relation: str = "conj") -> 
 
 
 def with_needed_deed(tree: Tree, timed: AbstractSet[int]) -> Tree:
-    """Give "the cars need washing" what must be done with which thing."""
+    """Give "the cars need washing", "I need an hour to cook" what must be done with which thing."""
+    if tree.nodes and tree.nodes[tree.root].lemma == "need":
+        lengths = [place for place in tree.children(tree.root, "dobj", "npadvmod") if place in timed]
+        below = [p for place in lengths for p in tree.children(place, "acl", "relcl")]
+        for deed in (*tree.children(tree.root, "advcl"), *below) if lengths else ():
+            if tree.nodes[deed].tag == "VB" and "to" in tree.said(tree.children(deed, "aux")):
+                return tree.changed(deed, head=tree.root, relation="xcomp")
     for need in range(1, len(tree.nodes) - 1):
         if tree.root in {need, need + 1} and _needs_deed(tree, need, timed):
             return _mended(tree, need)

@@ -9,6 +9,7 @@ from fuzzytime.language.meaning.joined.distances import HALFWAY, INTO, LATER
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.lent.requested_too import requested_too
 from fuzzytime.language.sentence.together.lent.verbs_again import all_again, done_again_of
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Constraint, Reference, Unit
 
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
@@ -160,6 +161,9 @@ def _beside(before: Operation, sketch: Sketch, operation: Operation, *, joined: 
         comes = before.stated and before.lemma != "be" and not before.attended and bool(sketch.phrases)
         goes_on = goes_on or (comes and joined and not operation.stated)
         return replace(operation, object=before.object, stated=True) if goes_on else operation
+    if before.stated and tree.children(tree.root, *SUBJECTS):
+        # "The show starts at two and I must dance"
+        return operation
     if before.stated and joined and not operation.stated and node.tag in {"VBZ", "VB", "VBP"}:
         return replace(operation, object=before.object, stated=True)
     # "Would you mind turning it down and locking up": either is an order of its own.
