@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter.binding.bounds import bound_by, bounding
+from fuzzytime.interpreter.binding.delays import since_the_step_before
 from fuzzytime.interpreter.binding.in_order import Rows, without_now
 from fuzzytime.interpreter.binding.meanwhile import beside_what_lasts, going_on_by_itself
 from fuzzytime.interpreter.binding.references import Links
@@ -118,6 +120,7 @@ class Gathering:
             lengthened = self._lengthened(instruction)
             self._go_there(wish, reading, instruction, instruction.length_of.target)
             return lengthened
+        instruction = bounding(instruction, reading, self.maker.lexicon) if listed else instruction
         if instruction.time_of is not None and not any(map(_is_asked, self.skills)):
             # "Everything must be done by six", said before anything is asked for.
             self.ahead.append((wish, instruction))
@@ -131,7 +134,9 @@ class Gathering:
         instruction = beside_what_lasts(instruction, *given)
         for place in going_on_by_itself(instruction, *given):
             self.skills[place] = self.maker.how_long.by_itself(self.skills[place])
-        step = without_now(instruction) if listed and self.rows.begun else instruction
+        step = instruction
+        if listed and self.rows.begun:
+            step = since_the_step_before(without_now(instruction), self.links.instructions, self.skills)
         if self._is_of_what_comes(step):
             self.waiting.append((len(self.links.instructions), wish, reading, step))
             return range(0)
@@ -162,7 +167,7 @@ class Gathering:
             if not any(map(_is_asked, self.skills)):
                 what = "says when all must be done, and nothing is asked for"
                 self.problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, what, instruction.span))
-            for place in range(len(self.skills)):
+            for place in bound_by(instruction, self.skills, self.maker.lexicon):
                 self._time(place, instruction, wish)
 
     def _make(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
@@ -224,7 +229,7 @@ class Gathering:
         if told is None:
             return None
         if told.target is None:
-            return range(len(self.skills))
+            return bound_by(instruction, self.skills, self.maker.lexicon)
         meant = self.links.skills_of(told.target)
         return meant if len(meant) == 1 and isinstance(self.skills[meant[0]].wish, SpokenWish) else None
 

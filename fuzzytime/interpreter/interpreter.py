@@ -10,6 +10,7 @@ from fuzzytime.interpreter.asked import by_agents
 from fuzzytime.interpreter.binding.giving_way import giving_way
 from fuzzytime.interpreter.binding.in_order import Rows, free_of_circles, of_places
 from fuzzytime.interpreter.binding.leaning import lean_on_each_other
+from fuzzytime.interpreter.binding.led_to import shortly_before
 from fuzzytime.interpreter.binding.prepared import of_prepared
 from fuzzytime.interpreter.binding.references import Links, link
 from fuzzytime.interpreter.binding.same_things import of_things
@@ -149,6 +150,7 @@ class Interpreter:
         kept = (*gathered.rows.kept(), *of_places(skills), *prepared)
         order = (*kept, *of_things(skills), *of_timetables(skills, prepared))
         order = free_of_circles(order, precedences)
+        skills = shortly_before(skills, gathered.rows.ends, (*precedences, *order), self.language.lexicon)
         out = turns_out_of_bounds(skills, precedences)
         dropped = {skills[place].identifier for place in out}
         problems += (one for one in unresolved if one.identifier not in dropped)

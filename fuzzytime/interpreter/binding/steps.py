@@ -94,14 +94,29 @@ class Step:
 
 @dataclass(slots=True)
 class Row:
-    """The steps of one list that nothing follows yet, and those that may be needed later than by the next."""
+    """The steps of one list that nothing follows yet, and those that may be needed later than by the next.
+
+    ``end`` is what it leads to at a moment: the last step that has one, or what is told in front of all or
+    behind all ("dinner is at eight").
+    """
 
     needed: list[Step] = field(default_factory=list)
     last: list[Step] = field(default_factory=list)
     precedences: list[Precedence] = field(default_factory=list)
+    end: Step | None = None
+    told: bool = False
+
+    def lead_to(self, event: Step) -> None:
+        """Take what is told to happen at a moment for what all steps lead to, unless a step follows it."""
+        if event.at_moment:
+            self.end, self.told = event, True
 
     def add(self, step: Step) -> None:
         """Add a step, behind those that nothing follows."""
+        if self.told and self.last:
+            self.end, self.told = None, False
+        if step.at_moment and not self.told:
+            self.end = step
         left: list[Step] = []
         open_ends = {before.position for before in self.last}
         for before in self.last:
@@ -125,6 +140,8 @@ class Row:
             # What is said first of two counts.
             waited = [Precedence(one.position, step.position) for one in beside]
             self.precedences = [*waited, *self.precedences]
+        if self.told and self.end is not None:
+            self.precedences += [Precedence(step.position, self.end.position) for step in self.last]
 
 
 def _is_own(part: TimeRequirement) -> bool:
