@@ -43,9 +43,9 @@ def _latest(
             if entry.second != following:
                 continue
             first = skills[entry.first].skill
-            own = skills[entry.first].skill.preferred
-            start = latest[following] - entry.minimum_lag - first.time_until_done
-            start = start if own is None else min(own, start)
+            # "Start by five"
+            own = first.satisfaction.best.high if first.preferred is None else first.preferred
+            start = min(own, latest[following] - entry.minimum_lag - first.time_until_done)
             if start < latest.get(entry.first, named + 1.0):
                 latest[entry.first] = start
                 waiting.append(entry.first)

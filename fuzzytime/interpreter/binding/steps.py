@@ -11,6 +11,8 @@ from fuzzytime.skills import Precedence
 OWN_TIME = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
 """What says when a step is, and not only when it is at the latest or at the earliest."""
 
+SENTENCE_ENDS = frozenset(".;!?")
+
 
 @dataclass(frozen=True, slots=True)
 class Step:
@@ -64,6 +66,15 @@ class Step:
             if part.constraint is Constraint.AT
         )
 
+    def goes_on(self, before: "Step") -> bool:
+        """Whether it stands in the sentence of another, right behind that: "… and slice them"."""
+        one, other = before.interpreted, self.interpreted
+        if one.wish is not other.wish or one.instruction is None or other.instruction is None:
+            return False
+        reading = other.reading
+        joint = "" if reading is None else reading.text[one.instruction.span[1] : other.instruction.span[0]]
+        return bool(joint) and SENTENCE_ENDS.isdisjoint(joint)
+
     def _comes_before(self, part: TimeRequirement) -> bool:
         target = None if part.anchor is None or part.anchor.exact else part.anchor.target
         later = self.place is not None and target is not None and target > self.place
@@ -96,31 +107,36 @@ class Step:
 class Row:
     """The steps of one list that nothing follows yet, and those that may be needed later than by the next.
 
-    ``end`` is what it leads to at a moment: the last step that has one, or what is told in front of all or
-    behind all ("dinner is at eight").
+    ``meanwhile`` is the latest, where it goes on beside what is above. ``end`` is what it leads to at a
+    moment: the last step that has one, or what is told in front of all or behind all ("dinner is at eight").
     """
 
     needed: list[Step] = field(default_factory=list)
     last: list[Step] = field(default_factory=list)
     precedences: list[Precedence] = field(default_factory=list)
+    meanwhile: Step | None = None
     end: Step | None = None
     told: bool = False
+    ahead: bool = False
 
     def lead_to(self, event: Step) -> None:
         """Take what is told to happen at a moment for what all steps lead to, unless a step follows it."""
-        if event.at_moment:
-            self.end, self.told = event, True
+        if event.at_moment and not self.ahead:
+            self.end, self.told, self.ahead = event, True, not self.last
 
     def add(self, step: Step) -> None:
         """Add a step, behind those that nothing follows."""
-        if self.told and self.last:
+        if self.told and not self.ahead:
             self.end, self.told = None, False
         if step.at_moment and not self.told:
             self.end = step
         left: list[Step] = []
         open_ends = {before.position for before in self.last}
+        # "Meanwhile peel the carrots and slice them": both go on beside what is above.
+        onward = self.meanwhile is not None and step.goes_on(self.meanwhile)
         for before in self.last:
-            if not step.ordered or step.is_apart(before):
+            passed = onward and before is not self.meanwhile
+            if not step.ordered or step.is_apart(before) or passed:
                 left.append(before)
             else:
                 self.precedences.append(before.precedence(step))
@@ -131,6 +147,7 @@ class Row:
             ]
         if step.interpreted.duration.needed_for or step.beside:
             self.needed.append(step)
+        self.meanwhile = step if step.beside or onward else None
         self.last = [*left, step]
 
     def close(self) -> None:
