@@ -30,6 +30,9 @@ ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 
 DASHES = frozenset({"-", "–", "—"})
 
+NOT = "not"
+"""Behind a dash it takes back what was said: "scrub the tub - not now, in an hour"."""
+
 THINGS = frozenset({"it", "them"})
 
 SHORTEST = 3
@@ -161,7 +164,8 @@ def _parts_orders(words: Sequence[Word], begun: Sequence[int], place: int, lexic
     if len(begun) < SHORTEST or longest_match(words, begun[0], lexicon.clauses) is not None:
         return False
     said, following = words[behind].text, words[behind + 1].text
-    if said in lexicon.closed.negators_as_typed or (said in lexicon.letting and following in THINGS):
+    denies = said in lexicon.closed.negators_as_typed and said != NOT
+    if denies or (said in lexicon.letting and following in THINGS):
         return True
     return not any(lexicon.pieces(words, behind)) and _acts(words, behind, lexicon)
 

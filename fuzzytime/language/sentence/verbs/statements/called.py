@@ -170,6 +170,7 @@ def with_clause(tree: Tree) -> Tree:
         word, name = tree.nodes[verb], tree.nodes[verb - 1]
         ends = verb + 1 == len(tree.nodes) or not tree.nodes[verb + 1].text[0].isalnum()
         acts = word.tag in ACTING and word.may_act and word.lower.endswith("s") and name.head == verb
+        acts = acts and word.lemma not in tree.lexicon.closed.lemmas_of_be
         first = verb - 1
         while first > 0 and tree.nodes[first - 1].tag in NAMING:
             first -= 1
