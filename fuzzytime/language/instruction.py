@@ -152,6 +152,8 @@ class Instruction:
     day_of
         The position of what happens from whose day that of its times was counted, as in "the evening before
         the trip"; None where no day was.
+    again
+        How many times what was asked for right before is done again: "repeat twice". None elsewhere.
     """
 
     span: Span
@@ -166,6 +168,7 @@ class Instruction:
     way: float | None = None
     day_of: int | None = None
     alone: bool = False
+    again: int | None = None
 
 
 class RemarkKind(StrEnum):

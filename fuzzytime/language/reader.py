@@ -18,6 +18,7 @@ from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
 from fuzzytime.language.sentence.sketches.meaning.clock_times import IN_ORDER, LastSaid, said_in
 from fuzzytime.language.sentence.together.days.headings import on_next_day, under_headings
+from fuzzytime.language.sentence.together.none_of_it.needed_lines import with_needed
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
@@ -228,7 +229,7 @@ class Language:
             check_length(text)
         function_words = self.lexicon.function_words
         stopped = [(with_stops(without_unseen(text), function_words), now) for text, now in texts]
-        return drafted(stopped, self.grammar, self.lexicon, self.trees, together=together)
+        return with_needed(drafted(stopped, self.grammar, self.lexicon, self.trees, together=together))
 
     def trees(self, texts: Sequence[str]) -> list[Tree]:
         """Parse texts, those that the cache knows without the model.

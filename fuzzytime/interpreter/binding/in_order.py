@@ -64,14 +64,21 @@ class Rows:
         return bool(self.row.last)
 
     def add(self, skills: Sequence[Interpreted], places: range, instruction: int) -> None:
-        """Add what an instruction, by its place, asks for; what happens, or again and again, is no step."""
-        if len(places) != 1:
+        """Add what an instruction, by its place, asks for; what happens, or again and again, is no step.
+
+        Of what is done so many times behind another, the last is: "fold it three times, half an hour apart".
+        """
+        if not places:
             return
-        step = Step(places[0], skills[places[0]], instruction)
-        if is_asked(step.interpreted):
+        step = Step(places[-1], skills[places[-1]], instruction)
+        if is_asked(step.interpreted) or step.last_of_turns:
             self.row.add(step)
         elif step.interpreted.stated:
             self.row.lead_to(step)
+
+    def follow(self, first: int, second: int, skills: Sequence[Interpreted]) -> None:
+        """Let what is done again follow what was asked for last."""
+        self.precedences.append(Step(first, skills[first]).precedence(Step(second, skills[second])))
 
     def join(
         self,

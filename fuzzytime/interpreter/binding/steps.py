@@ -66,6 +66,16 @@ class Step:
             if part.constraint is Constraint.AT
         )
 
+    @property
+    def last_of_turns(self) -> bool:
+        """Whether it is one of so many turns that count from another, and goes on inside of none."""
+        said = (part for part in self.interpreted.requirements if part.recurrence is not None)
+        return any(
+            is_anchored(part) and part.anchor and part.anchor.edge is Edge.END and not part.recurrence.endless
+            for part in said
+            if part.recurrence is not None
+        )
+
     def goes_on(self, before: "Step") -> bool:
         """Whether it stands in the sentence of another, right behind that: "… and slice them"."""
         one, other = before.interpreted, self.interpreted

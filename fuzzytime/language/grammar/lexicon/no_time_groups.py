@@ -51,6 +51,7 @@ class NoTimes(NamedTuple):
     extents: Words
     sizing: Words
     measured_in: Words
+    portions: Words
     around_ages: Words
     of_decades: Words
     codes: Words

@@ -60,7 +60,9 @@ def _things(tree: Tree) -> Iterator[tuple[int, int, int, bool]]:
         unit = counted and place < len(nodes) and nodes[place].lower in tree.lexicon.no_times.measured_in
         place += unit
         first = place
-        while place < len(nodes) and (nodes[place].tag in NAMING or (unit and place == first)):
+        while place < len(nodes) and (
+            nodes[place].tag in NAMING or (unit and place == first and nodes[place].is_verb)
+        ):
             place += 1
         if place == first:
             return
