@@ -7,6 +7,7 @@ from datetime import datetime
 from fuzzytime.context import Context
 from fuzzytime.errors import InstructionError
 from fuzzytime.interpreter.asked import by_agents
+from fuzzytime.interpreter.binding.doers import asking_doers
 from fuzzytime.interpreter.binding.giving_way import giving_way
 from fuzzytime.interpreter.binding.in_order import Rows, free_of_circles, of_places
 from fuzzytime.interpreter.binding.leaning import lean_on_each_other
@@ -127,7 +128,12 @@ class Interpreter:
         maker = Maker(self.rulebook, self.language.lexicon, request)
         problems: list[Problem] = []
         readings = self._readings(request, problems)
-        rows = Rows(request.in_order or self._are_steps(request, readings))
+        asking = [one and asking_doers(one, self.language.lexicon) for one in readings]
+        rows = Rows(request.in_order or self._are_steps(request, asking))
+        readings = [
+            step if rows.in_order or (one and one.step is not None) else one
+            for one, step in zip(readings, asking, strict=True)
+        ]
         gathered = Gathering(maker, Links(names), rows, problems=problems)
         for wish, reading in zip(request.wishes, readings, strict=True):
             if isinstance(wish, DirectWish):

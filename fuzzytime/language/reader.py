@@ -134,7 +134,7 @@ class Language:
     def _read_all(
         self, texts: Sequence[tuple[str, datetime | None]], given: Sequence[Operation | None]
     ) -> list[Reading]:
-        drafts = under_headings(self._drafts(texts, together=True))
+        drafts = under_headings(with_needed(self._drafts(texts, together=True)))
         readings, given_since, mentions = self._as_meant(drafts, given)
         told = frozenset[str]().union(*(content_words(one.object) for one in mentions.telling()))
         first = len(given)
@@ -229,7 +229,7 @@ class Language:
             check_length(text)
         function_words = self.lexicon.function_words
         stopped = [(with_stops(without_unseen(text), function_words), now) for text, now in texts]
-        return with_needed(drafted(stopped, self.grammar, self.lexicon, self.trees, together=together))
+        return drafted(stopped, self.grammar, self.lexicon, self.trees, together=together)
 
     def trees(self, texts: Sequence[str]) -> list[Tree]:
         """Parse texts, those that the cache knows without the model.

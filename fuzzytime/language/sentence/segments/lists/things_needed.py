@@ -11,6 +11,8 @@ from fuzzytime.language.instruction import Remark, RemarkKind
 JOINTS = frozenset({",", "and", "&", ";", "+", "."})
 """What may stand between two of them."""
 
+THE = "the"
+
 LONGEST = 6
 """Words of one thing, at most: "1 tin of chopped plum tomatoes"."""
 
@@ -80,4 +82,5 @@ def _is_measured(thing: Sequence[Word], measured: AbstractSet[str]) -> bool:
 
 def is_number(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word may say how many, or how much."""
-    return word.text[0].isdigit() or word.text in lexicon.numbers or word.text in lexicon.closed.articles
+    one = word.text in lexicon.closed.articles and word.text != THE
+    return one or word.text[0].isdigit() or word.text in lexicon.numbers
