@@ -69,7 +69,9 @@ class HowLong:
             # "Leave the dough for an hour"; but who leaves for an hour is away.
             alone = self.rulebook.left_alone(table, length, operation.phrase)
             hands_on = hands_on if alone is None else min(hands_on, alone)
-        return OperationDuration(hands_on=hands_on, elapsed=length, source="said", assumed=False)
+        return OperationDuration(
+            hands_on=hands_on, elapsed=length, source="said", assumed=False, needed_for=table.needed_for
+        )
 
     def _rests(self, operation: Operation) -> bool:
         """Whether something is done for what goes on by itself: "hang the film to dry", "allow to cool"."""

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.language import shares_thing
+from fuzzytime.language import content_words, shares_thing
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from fuzzytime.skills import Precedence
 
@@ -59,11 +59,15 @@ class Step:
 
     @property
     def beside(self) -> bool:
-        """Whether it goes on beside the step before it: "meanwhile boil the potatoes"."""
-        return any(
-            is_anchored(part) and part.anchor is not None and not part.anchor.exact
+        """Whether it goes on beside a step before it: "meanwhile boil it", "while the glue sets"."""
+        anchors = [
+            (part.constraint, part.anchor)
             for part in self.interpreted.requirements
-            if part.constraint is Constraint.AT
+            if is_anchored(part) and part.anchor is not None and not part.anchor.exact
+        ]
+        return any(
+            bound is Constraint.AT or (bound is Constraint.AFTER and anchor.edge is Edge.FREE)
+            for bound, anchor in anchors
         )
 
     @property
@@ -110,7 +114,9 @@ class Step:
         operation, other = self.interpreted.operation, following.interpreted.operation
         if not (needed or self.beside) or operation is None or other is None:
             return False
-        return other.lemma not in needed and not shares_thing(operation, other)
+        # "Charge the drill", "drill the holes"
+        does = other.lemma in content_words(operation.object)
+        return other.lemma not in needed and not does and not shares_thing(operation, other)
 
 
 @dataclass(slots=True)
