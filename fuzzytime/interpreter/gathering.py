@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter.binding.bounds import bound_by, bounding
@@ -13,7 +14,7 @@ from fuzzytime.interpreter.binding.references import Links
 from fuzzytime.interpreter.binding.steps import is_asked
 from fuzzytime.interpreter.in_other_words.why_nothing import why_nothing
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
-from fuzzytime.interpreter.making import Maker
+from fuzzytime.interpreter.making import MAX_OCCURRENCES, Maker
 from fuzzytime.interpreter.notes import beside_news, by_how_much, ending_with, too_few
 from fuzzytime.interpreter.remarks import is_spoiled, is_told, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
@@ -159,7 +160,7 @@ class Gathering:
         known = self.links.instructions
         said = [place for places in known[self._begun :] for place in places] or [*self._before]
         copied = [self.skills[place] for place in said if is_asked(self.skills[place])]
-        for one in copied * times:
+        for one in islice(copied * times, MAX_OCCURRENCES):
             last = len(self.skills) - 1
             if isinstance(one.wish, SpokenWish) and one.reading is not None and one.instruction is not None:
                 made = self._make(one.wish, one.reading, replace(one.instruction, requirements=()))

@@ -71,6 +71,14 @@ class Step:
         )
 
     @property
+    def inside(self) -> bool:
+        """Whether it is done while what it counts from goes on: "after an hour stir it"."""
+        anchors = [one.anchor for one in self.interpreted.requirements if is_anchored(one) and one.anchor]
+        return any(
+            one.exact and (one.share is not None or one.edge is Edge.START or one.lag < 0) for one in anchors
+        )
+
+    @property
     def last_of_turns(self) -> bool:
         """Whether it is one of so many turns that count from another, and goes on inside of none."""
         said = (part for part in self.interpreted.requirements if part.recurrence is not None)
@@ -123,8 +131,9 @@ class Step:
 class Row:
     """The steps of one list that nothing follows yet, and those that may be needed later than by the next.
 
-    ``meanwhile`` is the latest, where it goes on beside what is above. ``end`` is what it leads to at a
-    moment: the last step that has one, or what is told in front of all or behind all ("dinner is at eight").
+    ``meanwhile`` is the latest, where it goes on beside what is above, or inside of it. ``end`` is what it
+    leads to at a moment: the last step that has one, or what is told in front of all or behind all ("dinner
+    is at eight").
     """
 
     needed: list[Step] = field(default_factory=list)
@@ -163,7 +172,7 @@ class Row:
             ]
         if step.interpreted.duration.needed_for or step.beside:
             self.needed.append(step)
-        self.meanwhile = step if step.beside or onward else None
+        self.meanwhile = step if step.beside or step.inside or onward else None
         self.last = [*left, step]
 
     def close(self) -> None:

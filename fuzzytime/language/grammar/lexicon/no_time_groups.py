@@ -52,6 +52,7 @@ class NoTimes(NamedTuple):
     sizing: Words
     measured_in: Words
     portions: Words
+    totals: Words
     around_ages: Words
     of_decades: Words
     codes: Words

@@ -38,7 +38,7 @@ def names_needed(words: Sequence[Word], lexicon: Lexicon) -> bool:
 def needed(text: str) -> Remark:
     """Say of a line that it asks for nothing."""
     return Remark(
-        RemarkKind.TOLD, (0, len(text)), f"{text.strip()!r} names what is needed, and asks for nothing"
+        RemarkKind.TOLD, (0, len(text)), f"{text.strip()!r} says what is needed, and asks for nothing"
     )
 
 

@@ -94,8 +94,7 @@ def _heads_steps(first: Draft, below: Sequence[Draft]) -> bool:
         return numbered
     marked = sum(is_marked(draft.text) or draft.step is not None for draft in below)
     things = [draft.needed for draft in below]
-    ordered = sum(map(begins_order, below))
-    return marked == len(below) or any(things[:2]) or (_only_names(first) and 2 * ordered > len(below))
+    return marked == len(below) or any(things[:2]) or _only_names(first)
 
 
 def _night_of(first: Draft) -> Phrase | None:

@@ -1,9 +1,14 @@
 """What was asked for right before, done again without a time: "repeat twice", "once more"."""
 
+import re
+
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+
+TURNS = re.compile(r"x\s?\d{1,2}|\d{1,2}\s?x", re.IGNORECASE)
+"""How many times, as typed: "4x", "x 3"."""
 
 
 def times_again(sketch: Sketch, draft: Draft) -> int | None:
@@ -21,14 +26,16 @@ def times_again(sketch: Sketch, draft: Draft) -> int | None:
         and tuple(said) not in draft.lexicon.conversation["again"]
     ):
         return None
-    counted = [
-        piece.value for piece in draft.scanned.pieces("times") if first <= words[piece.start].start < end
-    ]
-    return max(1, *counted) if counted else 1
+    counted = [int(word.text) for word in words if word.is_digits and first <= word.start < end]
+    pieces = draft.scanned.pieces("times")
+    counted += [int(piece.value) for piece in pieces if first <= words[piece.start].start < end]
+    return max([1, *counted])
 
 
 def repeats(operation: Operation | None, lexicon: Lexicon) -> bool:
     """Whether what was done is to be done again, which is not named: "repeat twice more"."""
     if operation is None or operation.lemma not in lexicon.doing.repeating or operation.stated:
         return False
-    return (operation.object or "it").lower() in lexicon.closed.singular_anaphors
+    # "Repeat 4x"
+    counted = TURNS.fullmatch(operation.object or "") is not None
+    return counted or (operation.object or "it").lower() in lexicon.closed.singular_anaphors

@@ -1,8 +1,10 @@
-"""Lines of a recipe that only name what is needed, one below the other: "2 eggs", "300 ml milk", "salt"."""
+"""Lines of a recipe that only say what is needed: "2 eggs", "300 ml milk", or how long it takes in all."""
 
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.lists.things_needed import is_number, names_needed
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
@@ -13,7 +15,10 @@ def with_needed(drafts: Sequence[Draft]) -> list[Draft]:
 
     The first may be what all is for: "Pancakes".
     """
-    found = [not draft.phrases and names_needed(draft.scanned.words, draft.lexicon) for draft in drafts]
+    found = [
+        _tells_total(draft) if draft.phrases else names_needed(draft.scanned.words, draft.lexicon)
+        for draft in drafts
+    ]
     for places in (range(len(drafts)), range(len(drafts) - 1, -1, -1)):
         for place in places:
             beside = place - places.step
@@ -22,6 +27,19 @@ def with_needed(drafts: Sequence[Draft]) -> list[Draft]:
     return [
         replace(draft, needed=True) if needed else draft for draft, needed in zip(drafts, found, strict=True)
     ]
+
+
+def _tells_total(draft: Draft) -> bool:
+    """Whether a line only says how long it takes in all: "serves 6, takes 3 hours", "prep 20 min"."""
+    totals, words = draft.lexicon.no_times.totals, draft.scanned.words
+    if any(not isinstance(phrase.said.time, Duration) for phrase in draft.phrases):
+        return False
+    inside = places_in(draft.phrases)
+    left = [word.text for place, word in enumerate(words) if place not in inside and word.is_letters]
+    beside = draft.lexicon.function_words | draft.lexicon.closed.verbs_of_obligation
+    # "It should take an hour" is of what stands before it.
+    beside -= draft.lexicon.closed.anaphors
+    return not totals.isdisjoint(left) and all(word in totals | beside for word in left)
 
 
 def _may_be_needed(draft: Draft, *, first: bool) -> bool:
