@@ -123,13 +123,13 @@ class Gathering:
 
     def _take(self, wish: SpokenWish, reading: Reading, instruction: Instruction, *, listed: bool) -> range:
         """Take what an instruction tells or asks for, and give the places of the skills that it is about."""
+        instruction = bounding(instruction, reading, self.maker.lexicon) if listed else instruction
         if instruction.length_of is not None:
             lengthened = self._lengthened(instruction)
             self._go_there(wish, reading, instruction, instruction.length_of.target)
             return lengthened
         if instruction.again is not None:
             return self._again(instruction.again, listed=listed)
-        instruction = bounding(instruction, reading, self.maker.lexicon) if listed else instruction
         if instruction.time_of is not None and not any(map(_is_asked, self.skills)):
             # "Everything must be done by six", said before anything is asked for.
             self.ahead.append((wish, instruction))

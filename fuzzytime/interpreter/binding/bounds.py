@@ -14,6 +14,8 @@ def bounding(instruction: Instruction, reading: Reading, lexicon: Lexicon) -> In
     Nothing is named that begins then, or is due.
     """
     said = instruction.requirements
+    if _takes(instruction, lexicon):
+        return replace(instruction, length_of=Anchor(text=reading.text))
     if len(reading.instructions) > 1 or not said or instruction.duration is not None:
         return instruction
     if any(part.anchor or part.condition or part.recurrence for part in said):
@@ -30,6 +32,16 @@ def bound_by(instruction: Instruction, skills: Sequence[Interpreted], lexicon: L
     asked = (place for place, one in enumerate(skills) if one.operation is not None and not one.stated)
     first = next(asked, 0)
     return range(first, first + 1) if _starts(instruction, lexicon) else range(len(skills))
+
+
+def _takes(instruction: Instruction, lexicon: Lexicon) -> bool:
+    """Whether it says how long all takes: "should take less than an hour"."""
+    operation = instruction.operation
+    if operation is None or operation.stated or operation.lemma not in lexicon.doing.taking:
+        return False
+    return instruction.duration is not None and not (
+        operation.object or operation.place or operation.complement
+    )
 
 
 def _starts(instruction: Instruction, lexicon: Lexicon) -> bool:
