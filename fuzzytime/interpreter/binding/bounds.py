@@ -7,6 +7,8 @@ from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.language import Instruction, Lexicon, Reading
 from fuzzytime.requirement import Anchor, Constraint
 
+BY = "by"
+
 
 def bounding(instruction: Instruction, reading: Reading, lexicon: Lexicon) -> Instruction:
     """Give an instruction that is all of a line as one that tells of all steps when they are done, or begin.
@@ -21,10 +23,16 @@ def bounding(instruction: Instruction, reading: Reading, lexicon: Lexicon) -> In
     if any(part.anchor or part.condition or part.recurrence for part in said):
         return instruction
     operation = instruction.operation
+    needed = operation is not None and operation.is_asked and operation.lemma in lexicon.doing.needing
+    if needed:
+        # "I need the car at two"
+        said = tuple(
+            replace(part, preposition=BY, constraint=Constraint.BEFORE, earliest=None) for part in said
+        )
     due = operation is None and all(part.constraint is Constraint.BEFORE for part in said)
-    if not due and not _starts(instruction, lexicon):
+    if not due and not needed and not _starts(instruction, lexicon):
         return instruction
-    return replace(instruction, time_of=Anchor(text=reading.text))
+    return replace(instruction, time_of=Anchor(text=reading.text), requirements=said)
 
 
 def bound_by(instruction: Instruction, skills: Sequence[Interpreted], lexicon: Lexicon) -> range:

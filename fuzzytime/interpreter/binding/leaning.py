@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from fuzzytime.interpreter.binding.steps import is_anchored
-from fuzzytime.language import Instruction, Lexicon, Reading, content_words
+from fuzzytime.language import Instruction, Lexicon, Reading, RemarkKind, content_words
 from fuzzytime.requirement import Constraint, TimeRequirement
 
 FEWEST = 4
@@ -48,11 +48,15 @@ class _Lines:
     begun: float = 0.0
     asked: dict[int, frozenset[str]] = field(default_factory=dict)
     seen: int = 0
+    needing: bool = False
 
     def add(self, reading: Reading, lexicon: Lexicon) -> None:
         """Count a line, and take note of what it asks for."""
         asked = [(place, one) for place, one in enumerate(reading.instructions, self.seen) if _is_asked(one)]
         self.seen += len(reading.instructions)
+        self.needing |= not reading.instructions and any(
+            one.kind is RemarkKind.TOLD for one in reading.remarks
+        )
         self.read += bool(reading.instructions)
         self.last_timed = any(self._is_timed(one, reading) for one in reading.instructions)
         self.timed += self.last_timed
@@ -100,7 +104,9 @@ class _Lines:
         most = self.leaning >= FEWEST_LEANING and ABOUT_THE_SAME * self.linked >= following
         # "Serve at seven" bounds them all.
         untimed = TIMED * (self.timed - self.last_timed) < self.read
-        return following >= FEWEST and (some or most) and untimed
+        # What is needed is told above a recipe alone.
+        enough = following >= FEWEST and (some or most)
+        return untimed and (enough or (self.needing and following > 1))
 
 
 def lean_on_each_other(readings: Sequence[Reading], lexicon: Lexicon) -> bool:
@@ -121,6 +127,9 @@ def _names_nothing(instruction: Instruction, lexicon: Lexicon) -> bool:
     operation = instruction.operation
     if operation is None or operation.again:
         return operation is not None
+    if operation.lemma in lexicon.doing.waiting and instruction.duration is not None:
+        # Who waits has begun something.
+        return True
     if operation.place is not None and not lexicon.closed.it_or_them.isdisjoint(operation.place.split()):
         # "Attach the sides to it"
         return True

@@ -1,5 +1,6 @@
 """What a list of steps leads to at a moment: dinner at eight is not made in the morning."""
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
@@ -43,8 +44,9 @@ def _latest(
             if entry.second != following:
                 continue
             first = skills[entry.first].skill
-            # "Start by five"
-            own = first.satisfaction.best.high if first.preferred is None else first.preferred
+            # "Start by five"; what waits to be told of has no time at all.
+            known = math.inf if first.satisfaction.support.empty else first.satisfaction.best.high
+            own = known if first.preferred is None else first.preferred
             start = min(own, latest[following] - entry.minimum_lag - first.time_until_done)
             if start < latest.get(entry.first, named + 1.0):
                 latest[entry.first] = start
