@@ -1,4 +1,4 @@
-"""What counts from the step before in a list of steps: "after ten minutes turn it", "once the soup is ready"."""
+"""What counts from the step before in a list: "after ten minutes turn it", "once the soup is ready"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
