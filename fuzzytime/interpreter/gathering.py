@@ -3,14 +3,18 @@
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter.binding.bounds import bound_by, bounding
+from fuzzytime.interpreter.binding.delays import since_the_step_before
 from fuzzytime.interpreter.binding.in_order import Rows, without_now
 from fuzzytime.interpreter.binding.meanwhile import beside_what_lasts, going_on_by_itself
 from fuzzytime.interpreter.binding.references import Links
+from fuzzytime.interpreter.binding.steps import is_asked
 from fuzzytime.interpreter.in_other_words.why_nothing import why_nothing
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
-from fuzzytime.interpreter.making import Maker
+from fuzzytime.interpreter.making import MAX_OCCURRENCES, Maker
 from fuzzytime.interpreter.notes import beside_news, by_how_much, ending_with, too_few
 from fuzzytime.interpreter.remarks import is_spoiled, is_told, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
@@ -42,6 +46,8 @@ class Gathering:
     _seen: Counter[str] = field(default_factory=Counter)
     _taken: set[str] = field(init=False)
     _happening: bool = False
+    _begun: int = 0
+    _before: list[int] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self._taken = set(self.links.wishes)
@@ -94,6 +100,7 @@ class Gathering:
     def spoken(self, wish: SpokenWish, reading: Reading, told: Told) -> None:
         """Add the skills of a wish in words; what they told of what happens refers to that."""
         listed = self.rows.holds(reading)
+        self._begun = len(self.links.instructions)
         about: list[tuple[Instruction, range]] = []
         for instruction in reading.instructions:
             news = [place for span, place in told.items() if overlap(span, instruction.span)]
@@ -105,6 +112,8 @@ class Gathering:
             places = self._take(wish, reading, instruction, listed=listed)
             self.links.instructions.append(places)
             about.append((instruction, places))
+        said = [place for one, places in about for place in places if one.again is None]
+        self._before = said or self._before
         if not listed:
             self.rows.join(reading, about, self.skills, self.maker.lexicon)
             for _, places in about:
@@ -114,10 +123,13 @@ class Gathering:
 
     def _take(self, wish: SpokenWish, reading: Reading, instruction: Instruction, *, listed: bool) -> range:
         """Take what an instruction tells or asks for, and give the places of the skills that it is about."""
+        instruction = bounding(instruction, reading, self.maker.lexicon) if listed else instruction
         if instruction.length_of is not None:
             lengthened = self._lengthened(instruction)
             self._go_there(wish, reading, instruction, instruction.length_of.target)
             return lengthened
+        if instruction.again is not None:
+            return self._again(instruction.again, listed=listed)
         if instruction.time_of is not None and not any(map(_is_asked, self.skills)):
             # "Everything must be done by six", said before anything is asked for.
             self.ahead.append((wish, instruction))
@@ -131,7 +143,9 @@ class Gathering:
         instruction = beside_what_lasts(instruction, *given)
         for place in going_on_by_itself(instruction, *given):
             self.skills[place] = self.maker.how_long.by_itself(self.skills[place])
-        step = without_now(instruction) if listed and self.rows.begun else instruction
+        step = instruction
+        if listed and self.rows.begun:
+            step = since_the_step_before(without_now(instruction), *given)
         if self._is_of_what_comes(step):
             self.waiting.append((len(self.links.instructions), wish, reading, step))
             return range(0)
@@ -140,6 +154,21 @@ class Gathering:
             self.rows.add(self.skills, made, len(self.links.instructions))
         self._go_there(wish, reading, instruction, len(self.links.instructions))
         return made
+
+    def _again(self, times: int, *, listed: bool) -> range:
+        """Do again, so many times, what this text asked for so far, or else the one before it."""
+        known = self.links.instructions
+        said = [place for places in known[self._begun :] for place in places] or [*self._before]
+        copied = [self.skills[place] for place in said if is_asked(self.skills[place])]
+        for one in islice(copied * times, MAX_OCCURRENCES):
+            last = len(self.skills) - 1
+            if isinstance(one.wish, SpokenWish) and one.reading is not None and one.instruction is not None:
+                made = self._make(one.wish, one.reading, replace(one.instruction, requirements=()))
+                if listed:
+                    self.rows.add(self.skills, made, len(known))
+                elif made:
+                    self.rows.follow(last, made[0], self.skills)
+        return range(len(self.skills) - 1, len(self.skills)) if copied else range(0)
 
     def _is_of_what_comes(self, instruction: Instruction) -> bool:
         """Whether it is done beside each of what is told only behind it: how often is known then."""
@@ -162,7 +191,7 @@ class Gathering:
             if not any(map(_is_asked, self.skills)):
                 what = "says when all must be done, and nothing is asked for"
                 self.problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, what, instruction.span))
-            for place in range(len(self.skills)):
+            for place in bound_by(instruction, self.skills, self.maker.lexicon):
                 self._time(place, instruction, wish)
 
     def _make(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
@@ -224,7 +253,7 @@ class Gathering:
         if told is None:
             return None
         if told.target is None:
-            return range(len(self.skills))
+            return bound_by(instruction, self.skills, self.maker.lexicon)
         meant = self.links.skills_of(told.target)
         return meant if len(meant) == 1 and isinstance(self.skills[meant[0]].wish, SpokenWish) else None
 

@@ -1,6 +1,7 @@
 """How long what is asked for takes: as given, as said, as a table knows it."""
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.request import Wish
@@ -9,6 +10,11 @@ from fuzzytime.rulebook import OperationDuration, Rulebook
 
 ATTEND = "attend"
 """The row of durations for what happens, by its name."""
+
+LEAVE = "leave"
+"""The row of durations for what is left to itself."""
+
+TO = "to"
 
 TURN = "turn"
 """With "on" or "off", the row of what must be so: "heating on at five"."""
@@ -56,11 +62,21 @@ class HowLong:
         # "Paint the door for three hours": what dries when that is over leaves nobody free before.
         unattended = table.known and table.elapsed > table.hands_on and not table.worked
         hands_on = min(table.hands_on, length) if unattended else length
-        if operation is not None and operation.object is not None:
+        if operation is not None and self._rests(operation):
+            alone = self.rulebook.left_alone(self.rulebook.duration_of(LEAVE), length)
+            hands_on = hands_on if alone is None else min(hands_on, alone)
+        elif operation is not None and operation.object is not None:
             # "Leave the dough for an hour"; but who leaves for an hour is away.
             alone = self.rulebook.left_alone(table, length, operation.phrase)
             hands_on = hands_on if alone is None else min(hands_on, alone)
-        return OperationDuration(hands_on=hands_on, elapsed=length, source="said", assumed=False)
+        return OperationDuration(
+            hands_on=hands_on, elapsed=length, source="said", assumed=False, needed_for=table.needed_for
+        )
+
+    def _rests(self, operation: Operation) -> bool:
+        """Whether something is done for what goes on by itself: "hang the film to dry", "allow to cool"."""
+        said = pairwise(operation.name.lower().split())
+        return any(to == TO and verb in self.lexicon.doing.by_itself for to, verb in said)
 
     def _happening(self, operation: Operation) -> OperationDuration | None:
         """Give how long something that happens takes by the table; None where it is not in it.

@@ -7,9 +7,12 @@ from datetime import datetime
 from fuzzytime.context import Context
 from fuzzytime.errors import InstructionError
 from fuzzytime.interpreter.asked import by_agents
+from fuzzytime.interpreter.binding.delays import is_of_what_is_made
+from fuzzytime.interpreter.binding.doers import asking_doers
 from fuzzytime.interpreter.binding.giving_way import giving_way
 from fuzzytime.interpreter.binding.in_order import Rows, free_of_circles, of_places
 from fuzzytime.interpreter.binding.leaning import lean_on_each_other
+from fuzzytime.interpreter.binding.led_to import shortly_before
 from fuzzytime.interpreter.binding.prepared import of_prepared
 from fuzzytime.interpreter.binding.references import Links, link
 from fuzzytime.interpreter.binding.same_things import of_things
@@ -126,7 +129,12 @@ class Interpreter:
         maker = Maker(self.rulebook, self.language.lexicon, request)
         problems: list[Problem] = []
         readings = self._readings(request, problems)
-        rows = Rows(request.in_order or self._are_steps(request, readings))
+        asking = [one and asking_doers(one, self.language.lexicon) for one in readings]
+        rows = Rows(request.in_order or self._are_steps(request, asking))
+        readings = [
+            step if rows.in_order or (one and one.step is not None) else one
+            for one, step in zip(readings, asking, strict=True)
+        ]
         gathered = Gathering(maker, Links(names), rows, problems=problems)
         for wish, reading in zip(request.wishes, readings, strict=True):
             if isinstance(wish, DirectWish):
@@ -135,7 +143,8 @@ class Interpreter:
                 told = gathered.news(wish, reading)
                 reading_left = _without_remarks(reading, told)
                 if reading_left.instructions or not told:
-                    self._remark(reading_left, wish, admitted, problems)
+                    listed = rows.in_order or reading.step is not None
+                    self._remark(reading_left, wish, admitted, problems, listed=listed)
                 gathered.spoken(wish, reading_left, told)
         gathered.finish()
         skills, called = by_agents(as_they_happened(gathered.skills, request.started), request)
@@ -149,6 +158,7 @@ class Interpreter:
         kept = (*gathered.rows.kept(), *of_places(skills), *prepared)
         order = (*kept, *of_things(skills), *of_timetables(skills, prepared))
         order = free_of_circles(order, precedences)
+        skills = shortly_before(skills, gathered.rows.ends, (*precedences, *order), self.language.lexicon)
         out = turns_out_of_bounds(skills, precedences)
         dropped = {skills[place].identifier for place in out}
         problems += (one for one in unresolved if one.identifier not in dropped)
@@ -184,9 +194,23 @@ class Interpreter:
         read = [reading for reading in readings if reading is not None]
         return listed and lean_on_each_other(read, self.language.lexicon)
 
-    def _remark(self, reading: Reading, wish: SpokenWish, context: Context, problems: list[Problem]) -> None:
-        """Note a reading's remarks, and that it says nothing to do where it does not."""
+    def _remark(
+        self,
+        reading: Reading,
+        wish: SpokenWish,
+        context: Context,
+        problems: list[Problem],
+        *,
+        listed: bool,
+    ) -> None:
+        """Note a reading's remarks, and that it says nothing to do where it does not.
+
+        In a ``listed`` step, what no step names is what is made.
+        """
         told = self._told_by_readings(reading, context)
+        if listed:
+            times = (part for one in reading.instructions for part in one.requirements)
+            told |= {part.span for part in times if is_of_what_is_made(part, self.language.lexicon)}
         remarks = [
             remark
             for remark in remarks_of(reading, wish)

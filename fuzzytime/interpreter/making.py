@@ -270,8 +270,11 @@ class Maker:
         if not isinstance(wish, SpokenWish) or reading is None or instruction is None:
             return made
         since = seconds_between(wish.given, given)
-        finish = Reference.FINISH
-        more = [replace(p.shifted(since), reference=finish, reference_said=True) for p in told.requirements]
+        begins = told.operation is not None and told.operation.phrase in self.lexicon.doing.starting
+        named = Reference.START if begins else Reference.FINISH
+        more = [
+            replace(part.shifted(since), reference=named, reference_said=True) for part in told.requirements
+        ]
         said = {part.text for part in more}
         before = (
             part

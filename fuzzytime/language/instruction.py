@@ -96,8 +96,10 @@ class Operation:
     @property
     def going(self) -> str:
         """The same with where it leads: "go home", "get to the station"; "put … to bed", of who is put."""
-        what = None if self.object is None or self.place is None else BROUGHT
-        return " ".join(word.lower() for word in (self.phrase, what, self.place) if word)
+        # "Take off by six"; but "take the wheel off by six"
+        brought = self.object is not None and (self.place is not None or self.particle is not None)
+        what = BROUGHT if brought else None
+        return " ".join(word.lower() for word in (self.lemma, what, self.particle, self.place) if word)
 
     @property
     def name(self) -> str:
@@ -152,6 +154,8 @@ class Instruction:
     day_of
         The position of what happens from whose day that of its times was counted, as in "the evening before
         the trip"; None where no day was.
+    again
+        How many times what was asked for right before is done again: "repeat twice". None elsewhere.
     """
 
     span: Span
@@ -166,6 +170,7 @@ class Instruction:
     way: float | None = None
     day_of: int | None = None
     alone: bool = False
+    again: int | None = None
 
 
 class RemarkKind(StrEnum):

@@ -18,6 +18,7 @@ from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
 from fuzzytime.language.sentence.sketches.meaning.clock_times import IN_ORDER, LastSaid, said_in
 from fuzzytime.language.sentence.together.days.headings import on_next_day, under_headings
+from fuzzytime.language.sentence.together.none_of_it.needed_lines import with_needed
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
@@ -133,7 +134,7 @@ class Language:
     def _read_all(
         self, texts: Sequence[tuple[str, datetime | None]], given: Sequence[Operation | None]
     ) -> list[Reading]:
-        drafts = under_headings(self._drafts(texts, together=True))
+        drafts = under_headings(with_needed(self._drafts(texts, together=True)))
         readings, given_since, mentions = self._as_meant(drafts, given)
         told = frozenset[str]().union(*(content_words(one.object) for one in mentions.telling()))
         first = len(given)

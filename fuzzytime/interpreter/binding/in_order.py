@@ -36,13 +36,15 @@ class Rows:
     """The lists of a request: all of it where its order holds, else each numbered list.
 
     ``arrived`` gives for each word the latest that comes which it names, ``latest`` for each thing the latest
-    that is to be done with it; ``asked`` is what was asked for last of all, ``journey`` who leaves last.
+    that is to be done with it; ``asked`` is what was asked for last of all, ``journey`` who leaves last,
+    ``ends`` what lists lead to.
     """
 
     in_order: bool
     row: Row = field(default_factory=Row)
     number: int | None = None
     precedences: list[Precedence] = field(default_factory=list)
+    ends: list[int] = field(default_factory=list)
     arrived: dict[str, int] = field(default_factory=dict)
     latest: dict[str, int] = field(default_factory=dict)
     asked: Step | None = None
@@ -62,9 +64,21 @@ class Rows:
         return bool(self.row.last)
 
     def add(self, skills: Sequence[Interpreted], places: range, instruction: int) -> None:
-        """Add what an instruction, by its place, asks for; what happens, or again and again, is no step."""
-        if len(places) == 1 and is_asked(skills[places[0]]):
-            self.row.add(Step(places[0], skills[places[0]], instruction))
+        """Add what an instruction, by its place, asks for; what happens, or again and again, is no step.
+
+        Of what is done so many times behind another, the last is: "fold it three times, half an hour apart".
+        """
+        if not places:
+            return
+        step = Step(places[-1], skills[places[-1]], instruction)
+        if is_asked(step.interpreted) or step.last_of_turns:
+            self.row.add(step)
+        elif step.interpreted.stated:
+            self.row.lead_to(step)
+
+    def follow(self, first: int, second: int, skills: Sequence[Interpreted]) -> None:
+        """Let what is done again follow what was asked for last."""
+        self.precedences.append(Step(first, skills[first]).precedence(Step(second, skills[second])))
 
     def join(
         self,
@@ -196,6 +210,7 @@ class Rows:
     def _close(self) -> None:
         self.row.close()
         self.precedences += self.row.precedences
+        self.ends += [] if self.row.end is None else [self.row.end.position]
         self.row = Row()
 
 

@@ -2,13 +2,16 @@
 
 A line leans on those above it if it goes on where they end ("then", "meanwhile", "once it is dry"), or names
 nothing of its own ("bake", "let it stand"). A list of chores, of which one or two do, is none.
+
+Times by the clock say another order, but neither those that bound all of it ("serve at seven") nor parts of
+the day that follow each other ("in the evening mix the dough", "next morning shape it").
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from fuzzytime.interpreter.binding.steps import is_anchored
-from fuzzytime.language import Instruction, Lexicon, Reading, content_words
+from fuzzytime.language import Instruction, Lexicon, Reading, RemarkKind, content_words
 from fuzzytime.requirement import Constraint, TimeRequirement
 
 FEWEST = 4
@@ -19,6 +22,10 @@ LEANING = 3
 
 ABOUT_THE_SAME = 2
 """One of so many leans, is about a thing that was named above ("drain the potatoes"), or says how long."""
+
+FEWEST_LEANING = 2
+"""So many lean where one of two is about a thing that any order above named: of "fry the mushrooms", "set
+them aside", "return the mushrooms to the pan"."""
 
 TIMED = 3
 """Less than one of so many says when, by itself: else the times say the order."""
@@ -35,16 +42,24 @@ class _Lines:
     count: int = 0
     leaning: int = 0
     same: int = 0
+    linked: int = 0
     timed: int = 0
+    last_timed: bool = False
+    begun: float = 0.0
     asked: dict[int, frozenset[str]] = field(default_factory=dict)
     seen: int = 0
+    needing: bool = False
 
     def add(self, reading: Reading, lexicon: Lexicon) -> None:
         """Count a line, and take note of what it asks for."""
         asked = [(place, one) for place, one in enumerate(reading.instructions, self.seen) if _is_asked(one)]
         self.seen += len(reading.instructions)
+        self.needing |= not reading.instructions and any(
+            one.kind is RemarkKind.TOLD for one in reading.remarks
+        )
         self.read += bool(reading.instructions)
-        self.timed += any(_is_timed(part) for one in reading.instructions for part in one.requirements)
+        self.last_timed = any(self._is_timed(one, reading) for one in reading.instructions)
+        self.timed += self.last_timed
         if not asked:
             return
         first = asked[0][1]
@@ -54,6 +69,7 @@ class _Lines:
         self.leaning += leans
         lasts = any(one.duration is not None for _, one in asked)
         self.same += leans or lasts or not known.isdisjoint(_words(first))
+        self.linked += leans or any(not known.isdisjoint(_words(one)) for _, one in asked)
         self.asked.update((place, _words(one)) for place, one in asked)
 
     def _goes_on(self, instruction: Instruction) -> bool:
@@ -63,12 +79,34 @@ class _Lines:
             said += [] if part.condition is None else [part.condition.target, part.condition.about]
         return any(target in self.asked for target in said)
 
+    def _is_timed(self, instruction: Instruction, reading: Reading) -> bool:
+        """Whether words say by themselves when: not those for all, nor what goes on inside a line."""
+        if instruction.time_of is not None:
+            return False
+        said = [part for part in instruction.requirements if part.constraint not in NO_TIME]
+        inside = len(reading.instructions) > 1
+        return any(not is_anchored(part) and self._says_when(part, inside=inside) for part in said)
+
+    def _says_when(self, part: TimeRequirement, *, inside: bool) -> bool:
+        """Whether a time says where its line stands, and not only where those above it end."""
+        if part.constraint is Constraint.BETWEEN and part.earliest is not None:
+            # "Next morning" goes on where "in the evening" stands above it.
+            before, self.begun = self.begun, max(self.begun, part.earliest)
+            return part.earliest < before
+        delayed = part.constraint is Constraint.AFTER and part.unit is not None
+        return not delayed and not (inside and part.constraint is Constraint.EVERY)
+
     @property
     def are_steps(self) -> bool:
         """Whether enough of them lean on each other."""
         following = self.count - 1
-        enough = LEANING * self.leaning >= following and ABOUT_THE_SAME * self.same >= following
-        return following >= FEWEST and enough and TIMED * self.timed < self.read
+        some = LEANING * self.leaning >= following and ABOUT_THE_SAME * self.same >= following
+        most = self.leaning >= FEWEST_LEANING and ABOUT_THE_SAME * self.linked >= following
+        # "Serve at seven" bounds them all.
+        untimed = TIMED * (self.timed - self.last_timed) < self.read
+        # What is needed is told above a recipe alone.
+        enough = following >= FEWEST and (some or most)
+        return untimed and (enough or (self.needing and following > 1))
 
 
 def lean_on_each_other(readings: Sequence[Reading], lexicon: Lexicon) -> bool:
@@ -89,6 +127,9 @@ def _names_nothing(instruction: Instruction, lexicon: Lexicon) -> bool:
     operation = instruction.operation
     if operation is None or operation.again:
         return operation is not None
+    if operation.lemma in lexicon.doing.waiting and instruction.duration is not None:
+        # Who waits has begun something.
+        return True
     if operation.place is not None and not lexicon.closed.it_or_them.isdisjoint(operation.place.split()):
         # "Attach the sides to it"
         return True
@@ -104,8 +145,3 @@ def _words(instruction: Instruction) -> frozenset[str]:
     return (
         frozenset() if operation is None else content_words(operation.object) | content_words(operation.place)
     )
-
-
-def _is_timed(part: TimeRequirement) -> bool:
-    """Whether words say by themselves when: at a moment, by or from one on, or how often."""
-    return part.constraint not in NO_TIME and not is_anchored(part)

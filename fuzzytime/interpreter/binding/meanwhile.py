@@ -44,11 +44,21 @@ def _meant(
     if target is None or part.anchor is None:
         return part
     here = [skills[place] for place in _skills_of(target, before)]
+    inside = _inside(here)
+    if inside is not None:
+        # "Simmer it for an hour, stirring it every ten minutes. Meanwhile boil the rice"
+        return replace(part, anchor=replace(part.anchor, target=inside))
     earlier = [skills[place] for place in _skills_of(target - 1, before)]
     passing = bool(here) and not any(map(_lasts, here)) and any(map(_lasts, earlier))
     if not passing or here[0].wish is not earlier[0].wish:
         return part
     return replace(part, anchor=replace(part.anchor, target=target - 1))
+
+
+def _inside(turns: Sequence[Interpreted]) -> int | None:
+    """Give the instruction inside of which something has its turns."""
+    parts = (part for turn in turns[:1] for part in turn.requirements if part.recurrence is not None)
+    return next((part.anchor.target for part in parts if part.anchor is not None), None)
 
 
 def _target(part: TimeRequirement, lexicon: Lexicon) -> int | None:

@@ -4,12 +4,14 @@ import math
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.language import shares_thing
+from fuzzytime.language import content_words, shares_thing
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from fuzzytime.skills import Precedence
 
 OWN_TIME = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
 """What says when a step is, and not only when it is at the latest or at the earliest."""
+
+SENTENCE_ENDS = frozenset(".;!?")
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,12 +59,43 @@ class Step:
 
     @property
     def beside(self) -> bool:
-        """Whether it goes on beside the step before it: "meanwhile boil the potatoes"."""
-        return any(
-            is_anchored(part) and part.anchor is not None and not part.anchor.exact
+        """Whether it goes on beside a step before it: "meanwhile boil it", "while the glue sets"."""
+        anchors = [
+            (part.constraint, part.anchor)
             for part in self.interpreted.requirements
-            if part.constraint is Constraint.AT
+            if is_anchored(part) and part.anchor is not None and not part.anchor.exact
+        ]
+        return any(
+            bound is Constraint.AT or (bound is Constraint.AFTER and anchor.edge is Edge.FREE)
+            for bound, anchor in anchors
         )
+
+    @property
+    def inside(self) -> bool:
+        """Whether it is done while what it counts from goes on: "after an hour stir it"."""
+        anchors = [one.anchor for one in self.interpreted.requirements if is_anchored(one) and one.anchor]
+        return any(
+            one.exact and (one.share is not None or one.edge is Edge.START or one.lag < 0) for one in anchors
+        )
+
+    @property
+    def last_of_turns(self) -> bool:
+        """Whether it is one of so many turns that count from another, and goes on inside of none."""
+        said = (part for part in self.interpreted.requirements if part.recurrence is not None)
+        return any(
+            is_anchored(part) and part.anchor and part.anchor.edge is Edge.END and not part.recurrence.endless
+            for part in said
+            if part.recurrence is not None
+        )
+
+    def goes_on(self, before: "Step") -> bool:
+        """Whether it stands in the sentence of another, right behind that: "… and slice them"."""
+        one, other = before.interpreted, self.interpreted
+        if one.wish is not other.wish or one.instruction is None or other.instruction is None:
+            return False
+        reading = other.reading
+        joint = "" if reading is None else reading.text[one.instruction.span[1] : other.instruction.span[0]]
+        return bool(joint) and SENTENCE_ENDS.isdisjoint(joint)
 
     def _comes_before(self, part: TimeRequirement) -> bool:
         target = None if part.anchor is None or part.anchor.exact else part.anchor.target
@@ -89,23 +122,46 @@ class Step:
         operation, other = self.interpreted.operation, following.interpreted.operation
         if not (needed or self.beside) or operation is None or other is None:
             return False
-        return other.lemma not in needed and not shares_thing(operation, other)
+        # "Charge the drill", "drill the holes"
+        does = other.lemma in content_words(operation.object)
+        return other.lemma not in needed and not does and not shares_thing(operation, other)
 
 
 @dataclass(slots=True)
 class Row:
-    """The steps of one list that nothing follows yet, and those that may be needed later than by the next."""
+    """The steps of one list that nothing follows yet, and those that may be needed later than by the next.
+
+    ``meanwhile`` is the latest, where it goes on beside what is above, or inside of it. ``end`` is what it
+    leads to at a moment: the last step that has one, or what is told in front of all or behind all ("dinner
+    is at eight").
+    """
 
     needed: list[Step] = field(default_factory=list)
     last: list[Step] = field(default_factory=list)
     precedences: list[Precedence] = field(default_factory=list)
+    meanwhile: Step | None = None
+    end: Step | None = None
+    told: bool = False
+    ahead: bool = False
+
+    def lead_to(self, event: Step) -> None:
+        """Take what is told to happen at a moment for what all steps lead to, unless a step follows it."""
+        if event.at_moment and not self.ahead:
+            self.end, self.told, self.ahead = event, True, not self.last
 
     def add(self, step: Step) -> None:
         """Add a step, behind those that nothing follows."""
+        if self.told and not self.ahead:
+            self.end, self.told = None, False
+        if step.at_moment and not self.told:
+            self.end = step
         left: list[Step] = []
         open_ends = {before.position for before in self.last}
+        # "Meanwhile peel the carrots and slice them": both go on beside what is above.
+        onward = self.meanwhile is not None and step.goes_on(self.meanwhile)
         for before in self.last:
-            if not step.ordered or step.is_apart(before):
+            passed = onward and before is not self.meanwhile
+            if not step.ordered or step.is_apart(before) or passed:
                 left.append(before)
             else:
                 self.precedences.append(before.precedence(step))
@@ -116,6 +172,7 @@ class Row:
             ]
         if step.interpreted.duration.needed_for or step.beside:
             self.needed.append(step)
+        self.meanwhile = step if step.beside or step.inside or onward else None
         self.last = [*left, step]
 
     def close(self) -> None:
@@ -125,6 +182,8 @@ class Row:
             # What is said first of two counts.
             waited = [Precedence(one.position, step.position) for one in beside]
             self.precedences = [*waited, *self.precedences]
+        if self.told and self.end is not None:
+            self.precedences += [Precedence(step.position, self.end.position) for step in self.last]
 
 
 def _is_own(part: TimeRequirement) -> bool:

@@ -11,16 +11,17 @@ from fuzzytime.requirement import Constraint, Edge, Recurrence, TimeRequirement
 
 @dataclass(frozen=True, slots=True)
 class Behind:
-    """The instruction, by its position among all, behind which turns begin."""
+    """The instruction, by its position among all, behind which turns begin, the first so much later."""
 
     target: int
+    later: float = 0.0
 
     def times(
         self, repeated: TimeRequirement, recurrence: Recurrence, until: float
     ) -> Iterator[tuple[TimeRequirement]]:
         """Give the turns' times, each at its distance from the end of what is before them."""
         for start, _ in recurrence.windows(until):
-            yield (turn(repeated, self.target, Edge.END, start),)
+            yield (turn(repeated, self.target, Edge.END, self.later + start),)
 
 
 def behind_of(
@@ -47,7 +48,11 @@ def behind_of(
     if target is None or not 0 <= target < len(before) or len(before[target]) != 1:
         return None
     one = skills[before[target][0]]
-    return None if one.operation is None or (counted and one.stated) else Behind(target)
+    if one.operation is None or (counted and one.stated):
+        return None
+    # "Fold the dough. Repeat three times, half an hour apart"
+    again = counted and operation is not None and operation.again and operation.lemma == one.operation.lemma
+    return Behind(target, recurrence.interval if again else 0.0)
 
 
 def _about(thing: str | None, before: Sequence[range], skills: Sequence[Interpreted]) -> int | None:

@@ -78,17 +78,18 @@ def _around(
 
 
 def _is_inside(part: TimeRequirement, other: Interpreted) -> bool:
-    """Whether a time is inside of what keeps the hands to its end: "two minutes into the kneading"."""
-    anchor, length = part.anchor, other.skill.time_until_done
-    if anchor is None or other.keeps_hands < length:
+    """Whether a time is inside of what keeps the hands then: "two minutes into the kneading"."""
+    anchor, length, kept = part.anchor, other.skill.time_until_done, other.keeps_hands
+    if anchor is None:
         return False
     if part.constraint is Constraint.AT:
         # "During the kneading"; but "meanwhile" names nothing.
-        return anchor.verb is not None or anchor.object is not None
+        return kept >= length and (anchor.verb is not None or anchor.object is not None)
     if part.constraint not in {Constraint.AFTER, Constraint.BEFORE} or not anchor.exact:
         return False
-    begun = anchor.share is not None or (anchor.edge is Edge.START and 0 < anchor.lag < length)
-    return begun or (anchor.edge is Edge.END and -length < anchor.lag < 0)
+    if anchor.share is not None:
+        return anchor.share * length < kept
+    return 0 < anchor.lag + (0 if anchor.edge is Edge.START else length) < min(kept, length)
 
 
 def _interval(one: Interpreted) -> float | None:

@@ -13,6 +13,7 @@ from fuzzytime.language.sentence.sketches.meaning.pronouns import (
     undone_alone,
 )
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.lent.again_before import times_again
 from fuzzytime.language.sentence.together.none_of_it.doubts import doubts_of, unasked
 from fuzzytime.language.sentence.together.none_of_it.how_much import counted
 from fuzzytime.language.sentence.together.none_of_it.unused import (
@@ -36,6 +37,14 @@ def asked_of(
     spoken_of: list[Operation | None] = []
     for sketch in sketches:
         operation = sketch.operation
+        asked = any(one is not None and one.is_asked for one in (*mentions.operations[:first], *operations))
+        again = times_again(sketch, draft) if asked else None
+        if again is not None:
+            # "Repeat twice"
+            found.append(replace(sketch, again=again))
+            operations.append(None)
+            spoken_of.append(None)
+            continue
         doubts = _doubts(sketch, draft)
         remarks += doubts
         was = bool(doubts) and tells_what_was(sketch)
@@ -57,7 +66,7 @@ def asked_of(
             thing = thing or _behind_denials(sketch, operation, operations, mentions, first)
             thing = thing or resolved_object(operation, spoken_of, mentions, first)
             thing = thing or undone_alone(operation, reversed(mentions.operations[:first]), draft.lexicon)
-            again = thing != operation.object
+            again = operation.again or thing != operation.object
             found.append(replace(sketch, operation=replace(operation, object=thing, again=again)))
         operations.append(found[-1].operation)
         # "I fed the cat at seven, feed her again"

@@ -19,6 +19,7 @@ from fuzzytime.language.sentence.segments.connectives import (
     led_by_nothing,
 )
 from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.lists.things_needed import needed
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.around_events.days_of_events import on_days_of_events
@@ -66,6 +67,8 @@ def composed(
     """
     if draft.leads:
         return read_heading(draft)
+    if draft.needed:
+        return Reading(text=draft.text, now=draft.now, instructions=(), remarks=(needed(draft.text),))
     return _Composer(draft, mentions, first, awaits=awaits, since=since).reading()
 
 
@@ -202,6 +205,7 @@ class _Composer:
             way=None if sketch.way is None else sketch.way.seconds,
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
             day_of=event,
+            again=sketch.again,
             alone=bool(lengths) and any(_leaves(aside, lengths[0]) for aside in self.draft.asides),
         )
 

@@ -45,8 +45,8 @@ class LocalSearch:
         if len(problem.jobs) <= MOST_JOBS and only_order_counts(problem):
             return Dynasearch(self.seed, self.slots).search(problem, watch, warm)
         begin = warm or nothing(problem)
-        if problem.lags and all(lag.high == math.inf for lag in problem.lags):
-            # Where each waits for another, few can be put in at a time; no help where some follow closely.
+        if problem.lags:
+            # Where each waits for another, few can be put in at a time.
             begin = min(begin, one_by_one(problem), key=lambda draft: draft.cost)
         grid = grid_of(problem, step_for(problem, self.slots)).fairly_rounded(problem)
         plan = Rough(problem, grid, begin)

@@ -51,6 +51,8 @@ class NoTimes(NamedTuple):
     extents: Words
     sizing: Words
     measured_in: Words
+    portions: Words
+    totals: Words
     around_ages: Words
     of_decades: Words
     codes: Words

@@ -39,6 +39,7 @@ class Doing(NamedTuple):
     taking_care: Words
     setting: Words
     set_going: Words
+    starting: Words
     repeating: Words
     shifting: Words
     trying: Words
@@ -101,6 +102,7 @@ class Doing(NamedTuple):
     bringing: Words
     meeting: Words
     resting: Words
+    by_itself: Words
     watching: Words
     past_alike: Words
     calling_up: Words

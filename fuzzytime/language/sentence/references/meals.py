@@ -2,6 +2,7 @@
 
 from itertools import chain
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clauses.clause import Clause
@@ -24,6 +25,11 @@ def _is_of_meal(operation: Operation | None, named: frozenset[str], anchors: Anc
     """Whether something is done with a meal that may be ``named``, or one is told of."""
     if operation is None or operation.object is None or not named <= content_words(operation.object):
         return False
-    words = words_of(operation.object)
-    pieces = chain.from_iterable(anchors.lexicon.pieces(words, place) for place in range(len(words)))
+    return names_meal(operation.object, anchors.lexicon)
+
+
+def names_meal(thing: str | None, lexicon: Lexicon) -> bool:
+    """Whether words name a meal: "a late dinner"."""
+    words = words_of(thing or "")
+    pieces = chain.from_iterable(lexicon.pieces(words, place) for place in range(len(words)))
     return any(piece.category == "meal" and not piece.value.place for piece in pieces)

@@ -48,7 +48,10 @@ def undoes(operation: Operation, earlier: Operation, lexicon: Lexicon) -> bool:
     if not undone and operation.place is not None:
         # "Take it off the heat"
         undone = lexicon.undoing.get(f"{operation.lemma} {operation.place.split()[0].lower()}", frozenset())
-    return earlier.is_asked and earlier.phrase in undone
+    # "Pour it in", "pour it out"
+    same = operation.lemma == earlier.lemma and operation.particle is not None
+    back = same and earlier.particle in lexicon.undoing.get(operation.particle or "", frozenset())
+    return earlier.is_asked and (back or earlier.phrase in undone)
 
 
 @dataclass(slots=True)

@@ -53,7 +53,9 @@ def _all_meant(clause: Clause, anchors: Anchors, text: str) -> list[int]:
     closed, lexicon = anchors.lexicon.closed, anchors.lexicon
     if clause.condition is None:
         return []
-    over = clause.condition.word in lexicon.results
+    # "Once both are done", "when both are ok"; but "once both are calibrated"
+    said = clause.condition.word is not None and clause.verb in {None, "be"}
+    over = said or clause.condition.word in lexicon.results
     words = [word.text for word in words_of(text[slice(*clause.content)])]
     named = content_words(clause.object) - closed.universal_pronouns - closed.anaphors
     named -= lexicon.numbers.keys() | lexicon.beside.wishes

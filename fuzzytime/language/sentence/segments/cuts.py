@@ -10,6 +10,7 @@ from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes_beside
 from fuzzytime.language.sentence.segments.further.further_orders import further_verbs
+from fuzzytime.language.sentence.segments.further.other_doers import other_doers
 from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_left_out
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
@@ -47,6 +48,10 @@ def pieces_of(one: Waiting, part: Part) -> list[Segment]:
     onward = _onward(one, part)
     if onward is not None:
         return [replace(one.segment, span=(one.segment.span[0], onward[0])), onward[1]]
+    for place in other_doers(part.tree):
+        pieces = _around(one, part, part.tree.nodes[place].start + part.offset)
+        if pieces:
+            return pieces
     starts = _further(one, part)
     for start in starts:
         chain = _chain(one, part, start)

@@ -89,8 +89,8 @@ class Draft:
     ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
     of its parts, nor are ``messages``, which somebody is told. ``heading`` is the time that a line above
     names for it; one that ``leads`` names that of the lines below, and a ``listed`` one is among lines with
-    times, as one ``beside`` others may have none. ``instances`` are several of one kind, of which each has a
-    time, ``orders`` the words that say where something comes among others.
+    times, as one ``beside`` others may have none. What is ``needed`` is only named. ``instances`` are several
+    of one kind, of which each has a time, ``orders`` the words that say where something comes among others.
     """
 
     text: str
@@ -106,6 +106,7 @@ class Draft:
     leads: bool = False
     listed: bool = False
     beside: bool = False
+    needed: bool = False
     instances: Instances = NONE
     orders: tuple[tuple[Span, Order], ...] = ()
 

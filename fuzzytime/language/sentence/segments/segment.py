@@ -34,6 +34,16 @@ from fuzzytime.language.sentence.segments.taken_back.corrected_things import (
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 
+DASHES = frozenset({"-", "–", "—"})
+
+NOT = "not"
+"""Behind a dash it takes back what was said: "scrub the tub - not now, in an hour"."""
+
+THINGS = frozenset({"it", "them"})
+
+SHORTEST = 3
+"""Words of an order, at least, behind which a dash begins another: "Anna - feed the cat" calls somebody."""
+
 JOINED = frozenset({"", "and"})
 """Connectives behind which nothing else says when."""
 
@@ -100,8 +110,9 @@ def segments_of(
             place = cut[1]
             continue
         ends = words[place].text in ENDS and _is_end(text, words, place, lexicon)
-        begun = any(p not in inside for p in range(cuts[-1][1] if cuts else 0, place))
-        if ends or (begun and _parts_what_is_told(words, place, lexicon)):
+        begun = [p for p in range(cuts[-1][1] if cuts else 0, place) if p not in inside]
+        parts = _parts_what_is_told(words, place, lexicon) if begun else False
+        if ends or parts or _parts_orders(words, begun, place, lexicon):
             cuts.append((place, place + 1, ""))
         place += 1
     return list(_between(text, words, cuts, times, lexicon))
@@ -154,6 +165,31 @@ def _parts_what_is_told(words: Sequence[Word], place: int, lexicon: Lexicon) -> 
     return words[place].text == "-" and behind in lexicon.closed.subject_pronouns
 
 
+def _parts_orders(words: Sequence[Word], begun: Sequence[int], place: int, lexicon: Lexicon) -> bool:
+    """Whether a dash stands before a further order: "spray the tiles - leave it for ten minutes".
+
+    "Anna - feed the cat" calls somebody, and "once it's cool - slice it" has its order behind the dash.
+    """
+    if words[place].text not in DASHES or words[place].glued or place + 2 >= len(words):
+        return False
+    behind = place + 1
+    if len(begun) < SHORTEST or longest_match(words, begun[0], lexicon.clauses) is not None:
+        return False
+    said, following = words[behind].text, words[behind + 1].text
+    denies = said in lexicon.closed.negators_as_typed and said != NOT
+    if denies or (said in lexicon.letting and following in THINGS):
+        return True
+    return not any(lexicon.pieces(words, behind)) and _acts(words, behind, lexicon)
+
+
+def _acts(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a word at a place does something to what stands behind it, and behind its particle."""
+    inside = words[place].text in lexicon.function_words | lexicon.places or not words[place].is_letters
+    behind = place + 1 + (words[place + 1].text in lexicon.particles)
+    things = lexicon.closed.noun_openers | THINGS
+    return not inside and behind < len(words) and words[behind].text in things
+
+
 def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:
     """Whether a time in front of an order counts from the order before: "…, five minutes later serve"."""
     later = isinstance(phrase.said.time, Offset) and phrase.said.preposition == LATER
@@ -165,10 +201,8 @@ def _stops(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether the full stop of an abbreviation ends a sentence too: "at 6 p.m. Add the salt"."""
     if words[phrase.end - 1].text != "." or phrase.end + 1 >= len(words):
         return False
-    word, object_ = words[phrase.end], words[phrase.end + 1].text
-    inside = word.text in lexicon.function_words | lexicon.places
-    acts = not inside and object_ in lexicon.closed.noun_openers | {"it", "them"}
-    return word.capital or (acts and not _leads(phrase, words, lexicon))
+    acts = _acts(words, phrase.end, lexicon)
+    return words[phrase.end].capital or (acts and not _leads(phrase, words, lexicon))
 
 
 def _leads(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -42,7 +42,8 @@ class Sketch:
     ``named`` are the times that are none of what is to be done, which ``remarks`` name; ``headed`` are the
     clauses of a line above, ``way`` is how long it takes to go there, and ``joints`` are the words that
     joined its times to others of the same thing; ``denial`` is what is said of the orders before it that one
-    "don't" denies with it; ``doubted`` says that it is no instruction, and ``past`` that it tells what was.
+    "don't" denies with it; ``again`` is how many times what stands before it is done again; ``doubted``
+    says that it is no instruction, and ``past`` that it tells what was.
     """
 
     part: Part
@@ -57,6 +58,7 @@ class Sketch:
     way: Duration | None = None
     joints: tuple[Span, ...] = ()
     denial: str = ""
+    again: int | None = None
     doubted: bool = False
     past: bool = False
 

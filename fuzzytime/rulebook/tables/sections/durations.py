@@ -53,16 +53,18 @@ def _operation(scope: Scope, node: Node, key: str, verb: str) -> dict[Key, Opera
     needed = reader.strings(found["needed_for"], f"{key}.needed_for") if "needed_for" in found else ()
     worked = "worked" in found and reader.boolean(found["worked"], f"{key}.worked")
     if "hands_on" in found or "elapsed" in found or "objects" not in found:
-        own = _times(reader, node, key, found)
-        if own is not None:
-            rows[verb, None] = replace(own, needed_for=needed, worked=worked)
+        whole = _times(reader, node, key, found)
+        if whole is not None:
+            rows[verb, None] = replace(whole, needed_for=needed, worked=worked)
     if "objects" in found:
         path = f"{key}.objects"
         for thing, value in reader.mapping(found["objects"], path).items():
-            times = scope.row(value, f"{path}.{thing}", _TIMES)
+            times = scope.row(value, f"{path}.{thing}", (*_TIMES, "needed_for"))
             row = _times(reader, value, f"{path}.{thing}", times)
+            own = "needed_for" in times
+            needs = reader.strings(times["needed_for"], f"{path}.{thing}.needed_for") if own else needed
             if row is not None:
-                rows[verb, thing.lower()] = replace(row, needed_for=needed, worked=worked)
+                rows[verb, thing.lower()] = replace(row, needed_for=needs, worked=worked)
     return rows
 
 

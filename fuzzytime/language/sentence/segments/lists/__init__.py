@@ -1,7 +1,7 @@
 """Lines and their entries: ``list_marks`` and ``leading_tags`` in front, ``heads`` that hold for all.
 
 What may be one of the ``entries``; where ``dividers`` stand between them, and where nothing does
-(``unmarked``); what ``chains`` of steps join.
+(``unmarked``); lines of ``things_needed``; what ``chains`` of steps join.
 Of ``timed_lines``, a list of times, the hours beside what is named are ``hours_of_lines``, with
 ``joints`` between.
 """

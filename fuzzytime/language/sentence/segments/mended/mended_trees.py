@@ -2,6 +2,7 @@
 
 from collections.abc import Set as AbstractSet
 
+from fuzzytime.language.sentence.segments.mended.amounts import with_amounts
 from fuzzytime.language.sentence.segments.mended.mended_verbs import (
     does_to_person,
     with_thing_done,
@@ -17,6 +18,10 @@ NTH = 3
 """Words before the thing in "prune the second rose"."""
 BESIDE_DONE = frozenset({"prep", "agent", "npadvmod", "advmod", "punct", "cc", "conj", "prt"})
 """How what hangs on a participle that names nothing."""
+
+JOINTS = frozenset({",", "and", "&"})
+
+TWO = 2
 
 OF_TIMES = frozenset({"prep", "pobj", "punct", "nummod"})
 """How what hangs on a word that stands beside when."""
@@ -39,7 +44,7 @@ def as_done(tree: Tree) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
     if not tree.nodes:
         return tree
-    tree = _with_manner(_with_name_in_front(_with_numbered_things(tree)))
+    tree = _with_manner(_with_name_in_front(_with_numbered_things(with_amounts(tree))))
     tree = does_to_person(tree) or tree
     mended = _does_named(tree) or _lets(tree) or _does_nth(tree)
     mended = mended or _lets_know(tree) or with_verb(tree)
@@ -94,8 +99,10 @@ def _with_manner(tree: Tree) -> Tree:
 def with_joined(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "bath and bed", "milk and eggs" both things, where a tree has the first for what is done.
 
-    Nothing but a time stands behind them. Of "trim and mow" a tree has the second for a thing.
+    Nothing but a time stands behind them. Of "trim and mow" a tree has the second for a thing, of "scrub,
+    rinse and dry" the last for what something is like.
     """
+    tree = _with_last_done(tree)
     joined = tree.nodes[1:2] and tree.nodes[1].lower in {"and", "&"} and 2 in tree.children(0, "conj")
     if not joined or not tree.nodes[0].is_bare or tree.root or tree.children(0, "dobj", "prt"):
         return tree
@@ -106,6 +113,20 @@ def with_joined(tree: Tree, timed: AbstractSet[int]) -> Tree:
         return tree
     place, tag = (2, "VB") if tree.nodes[2].lower in tree.lexicon.orders else (0, "NN")
     return tree.changed(place, tag=tag)
+
+
+def _with_last_done(tree: Tree) -> Tree:
+    """Give orders in a row that are all of their words the last of them, which may be an adjective, too."""
+    chain = [0]
+    while chain[-1] + 2 < len(tree.nodes) and tree.nodes[chain[-1] + 1].lower in JOINTS:
+        chain.append(chain[-1] + 2)
+    last = chain[-1]
+    acts = all(tree.nodes[p].may_act and tree.nodes[p].lower == tree.nodes[p].lemma for p in chain)
+    acts = acts and tree.nodes[0].tag != "JJ"
+    ended = last + 1 == len(tree.nodes) or tree.nodes[last + 1].tag in {"IN", "."}
+    if len(chain) < TWO or not acts or not ended or tree.nodes[last].tag != "JJ":
+        return tree
+    return tree.changed(last, tag="VB", relation="conj", head=chain[-2])
 
 
 def _does_named(tree: Tree) -> Tree | None:

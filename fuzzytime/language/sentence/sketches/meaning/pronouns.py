@@ -112,6 +112,11 @@ def thing_of_clause_in_front(sketch: Sketch, operation: Operation, anchors: Anch
     pronouns = anchors.lexicon.closed
     if (operation.object or "").lower() not in pronouns.anaphors:
         return None
+    before = (*reversed(anchors.own), *reversed(anchors.mentions.operations[: anchors.first]))
+    several = (operation.object or "").lower() in pronouns.plural_anaphors
+    if _undone(operation, before, several=several, lexicon=anchors.lexicon) is not None:
+        # "Pour in the developer, start the timer. When that goes, pour it out"
+        return None
     for clause in sketch.clauses:
         if clause.span[0] < operation.span[0]:
             condition = clause.condition

@@ -15,6 +15,7 @@ from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
+from fuzzytime.language.sentence.segments.lists.things_needed import is_marked
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
 from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import names_deed
@@ -63,6 +64,7 @@ def title_of(drafts: Sequence[Draft]) -> Heading | None:
         return None
     alone = len(clocks) >= FEWEST and (_only_names(first) or _is_numbered(first))
     if not first.phrases:
+        alone = alone or (len(below) > FEWEST and _heads_steps(first, below))
         return Heading(name_of(first), first.text, first.scanned) if alone else None
     (time,) = first.phrases
     if is_window(time):
@@ -76,6 +78,23 @@ def title_of(drafts: Sequence[Draft]) -> Heading | None:
     if not named or time.said.preposition not in led:
         return None
     return _heading(first, time)
+
+
+def _heads_steps(first: Draft, below: Sequence[Draft]) -> bool:
+    """Whether a line only names what is made, or done, by the orders, or of the things, below it.
+
+    The only line without a mark does, whatever it may ask for ("Release 2.4"), and so does what stands in
+    front of what is needed for it: "Mushroom risotto for 4".
+    """
+    if is_marked(first.text) or first.step is not None or first.needed:
+        return False
+    numbered = all(draft.step is not None for draft in below)
+    if begins_order(first):
+        # "Changing the filter"
+        return numbered
+    marked = sum(is_marked(draft.text) or draft.step is not None for draft in below)
+    things = [draft.needed for draft in below]
+    return marked == len(below) or any(things[:2]) or _only_names(first)
 
 
 def _night_of(first: Draft) -> Phrase | None:

@@ -32,7 +32,7 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
     anew = text[own[0][0] : own[-1][1]] if own and sketch.heard else ""
     if tuple(anew.lower().split()) in lexicon.conversation["again"]:
         # "Feed the cat at eight and the same again at nine", "baste the roast and repeat this every hour"
-        return before
+        return replace(before, again=True)
     value = _valued_again(before, anew, lexicon) if sketch.phrases else None
     if value is not None or (rest and part.segment.entry):
         return value

@@ -1,5 +1,6 @@
 """What is no instruction of its own.
 
 Said of orders given before: ``orders_again``, ``after_all``. None at all: ``doubts``, ``what_was``,
-``how_things_are``. Words that name no time: ``naming``, ``how_much``. Words of none: ``unused``.
+``how_things_are``, ``needed_lines``. Words that name no time: ``naming``,
+``how_much``. Words of none: ``unused``.
 """

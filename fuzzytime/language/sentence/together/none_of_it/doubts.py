@@ -5,10 +5,11 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS_ALONE
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
-from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
+from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.lent.again_before import repeats
 from fuzzytime.language.sentence.together.none_of_it.how_things_are import holds_true, tells_how_things_are
 from fuzzytime.language.sentence.together.none_of_it.orders_again import is_about_orders
 from fuzzytime.language.sentence.together.none_of_it.what_was import has_done, tells_what_was
@@ -56,7 +57,7 @@ def _does(said: Sequence[Word], behind: str, sketch: Sketch) -> str | None:
         return "greets, and says nothing to do"
     if _takes_back(said, lexicon):
         return "takes back what was said before, and says nothing to do"
-    if _repeats(sketch.operation, lexicon):
+    if repeats(sketch.operation, lexicon):
         return "names nothing to repeat: say again what is to be done"
     if _shifts(said, lexicon):
         return "is about when something else is: say the new time of that itself"
@@ -158,13 +159,6 @@ def _takes_back(said: Sequence[Word], lexicon: Lexicon) -> bool:
     marks = {word for form in lexicon.corrections for word in form} | lexicon.beside.taken_back
     texts = [word.text for word in said if word.text.isalpha()]
     return "not" in texts and all(text in marks for text in texts)
-
-
-def _repeats(operation: Operation | None, lexicon: Lexicon) -> bool:
-    """Whether what was done is to be done again, which is not named: "repeat twice more"."""
-    if operation is None or operation.lemma not in lexicon.doing.repeating or operation.stated:
-        return False
-    return (operation.object or "it").lower() in lexicon.closed.singular_anaphors
 
 
 def _shifts(said: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -14,6 +14,16 @@ ACTED = frozenset({"while", "when", "if"})
 """Kinds of clauses that name no event: somebody does something in them."""
 
 
+ACTING = frozenset({"NNS", "NNPS", "VBZ"})
+"""Tags of what ends like what one does."""
+
+SINGULAR = frozenset({"NN", "NNP", "JJ"})
+"""Tags of one that does something: of "the oven heats" a tree has the first for what those are like."""
+
+NAMING = frozenset({"DT", "PRP$", "JJ", "NN", "NNP", "CD"})
+"""Tags of words that stand before who or what it is."""
+
+
 def with_called(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give the tree of "room 12 checks out at ten" its verb, which was taken for a plural.
 
@@ -152,22 +162,26 @@ def _is_numbered(tree: Tree, place: int | None) -> bool:
 
 
 def with_clause(tree: Tree) -> Tree:
-    """Give the tree of "while Dad milks" its verb, taken for a plural, which hardly stands behind "while"."""
+    """Give the tree of "while Dad milks", "while the stock simmers" its verb, taken for a plural.
+
+    A plural hardly stands behind "while".
+    """
     for verb in range(2, len(tree.nodes)):
         word, name = tree.nodes[verb], tree.nodes[verb - 1]
+        ends = verb + 1 == len(tree.nodes) or not tree.nodes[verb + 1].text[0].isalnum()
+        acts = word.tag in ACTING and word.may_act and word.lower.endswith("s") and name.head == verb
+        acts = acts and word.lemma not in tree.lexicon.closed.lemmas_of_be
         first = verb - 1
-        while first > 0 and tree.nodes[first - 1].tag in {"DT", "PRP$"}:
+        while first > 0 and tree.nodes[first - 1].tag in NAMING:
             first -= 1
         kind = tree.lexicon.clauses.get((tree.nodes[first - 1].lower,)) if first else None
-        ends = verb + 1 == len(tree.nodes) or not tree.nodes[verb + 1].text[0].isalnum()
-        named = name.tag == "NNP" or name.lower in tree.lexicon.persons
-        plural = (
-            word.tag in {"NNS", "NNPS"} and word.may_act and word.lower.endswith("s") and name.head == verb
-        )
-        if kind not in ACTED or not (named and plural and ends):
+        led = first < verb - 1 and tree.nodes[first].tag in DETERMINERS and name.tag in SINGULAR
+        named = name.tag == "NNP" or name.lower in tree.lexicon.persons or led
+        if kind not in ACTED or not (named and acts and ends):
             continue
         relation = "ROOT" if word.head == verb else "advcl"
         told = tree.changed(verb, tag="VBZ", lemma=singular_verb(word.lower), relation=relation)
-        told = told.changed(verb - 1, relation="nsubj").hung(range(first, verb - 1), verb - 1)
-        return told.changed(first - 1, head=verb, relation="mark")
+        own = (p for p in range(first, verb - 1) if not first <= tree.nodes[p].head < verb - 1)
+        told = told.changed(verb - 1, tag="NN" if name.tag == "JJ" else name.tag, relation="nsubj")
+        return told.hung(own, verb - 1).changed(first - 1, head=verb, relation="mark")
     return tree

@@ -50,9 +50,12 @@ def deed_at(tree: Tree, timed: Collection[int], phrases: Sequence[Phrase]) -> Op
     root, start = tree.root, _first_word(tree, timed)
     if tree.nodes[root].tag != "NN" or not names_deed(tree, start, root):
         return None
-    if any(not _is_of_name(node) for node in tree.nodes[start:root]) or not any(map(_is_clocked, phrases)):
-        return None
     first, last = tree.nodes[start], tree.nodes[root]
+    nth = first.lower in tree.lexicon.ordinals
+    named = all(_is_of_name(node) or (nth and node is first) for node in tree.nodes[start:root])
+    # "Second coat two hours later"; but "school run" is done at a time by the clock
+    if not named or not (any(map(_is_clocked, phrases)) or (nth and phrases)):
+        return None
     return Operation(
         verb=tree.text[first.start : last.end].lower(), lemma=last.lower, span=(first.start, last.end)
     )

@@ -1,0 +1,61 @@
+"""What counts from the step before in a list: "after ten minutes turn it", "once the soup is ready"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.interpreter.binding.steps import Step
+from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.language import Instruction, Lexicon
+from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+
+AFTER = "after"
+
+
+def since_the_step_before(
+    instruction: Instruction, before: Sequence[range], skills: Sequence[Interpreted], lexicon: Lexicon
+) -> Instruction:
+    """Let so long "after" count from what was asked for right before, from its begin where that lasts longer.
+
+    What no step names, as the dish that all is for, is ready when that is done. ``before`` are the positions
+    of the skills of all instructions so far.
+    """
+    target = _last_once(before, skills)
+    if target is None or instruction.operation is None or instruction.operation.stated:
+        return instruction
+    last = skills[before[target][0]]
+    requirements = tuple(_counted(part, target, last, lexicon) for part in instruction.requirements)
+    return replace(instruction, requirements=requirements)
+
+
+def is_of_what_is_made(part: TimeRequirement, lexicon: Lexicon) -> bool:
+    """Whether a time waits until what no instruction names is ready, or counts from that."""
+    anchor, condition = part.anchor, part.condition
+    if condition is not None:
+        known = condition.target is not None or condition.about is not None
+        return condition.word in lexicon.results and not known and not condition.negated
+    words = "" if anchor is None or anchor.target is not None else anchor.text
+    return words.split()[-1:] != [] and words.split()[-1] in lexicon.results
+
+
+def _last_once(before: Sequence[range], skills: Sequence[Interpreted]) -> int | None:
+    """Give the latest instruction that asks for something once, and not beside another.
+
+    What is done again and again goes on inside of what is meant: "roast it for an hour, basting it".
+    """
+    once = (place for place in range(len(before) - 1, -1, -1) if len(before[place]) == 1)
+    return next((place for place in once if not Step(0, skills[before[place][0]]).beside), None)
+
+
+def _counted(part: TimeRequirement, target: int, last: Interpreted, lexicon: Lexicon) -> TimeRequirement:
+    if is_of_what_is_made(part, lexicon):
+        if part.anchor is not None:
+            return replace(part, anchor=replace(part.anchor, target=target))
+        return replace(part, condition=part.condition and replace(part.condition, about=target))
+    if part.preposition != AFTER or part.unit is None or part.anchor is not None or part.t_spec is None:
+        return part
+    distance = part.t_spec
+    edge = Edge.START if distance < last.skill.time_until_done else Edge.END
+    anchor = Anchor(text=part.text, target=target, edge=edge, lag=distance, exact=True)
+    return replace(
+        part, constraint=Constraint.AFTER, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None
+    )
