@@ -22,6 +22,9 @@ class BehindTimes(LookedUp):
         known = follower in self.lexicon.function_words or self.timely(piece.end)
         known = known or self._is_taken_back(piece.end) or follower in self.beside.saying_more
         known = known or self._is_polite_end(piece.end) or follower in self.closed.negators_as_typed
+        # "Charge it overnight need it at seven"
+        further = {*self.texts[piece.end + 1 : piece.end + 2]} & self.closed.it_or_them
+        known = known or (bool(further) and follower in self.lexicon.doing.needing)
         known = known or self._says_how(piece.end)
         return known or self._is_in_front(piece) or self._is_before_order(piece)
 

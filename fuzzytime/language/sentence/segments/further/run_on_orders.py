@@ -14,6 +14,7 @@ from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_ord
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.segments.whole_clauses import COMPLEMENTS, binds
+from fuzzytime.language.sentence.trees.named import topic_of
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
@@ -77,7 +78,7 @@ def run_on_orders(waiting: Sequence[Waiting], found: Sequence[Tree], trees: Tree
 
 def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     lexicon = tree.lexicon
-    if not tree.nodes:
+    if not tree.nodes or topic_of(tree) is not None:
         return
     source, end, timed = one.source, one.segment.span[1], one.timed(tree)
     tells = not tree.nodes[0].may_act

@@ -39,6 +39,10 @@ def leading_tags(text: str) -> list[Span]:
     return [found.span("tag") for found in TAG.finditer(text)]
 
 
+TYPED = re.compile(r"(?P<before>\w+) (?P<joint>[^\W\d])(?= (?P<behind>\w+))")
+"""A letter alone between two words."""
+
+
 def without_bullets(text: str) -> str:
     """Give a text of the same length without the bullets of its lines, and other marks that say nothing.
 
@@ -49,6 +53,21 @@ def without_bullets(text: str) -> str:
         spans = [found.span(one) for found in marks.finditer(text) for one in ("open", "close") if found[one]]
         text = blanked(text, spans)
     return text
+
+
+def with_joints(text: str, lexicon: Lexicon) -> str:
+    """Give a text of the same length with "&" for an "n" typed for "and": "feed it at noon n six".
+
+    "Print page n", "set n to five" have a name there.
+    """
+
+    def joined(found: re.Match[str]) -> str:
+        named = found["before"].lower() in lexicon.called_by_number or found["behind"].lower() in bound
+        joint = found["joint"] in lexicon.beside.typed_joints and not named
+        return f"{found['before']} &" if joint else found[0]
+
+    bound = lexicon.closed.prepositions_of_points | lexicon.closed.present_be | {"to", "of"}
+    return TYPED.sub(joined, text)
 
 
 def leading_labels(text: str, lexicon: Lexicon) -> list[Span]:

@@ -1,4 +1,5 @@
 """A tree for each segment (``parsing``), and what trees get wrong.
 
-``mended_verbs`` in ``mended_trees``, ``mended_things``, ``needed_deeds``, ``aims``; ``places_in_front``.
+``mended_verbs`` in ``mended_trees``, ``mended_things``, ``needed_deeds``, ``aims``; ``topics`` and
+``places_in_front``.
 """
