@@ -39,12 +39,14 @@ class Standing(Around):
     def is_seen_to(self, piece: Piece) -> bool:
         """Whether two hours with a dash stand behind one known thing, which has none: "man the desk 9-1".
 
-        "Fill boxes 2-4" counts them, and "the heating 18-20" has them for a level.
+        "Fill boxes 2-4" counts them, "the heating 18-20" has them for a level; so has what is booked.
         """
         first, dash, last = (self.words[place] for place in range(piece.start, piece.start + 3))
         typed = dash.text == "-" and dash.glued and last.glued and piece.end == piece.start + 3
         hours = [int(word.text) for word in (first, last) if word.is_digits]
         if not typed or len(hours) < 2 or max(hours) > DAY_HOURS or hours[0] == hours[1]:
+            return False
+        if not self.lexicon.appointing.isdisjoint(self.texts[: piece.start]):
             return False
         *before, thing = ("", "", *self.texts[: piece.start])[-3:]
         openers = self.closed.noun_openers - self.closed.indefinite_determiners

@@ -79,7 +79,7 @@ class BehindTimes(LookedUp):
         # "It needs forty minutes take it out"
         lasts = self.is_unit(piece.end - 1)
         # "On the fourteenth at seven put it in"
-        led = not self.closed.prepositions_of_points.isdisjoint(
+        led = not (self.closed.prepositions_of_points | self.closed.prepositions_of_length).isdisjoint(
             (self.texts[piece.start], self.texts[piece.end - 2])
         )
         one = not self.are_several(follower)

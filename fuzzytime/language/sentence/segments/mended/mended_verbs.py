@@ -1,7 +1,7 @@
 """Orders whose tree takes another word for their verb, given it: "feed grandpa", "press start"."""
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, NOUNS, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, NOUNS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 LEAST_DONE = 3
@@ -12,52 +12,6 @@ LET = 2
 
 OF_VERBS = frozenset({"dobj", "prep", "npadvmod", "advmod", "prt", "tmod"})
 """Relations of words to the verb in front of them."""
-
-
-def with_future(tree: Tree) -> Tree:
-    """Give "I'm going to be out" the tree of "I'll be out", where "going" was taken for what is done."""
-    for going, node in enumerate(tree.nodes):
-        be = tree.children(going, "aux")
-        subjects = tree.children(going, *SUBJECTS, "expl")
-        if node.lower not in tree.lexicon.closed.future or not be or not subjects:
-            continue
-        closed = tree.lexicon.closed
-        is_so = tree.said(be) <= closed.present_be | closed.past_be and max(subjects) < min(be)
-        done = [p for p in tree.children(going, "xcomp") if tree.nodes[p].tag == "VB" and p > going]
-        if not is_so or not done:
-            # "Are you going to call?", "I'm going to bed"
-            continue
-        verb, head = done[0], node.head
-        to = [p for p in tree.children(verb, "aux") if p < verb]
-        behind = [p for p in tree.children(going) if p != verb and p not in be]
-        tree = tree.hung((*be, *to), going, "dep").hung(behind, verb)
-        tree = tree.changed(verb, relation=node.relation, head=verb if head == going else head)
-        tree = tree.changed(going, tag="MD", relation="aux", head=verb)
-        if tree.children(verb, "auxpass"):
-            tree = tree.hung(tree.children(verb, "nsubj"), verb, "nsubjpass")
-    return tree
-
-
-def with_owners_place(tree: Tree) -> Tree:
-    """Give "visit the vet's before noon" its order, where the mark of whose place it is was taken for "is".
-
-    So of "I'm at mum's till four".
-    """
-    marks = (p for p, node in enumerate(tree.nodes) if node.lower in tree.lexicon.closed.clipped_be)
-    place = next((p for p in marks if tree.nodes[p - 1].relation == "pobj"), tree.root)
-    if place < LEAST_DONE - 1 or tree.nodes[place].lower not in tree.lexicon.closed.clipped_be:
-        return tree
-    if place != tree.root and not tree.children(place, *SUBJECTS):
-        tree = tree.hung(tree.children(place), tree.root)
-        return tree.changed(place, tag="POS", lemma=tree.nodes[place].lower, relation="case", head=place - 1)
-    order, owner = tree.nodes[0], tree.nodes[place - 1]
-    led = order.head == place and order.may_act and order.lower == order.lemma
-    told = any(tree.nodes[p].relation not in {*OF_VERBS, "punct"} for p in tree.children(place) if p)
-    if not led or not owner.tag.startswith("NN") or place - 1 not in tree.below(0) or told:
-        return tree
-    tree = tree.hung([p for p in tree.children(place) if p], 0)
-    tree = tree.changed(0, tag="VB", relation="ROOT", head=0)
-    return tree.changed(place, tag="POS", lemma=tree.nodes[place].lower, relation="case", head=place - 1)
 
 
 def with_verb(tree: Tree) -> Tree | None:
@@ -101,7 +55,9 @@ def _switches(tree: Tree) -> Tree | None:
         return None
     verb, thing, behind = tree.nodes[:LEAST_DONE]
     known = verb.lower in tree.lexicon.particles.get(behind.lower, ()) and verb.lower == verb.lemma
-    return with_thing_done(tree, 1) if known and thing.may_name and behind.head == 1 else None
+    # "Power's off from nine"
+    named = thing.may_name and thing.text[0].isalnum()
+    return with_thing_done(tree, 1) if known and named and behind.head == 1 else None
 
 
 def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:

@@ -180,6 +180,9 @@ def _may_be_done(tree: Tree) -> bool:
     node = tree.nodes[tree.root]
     # "Mic up the leads"
     behind = tree.root + 1 + len(tree.children(tree.root, "prt"))
+    if any(one.lower in lexicon.doing.surely_timed for one in tree.nodes[tree.root + 1 : tree.root + 2]):
+        # "Bank shuts at four"
+        return False
     led = any(one.tag in DETERMINERS | {"PRP"} for one in tree.nodes[behind : behind + 1])
     return node.may_act or node.lower in lexicon.timing_alone or led
 
