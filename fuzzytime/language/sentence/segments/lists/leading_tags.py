@@ -39,8 +39,8 @@ def leading_tags(text: str) -> list[Span]:
     return [found.span("tag") for found in TAG.finditer(text)]
 
 
-TYPED = re.compile(r"(?P<before>\w+) (?P<joint>[^\W\d])(?= (?P<behind>\w+))")
-"""A letter alone between two words."""
+TYPED = re.compile(r"(?P<before>\w+) (?P<joint>[^\W\d]|\+)(?= (?P<behind>\w+))")
+"""A letter alone, or a plus, between two words."""
 
 
 def without_bullets(text: str) -> str:
@@ -56,7 +56,7 @@ def without_bullets(text: str) -> str:
 
 
 def with_joints(text: str, lexicon: Lexicon) -> str:
-    """Give a text of the same length with "&" for an "n" typed for "and": "feed it at noon n six".
+    """Give a text of the same length with "&" for what is typed for "and": "at noon n six", "tue + fri".
 
     "Print page n", "set n to five" have a name there.
     """
@@ -64,6 +64,8 @@ def with_joints(text: str, lexicon: Lexicon) -> str:
     def joined(found: re.Match[str]) -> str:
         named = found["before"].lower() in lexicon.called_by_number or found["behind"].lower() in bound
         joint = found["joint"] in lexicon.beside.typed_joints and not named
+        if found["joint"] == "+":
+            joint = all(lexicon.means(found[side].lower(), "weekday") for side in ("before", "behind"))
         return f"{found['before']} &" if joint else found[0]
 
     bound = lexicon.closed.prepositions_of_points | lexicon.closed.present_be | {"to", "of"}

@@ -13,25 +13,19 @@ NAMING = ("NN", "JJ", "DT", "PRP$", "POS", "CD", "IN")
 
 def with_topic(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give an order behind a time the thing in front as what "it" and "them" are."""
-    place = next((place for place in range(2, len(tree.nodes)) if _is_about(tree, place, timed)), None)
-    if place is None:
+    verb = next((place for place in range(2, len(tree.nodes)) if _is_about(tree, place, timed)), None)
+    if verb is None:
         return tree
-    verb, pronoun = place, place + 1
-    named = [p for p in range(min(timed)) if tree.nodes[p].text[0].isalnum()]
-    thing = named[-1]
-    nodes = list(tree.nodes)
-    for p in named[:-1]:
-        nodes[p] = _hung(nodes[p], thing, nodes[p].relation if nodes[p].head == thing else "compound")
-    nodes[thing] = _hung(nodes[thing], verb, TOPIC)
-    for p in range(thing + 1, verb):
-        inside = nodes[p].head in range(thing + 1, verb) and nodes[p].head != p
-        nodes[p] = nodes[p] if inside else _hung(nodes[p], verb, "npadvmod" if p in timed else "punct")
-    nodes[verb] = _hung(nodes[verb], verb, "ROOT", tag="VB", lemma=nodes[verb].lower)
-    nodes[pronoun] = _hung(nodes[pronoun], verb, "dobj")
-    for p in range(pronoun + 1, len(nodes)):
-        if nodes[p].head < verb or nodes[p].head == p:
-            nodes[p] = _hung(nodes[p], verb, "prt" if nodes[p].lower in tree.lexicon.particles else "dep")
-    return tree.with_nodes(nodes)
+    thing, pronoun, particles = min(timed) - 1, verb + 1, tree.lexicon.particles
+    while not tree.nodes[thing].text[0].isalnum():
+        thing -= 1
+    behind = [p for p in range(pronoun, len(tree.nodes)) if not pronoun <= tree.nodes[p].head != p]
+    tree = tree.hung(range(thing), thing, "compound").hung(range(thing + 1, verb), verb, "npadvmod")
+    tree = tree.hung(behind, verb, "dep").hung(
+        [p for p in behind if tree.nodes[p].lower in particles], verb, "prt"
+    )
+    tree = tree.changed(thing, head=verb, relation=TOPIC).changed(pronoun, head=verb, relation="dobj")
+    return tree.changed(verb, head=verb, relation="ROOT", tag="VB", lemma=tree.nodes[verb].lower)
 
 
 def _is_about(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
@@ -62,17 +56,3 @@ def _is_done(named: Sequence[Node], orders: AbstractSet[str], *, apart: bool) ->
     led = first.may_act and any(one.tag in DETERMINERS or apart for one in further)
     verb = first.is_verb and (bool(further) or not first.may_name)
     return led or verb or (first.lower in orders and bool(further))
-
-
-def _hung(node: Node, head: int, relation: str, *, tag: str = "", lemma: str = "") -> Node:
-    return Node(
-        node.text,
-        node.start,
-        node.end,
-        tag or node.tag,
-        lemma or node.lemma,
-        relation,
-        head,
-        node.may_act,
-        node.may_name,
-    )

@@ -29,29 +29,23 @@ def done_by(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
 
 def _first_ended(found: Sequence[Sketch], sketch: Sketch, text: str) -> int | None:
     """Give the place of the first that is to be over when a sketch says; None where it asks for something."""
-    operation, lexicon = sketch.operation, sketch.lexicon
+    operation, tree = sketch.operation, sketch.part.tree
     if operation is None or not found or not sketch.asks or sketch.clauses or not sketch.times:
         return None
-    if sketch.part.segment.connective == "then" or operation.place or operation.purpose or operation.due:
-        return None
-    tree = sketch.part.tree
-    if tree.children(tree.root, *SUBJECTS):
-        # "Watch the rice, it should be done in ten minutes" is told of it.
-        return None
+    # "Watch the rice, it should be done in ten minutes" is told of it.
+    told = sketch.part.segment.connective == "then" or tree.children(tree.root, *SUBJECTS)
     named = (operation.object or "").lower()
-    if named and named not in lexicon.closed.anaphors:
+    other = operation.place or operation.purpose or operation.due
+    if told or other or not sketch.lexicon.closed.anaphors | {""} >= {named}:
         return None
-    if not _is_end(operation, found[-1].operation, sketch):
-        return None
-    place = len(found) - 1
-    behind = sketch
-    first = None
-    while place >= 0 and found[place].asks and not ENDS & set(text_between(found[place], behind, text)):
-        first, behind = place, found[place]
-        place -= 1
-        if named:
+    first, behind = len(found), sketch
+    ends = _is_end(operation, found[-1].operation, sketch)
+    while ends and first and found[first - 1].asks and not (named and behind is not sketch):
+        if ENDS & set(text_between(found[first - 1], behind, text)):
             break
-    return first
+        first -= 1
+        behind = found[first]
+    return first if first < len(found) else None
 
 
 def _is_end(operation: Operation, before: Operation | None, sketch: Sketch) -> bool:

@@ -199,14 +199,12 @@ class Stated(Places):
         """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
         closed, doing = self.lexicon.closed, self.lexicon.doing
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
-        governing = self.tree.children(self.tree.nodes[verb].head, "nsubj")
-        named = subjects or [self.tree.nodes[p].lower for p in governing]
         words = self.tree.said((verb, *self.tree.children(verb, "acomp", "attr")))
-        if named == ["it"] and not self.lexicon.impersonal.isdisjoint(words):
+        if subjects == ["it"] and not self.lexicon.impersonal.isdisjoint(words):
             # "It's going to rain at four"
             return True
         becomes = self.tree.nodes[verb].lemma in self.lexicon.doing.being - {"be"}
-        if named == ["it"] and becomes and self.tree.nodes[verb].tag == "VBZ":
+        if subjects == ["it"] and becomes and self.tree.nodes[verb].tag == "VBZ":
             # "It gets cold after nine"
             return True
         helping = self._helping(verb)
