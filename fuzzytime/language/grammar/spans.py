@@ -133,7 +133,7 @@ def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
     ]
     # "She works three to five shifts"
     open_hours = (piece for piece in scanned.pieces("hours open") if judge.around.may_end(piece))
-    called += [piece for piece in open_hours if judge.walls.is_open(piece.start)]
+    called += [p for p in open_hours if judge.walls.is_open(p.start) or judge.walls.is_seen_to(p)]
     called += [piece for piece in scanned.pieces("so many each") if judge.lengths.counts_each(piece)]
     instead = {(piece.start, piece.end) for piece in called}
     said = [piece for piece in scanned.pieces("said") if (piece.start, piece.end) not in instead]

@@ -119,11 +119,13 @@ def _is_ellipsis(words: Sequence[Word], place: int) -> bool:
 
 
 def _is_shorthand(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    """Whether a number ends what is typed for a word: "b4"; but "seat B4"."""
-    if not place or not words[place].glued or not words[place].is_digits:
+    """Whether a number ends or begins what is typed for a word: "b4", "2day"; but "seat B4", "2day trip"."""
+    if not place or not words[place].glued or not (words[place].is_digits or words[place - 1].is_digits):
         return False
-    first = words[place - 1]
-    ends = place + 1 == len(words) or not words[place + 1].glued
+    first, behind = words[place - 1], words[place + 1 : place + 2]
+    ends = not behind or not behind[0].glued
+    if first.is_digits and behind and behind[0].is_letters and behind[0].text not in lexicon.function_words:
+        return False
     return ends and not (first.glued or first.capital) and first.text + words[place].text in lexicon.misspelt
 
 

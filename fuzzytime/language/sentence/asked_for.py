@@ -65,7 +65,8 @@ def asked_of(
             thing = thing_of_clause_in_front(sketch, operation, anchors)
             thing = thing or _behind_denials(sketch, operation, operations, mentions, first)
             thing = thing or resolved_object(operation, spoken_of, mentions, first)
-            thing = thing or undone_alone(operation, reversed(mentions.operations[:first]), draft.lexicon)
+            before = (*reversed(operations), *reversed(mentions.operations[:first]))
+            thing = thing or undone_alone(operation, before, draft.lexicon)
             again = operation.again or thing != operation.object
             found.append(replace(sketch, operation=replace(operation, object=thing, again=again)))
         operations.append(found[-1].operation)

@@ -85,6 +85,7 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
     "between the? <goal> and|to|-|through|thru|until|till the? <goal>",
     "between the hours of <goal> and|to <goal>",
     "from the? <goal> to|-|through|thru the? <goal>",
+    "from the? <goal> right? through to|till|until the? <goal>",
     "starting|beginning at? the? <goal> ,? and? ending|finishing at? the? <goal>",
     weight=1.1,
 )

@@ -217,6 +217,13 @@ def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     return Repeat(Duration(((length / number, Unit.SECOND),)), shared=days)
 
 
+@grammar.rule("repeat", "<integer> x <unit>", weight=0.5)
+def so_often_typed(number: Integer, unit: UnitWord) -> Repeat | None:
+    """2x day, 3x week."""
+    often = times(number)
+    return None if often is None or unit.unit in SUB_DAY else so_often(often, unit)
+
+
 @grammar.rule("repeat", "<integer> days a|per|every|each|/ week", weight=0.9)
 def on_so_many_days(number: Integer) -> Repeat | None:
     """Three days a week: so often, and not for so long; seven are all of them."""

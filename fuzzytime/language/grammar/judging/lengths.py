@@ -3,8 +3,9 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.meaning.expressions import Duration, Said
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import BOUNDS, Constraint, Unit
 
 ELAPSED = "elapsed."
 """How the names of rules begin of lengths that have passed."""
@@ -13,8 +14,11 @@ ELAPSED = "elapsed."
 class Lengths(Standing):
     """What stands around lengths of time, and whether it makes one doubtful."""
 
-    def _is_beside_another(self, piece: Piece) -> bool:
+    def _is_beside_another(self, piece: Piece, said: Said) -> bool:
         """Whether it counts from what is not known, or is compared with that."""
+        if said.constraint in BOUNDS and "last" in self.texts[piece.start : piece.end]:
+            # "Don't stir it until the last minute": of what, is not said, or behind it.
+            return True
         follower, behind = self.around.follower(piece), self.texts[piece.end + 1 : piece.end + 2]
         # "When five minutes have passed since the bell", "for a minute less than the packet says"
         since = piece.rule.startswith(ELAPSED) and follower in self.beside.elapsed_from
@@ -23,7 +27,7 @@ class Lengths(Standing):
     def accept(self, piece: Piece, said: Said, duration: Duration) -> bool:
         """Whether a length of time is one here."""
         last = duration.until or duration
-        if self._is_beside_another(piece):
+        if self._is_beside_another(piece, said):
             return False
         if said.preposition is None and self._is_of_word_before(piece, duration):
             return False
@@ -142,7 +146,10 @@ class Lengths(Standing):
         if follower == "of":
             # "Do ten minutes of yoga", "then two hours of coding"; but "ten minutes of your time"
             named = self.closed.noun_openers.isdisjoint(self.texts[piece.end + 1 : piece.end + 2])
-            return before in self.lexicon.doing.spending or (opens and named)
+            # "Give the patient five minutes of oxygen"
+            giving = self.lexicon.doing.giving
+            given = not giving.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
+            return before in self.lexicon.doing.spending or ((opens or given) and named)
         if before in self.lexicon.doing.spent or (
             follower.endswith("ing") and (opens or before in self.lexicon.doing.spending)
         ):

@@ -9,6 +9,7 @@ from fuzzytime.language.grammar.judging.given_times import GivenTimes
 from fuzzytime.language.grammar.judging.run_on_hours import RunOnHours
 from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import Around
+from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 
 
 class Standing(Around):
@@ -34,6 +35,23 @@ class Standing(Around):
         if last in self.beside.equating:
             return not self.lexicon.frames.isdisjoint(self.texts[max(0, place - NEAR) : place])
         return last in self.beside.open_for_hours
+
+    def is_seen_to(self, piece: Piece) -> bool:
+        """Whether two hours with a dash stand behind one known thing, which has none: "man the desk 9-1".
+
+        "Fill boxes 2-4" counts them, "the heating 18-20" has them for a level; so has what is booked.
+        """
+        first, dash, last = (self.words[place] for place in range(piece.start, piece.start + 3))
+        typed = dash.text == "-" and dash.glued and last.glued and piece.end == piece.start + 3
+        hours = [int(word.text) for word in (first, last) if word.is_digits]
+        if not typed or len(hours) < 2 or max(hours) > DAY_HOURS or hours[0] == hours[1]:
+            return False
+        if not self.lexicon.appointing.isdisjoint(self.texts[: piece.start]):
+            return False
+        *before, thing = ("", "", *self.texts[: piece.start])[-3:]
+        openers = self.closed.noun_openers - self.closed.indefinite_determiners
+        levels = self.beside.with_levels | self.lexicon.amount_nouns
+        return not (openers.isdisjoint(before) or looks_plural(thing) or thing in levels) and thing.isalpha()
 
     def is_called(self, place: int) -> bool:
         """Whether somebody is called right before a place: "call ann | five thirty"; not "call room 1430"."""

@@ -32,6 +32,7 @@ class Doing(NamedTuple):
     taking: Words
     spent: Words
     spending: Words
+    giving: Words
     finished: Words
     putting: Words
     being_somewhere: Words

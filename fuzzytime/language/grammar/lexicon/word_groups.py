@@ -94,6 +94,7 @@ class ClosedClasses(NamedTuple):
     forbidding: Words
     denials: Words
     negators_as_typed: Words
+    limiting: Words
     coordinators: Words
     coordinators_of_days: Words
     range_joints: Words
@@ -211,6 +212,8 @@ class BesideTimes(NamedTuple):
     stating: Words
     due: Words
     over: Words
+    typed_joints: Words
+    ended: Words
     titles_of_persons: Words
     saying_more: Words
     being_on: Words

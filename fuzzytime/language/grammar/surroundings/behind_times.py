@@ -25,6 +25,9 @@ class BehindTimes(LookedUp):
         known = follower in self.lexicon.function_words or self.timely(piece.end)
         known = known or self._is_taken_back(piece.end) or follower in self.beside.saying_more
         known = known or self._is_polite_end(piece.end) or follower in self.closed.negators_as_typed
+        # "Charge it overnight need it at seven"
+        further = {*self.texts[piece.end + 1 : piece.end + 2]} & self.closed.it_or_them
+        known = known or (bool(further) and follower in self.lexicon.doing.needing)
         known = known or self._says_how(piece.end)
         return known or self._is_in_front(piece) or self._is_before_order(piece)
 
@@ -81,7 +84,7 @@ class BehindTimes(LookedUp):
         # "It needs forty minutes take it out"
         lasts = self.is_unit(piece.end - 1)
         # "On the fourteenth at seven put it in"
-        led = not self.closed.prepositions_of_points.isdisjoint(
+        led = not (self.closed.prepositions_of_points | self.closed.prepositions_of_length).isdisjoint(
             (self.texts[piece.start], self.texts[piece.end - 2])
         )
         one = not self.are_several(follower)

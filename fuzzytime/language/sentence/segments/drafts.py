@@ -26,6 +26,7 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
     leading_labels,
     leading_tags,
     remarks_of_tags,
+    with_joints,
     without_bullets,
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
@@ -148,7 +149,7 @@ def drafted(
     together: bool,
 ) -> list[Draft]:
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
-    entries = [(text, without_bullets(text), now) for text, now in texts]
+    entries = [(text, with_joints(without_bullets(text), lexicon), now) for text, now in texts]
     listed = [without_marks(entry, list_marks(entry, lexicon)) for _, entry, _ in entries]
     timed = timed_lines(listed, lexicon) if together else [Timed.NO] * len(listed)
     drafts = [

@@ -102,6 +102,8 @@ def openings_inside(words: Sequence[Word], times: AbstractSet[int], lexicon: Lex
         if form is None and pair[0] in lexicon.closed.requesting_modals and pair[1] == "you":
             # "The library closes at six, can you take these back"
             form = pair
+        if form is None and place - 1 in times and _is_only_then(words, place, times, lexicon):
+            form = pair
         end = place + len(form or ())
         if form and end < len(words) and words[end].is_letters | (words[end].text == ","):
             yield words[place].start, words[end - 1].end
@@ -161,6 +163,17 @@ def _request_at(words: Sequence[Word], place: int, lexicon: Lexicon) -> tuple[st
     if len(form) > len(pair) and form[0] != "if":
         return form
     return longest_match(words, place, lexicon.questions["obliging"]) or ()
+
+
+def _is_only_then(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> bool:
+    """Whether it is said who may do it only then: "not until noon | should you open the valve"."""
+    closed = lexicon.closed
+    first = place - 1
+    while first - 1 in times:
+        first -= 1
+    limited = first == 0 and words[0].text in closed.negators | closed.limiting
+    whom = closed.personal_pronouns | closed.indefinite_pronouns
+    return limited and words[place].text in closed.inverted_auxiliaries and words[place + 1].text in whom
 
 
 def lengths_in_front(words: Sequence[Word], phrases: Sequence[Phrase]) -> Iterator[Span]:

@@ -121,6 +121,7 @@ class Source:
                 continue
             asking = lexicon.questions["asking"], lexicon.questions["placing"]
             asks = any((one.text,) in kind for one in (words[0], before) for kind in asking)
+            asks = asks or any(first <= word.start < end for first, end in self.openings)
             if not asks and before.text not in lexicon.closed.relatives | lexicon.closed.personal_pronouns:
                 yield word.start, word.end
 

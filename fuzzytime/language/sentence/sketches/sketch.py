@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.sketches.its_times.own_times import own_times
 from fuzzytime.language.sentence.sketches.its_times.referred import referred
 from fuzzytime.language.sentence.sketches.its_times.said_of_time import SaidOfTime, said_of_time
 from fuzzytime.language.sentence.sketches.telling import of_which, telling_alone, with_name, with_told
+from fuzzytime.language.sentence.trees.named import topic_of
 from fuzzytime.language.sentence.verbs.meant.actions import Action, action_of, says_how_things_are
 from fuzzytime.language.sentence.verbs.operations.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.operations.operations import Reader
@@ -200,6 +201,8 @@ def _asked(draft: Draft, part: Part, said: SaidOfTime, action: Action) -> Sketch
     reader = Reader(part.tree, [part.local(span) for span in times.covered])
     operation = with_told(draft, part, as_remembered(reader.operation(action)))
     operation = of_which(draft.text, with_name(part, operation, action), times.of_things)
+    topic = topic_of(part.tree)
+    operation = operation if topic is None else replace(operation, object=topic)
     phrases, clauses, references = referred(part, times, action, operation)
     return Sketch(
         part=part,

@@ -28,6 +28,7 @@ from fuzzytime.language.sentence.together.times.pairs import on_both_sides
 from fuzzytime.language.sentence.together.times.said_again import done_again, each_of
 from fuzzytime.language.sentence.together.times.several_times import also_at_events, of_several_times
 from fuzzytime.language.sentence.together.times.turns import counted_apart
+from fuzzytime.language.sentence.together.told.ends_told import done_by
 from fuzzytime.language.sentence.together.told.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.told.reasons_told import due_before_told
 from fuzzytime.language.sentence.together.told.told_beside import steps_in_turn, told_beside
@@ -43,7 +44,8 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     sketches = left_out_behind(sketches)
     # Where steps were told apart there is a stop.
     apart = draft.scanned.text
-    sketches = within_opening_hours(told_beside(sketches, draft.text), draft.text)
+    sketches = done_by(told_beside(sketches, draft.text), draft.text)
+    sketches = within_opening_hours(sketches, draft.text)
     sketches = due_before_told(sketches, draft.text)
     sketches = repeated(led(sketches, draft.text), draft.text)
     told = shared(at_once(within(sketches, apart), draft.text), draft.text)

@@ -7,7 +7,16 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.sentence.trees.tree import Node
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+
+TOPIC = "dislocated"
+"""The relation of what is named in front to what is done with it."""
+
+
+def topic_of(tree: Tree) -> str | None:
+    """Give what is named in front of a time, and done with behind that; None where nothing is."""
+    thing = next((place for place, node in enumerate(tree.nodes) if node.relation == TOPIC), None)
+    return None if thing is None else tree.typed(sorted(tree.below(thing)))
 
 
 def names_person(thing: str, lexicon: Lexicon) -> bool:

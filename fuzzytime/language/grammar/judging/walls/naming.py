@@ -5,6 +5,7 @@ from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.surroundings.surroundings import THING
 from fuzzytime.language.meaning.calendar import Fields, is_day_of_month, is_weekday
 from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.language.meaning.feasts import Feast
 from fuzzytime.requirement import Unit
 
 NAMING = frozenset({"on", "to", "for", "of"})
@@ -38,7 +39,7 @@ class Naming(Standing):
             return True
         if (said.preposition is None or wall.clock is not None) and self._is_next_in_row(piece, wall):
             return True
-        if self._is_beside_event(piece, wall):
+        if self._is_beside_event(piece, wall) or (said.preposition is None and self._is_subject(piece, wall)):
             return True
         if "to" in {said.preposition, before} and self.around.names_place(piece):
             return True
@@ -68,9 +69,26 @@ class Naming(Standing):
             return True
         # "The evening before the trip", "at ten the evening before": which evening, is not said.
         *_, bound, article = ("", "", *self.texts[piece.start : piece.end - 1])
-        inner = article == "the" and (bound == "on" or bound not in self.lexicon.function_words)
+        # "Bring the lambs in the night before the sale"
+        brought = piece.start > 0 and bound in self.lexicon.particles
+        bare = bound == "on" or brought or bound not in self.lexicon.function_words
+        inner = article == "the" and bare
         led = inner or "the" in {self.texts[piece.start], self.around.before(piece)}
         return wall.part is not None and behind in {"before", "after"} and led
+
+    def _is_subject(self, piece: Piece, wall: Wall) -> bool:
+        """Whether it is in the name of what is said to be then: "parents evening is tuesday"."""
+        feast = isinstance(wall.days, Feast)
+        if wall.clock is not None or (wall.days is not None and not feast):
+            return False
+        before, (behind, further) = self.around.before(piece), (*self.texts[piece.end :], "", "")[:2]
+        be, unnamed = self.closed.present_be, self.lexicon.function_words
+        if behind in be:
+            named = before.isalpha() and before not in unnamed and not self.around.timely(piece.start - 1)
+            return named or feast
+        # "Morning assembly is at nine"
+        named = behind.isalpha() and behind not in unnamed and not self.around.timely(piece.end)
+        return further in be and named and self.around.opens(piece.start)
 
     def _is_next_in_row(self, piece: Piece, wall: Wall) -> bool:
         """Whether an ordinal counts things and no days: "the first piece at nine and the second at ten"."""

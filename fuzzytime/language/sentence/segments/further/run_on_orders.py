@@ -14,7 +14,8 @@ from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_ord
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_bare_order
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.segments.whole_clauses import COMPLEMENTS, binds
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.named import topic_of
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
 from fuzzytime.language.sentence.verbs.statements.beside_orders import subjects_before
@@ -77,10 +78,10 @@ def run_on_orders(waiting: Sequence[Waiting], found: Sequence[Tree], trees: Tree
 
 def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     lexicon = tree.lexicon
-    if not tree.nodes:
+    if len(tree.nodes) <= LEAST or topic_of(tree) is not None:
         return
     source, end, timed = one.source, one.segment.span[1], one.timed(tree)
-    tells = not tree.nodes[0].may_act
+    tells = not tree.nodes[0].may_act or _is_told_by_name(tree)
     for here in range(LEAST, len(tree.nodes) - 1):
         if here in timed or not _may_begin(tree, here, timed):
             continue
@@ -94,7 +95,9 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
             continue
         first = here - (tree.nodes[here - 1].lower in lexicon.beside.turning)
         start, verb = (tree.nodes[at].start + one.main for at in (first, here))
-        words = source.places(one.main, start)
+        # "Gran's here till sunday make up the spare bed"
+        own: AbstractSet[int] = source.covered if here - 1 in timed else frozenset()
+        words = [at for at in source.places(one.main, start) if at not in own]
         if any(longest_match(source.scanned.words, word, lexicon.clauses) is not None for word in words):
             # "Stir it when the chef asks the waiter": what is in a clause.
             return
@@ -123,7 +126,7 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     if before.tag == "PRP" and before.lower in lexicon.closed.personal_pronouns:
         # "…, I need it at nine"
         return False
-    if tree.children(place, "aux", "mark") or not before.text[-1].isalnum():
+    if not timed >= {*tree.children(place, "aux", "mark")} or not before.text[-1].isalnum():
         return False
     if place + 1 in timed:
         # "Open the hatch wait ten seconds and close it"
@@ -135,7 +138,9 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
         bare = is_bare_order(tree, place, timed) or _is_carried(tree, place, timed)
         led = led or behind.tag == "CD" or named or bare
     further = tree.nodes[place + 2 : place + 3]
-    carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
+    carried = node.lower in lexicon.particles.get(behind.lower, ())
+    # "Gran's here till sunday make up the bed"
+    carried = (carried or (behind.tag == "RP" and behind.head == place)) and bool(further)
     return led or (carried and (further[0].tag in DETERMINERS or place - 1 in timed))
 
 
@@ -201,8 +206,16 @@ def is_whole(tree: Tree, *, timed: bool) -> bool:
     return (timed or not leads) and named
 
 
+def _is_told_by_name(tree: Tree) -> bool:
+    """Whether one word is named, and behind it what it does at a time: "bank shuts at four"."""
+    named, does = tree.nodes[:LEAST]
+    return named.tag in SINGULAR and does.lower in tree.lexicon.doing.timed
+
+
 def tells(tree: Tree) -> bool:
     """Whether words tell what somebody does, or what is, from their first: "we're having guests at seven"."""
+    if len(tree.nodes) > LEAST and _is_told_by_name(tree):
+        return True
     root = tree.root
     if not tree.nodes or not tree.nodes[root].is_verb:
         return False

@@ -57,6 +57,10 @@ def leading_tags(text: str) -> list[Span]:
     return front + [found.span() for tags in behind for found in tags]
 
 
+TYPED = re.compile(r"(?P<before>\w+) (?P<joint>[^\W\d]|\+)(?= (?P<behind>\w+))")
+"""A letter alone, or a plus, between two words."""
+
+
 def without_bullets(text: str) -> str:
     """Give a text of the same length without the bullets of its lines, and other marks that say nothing.
 
@@ -67,6 +71,23 @@ def without_bullets(text: str) -> str:
         spans = [found.span(one) for found in marks.finditer(text) for one in ("open", "close") if found[one]]
         text = blanked(text, spans)
     return text
+
+
+def with_joints(text: str, lexicon: Lexicon) -> str:
+    """Give a text of the same length with "&" for what is typed for "and": "at noon n six", "tue + fri".
+
+    "Print page n", "set n to five" have a name there.
+    """
+
+    def joined(found: re.Match[str]) -> str:
+        named = found["before"].lower() in lexicon.called_by_number or found["behind"].lower() in bound
+        joint = found["joint"] in lexicon.beside.typed_joints and not named
+        if found["joint"] == "+":
+            joint = all(lexicon.means(found[side].lower(), "weekday") for side in ("before", "behind"))
+        return f"{found['before']} &" if joint else found[0]
+
+    bound = lexicon.closed.prepositions_of_points | lexicon.closed.present_be | {"to", "of"}
+    return TYPED.sub(joined, text)
 
 
 def leading_labels(text: str, lexicon: Lexicon) -> list[Span]:

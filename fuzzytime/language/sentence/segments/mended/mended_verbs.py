@@ -17,7 +17,7 @@ OF_VERBS = frozenset({"dobj", "prep", "npadvmod", "advmod", "prt", "tmod"})
 def with_verb(tree: Tree) -> Tree | None:
     """Give an order whose tree has another word for its verb that verb; None where it has none."""
     orders = (
-        *(_orders_verb, _does_led, _does_owned, _calls_person, _lists_order, _does_compound),
+        *(_orders_verb, _switches, _does_led, _does_owned, _calls_person, _lists_order, _does_compound),
         *(_goes_to_do, _has_done, _does_that, _is_asked, _is_to_be_done),
     )
     return next((mended for does in orders if (mended := does(tree)) is not None), None)
@@ -47,6 +47,17 @@ def _orders_verb(tree: Tree) -> Tree | None:
     orders = called and tree.nodes[0].lower in tree.lexicon.ordering
     orders = orders or _orders_several(tree.nodes[0], tree.nodes[1], tree.lexicon)
     return with_thing_done(tree, 1) if orders else None
+
+
+def _switches(tree: Tree) -> Tree | None:
+    """Give "switch pump off" its verb, to which the word behind its thing belongs."""
+    if len(tree.nodes) < LEAST_DONE or tree.root != 1 or tree.nodes[0].head != 1:
+        return None
+    verb, thing, behind = tree.nodes[:LEAST_DONE]
+    known = verb.lower in tree.lexicon.particles.get(behind.lower, ()) and verb.lower == verb.lemma
+    # "Power's off from nine"
+    named = thing.may_name and thing.text[0].isalnum()
+    return with_thing_done(tree, 1) if known and named and behind.head == 1 else None
 
 
 def _orders_several(verb: Node, things: Node, lexicon: Lexicon) -> bool:

@@ -26,6 +26,7 @@ from fuzzytime.language.sentence.segments.mended.mended_trees import (
 )
 from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed, with_owner
 from fuzzytime.language.sentence.segments.mended.places_in_front import with_places_in_front
+from fuzzytime.language.sentence.segments.mended.topics import with_topic
 from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_done_alone, is_numbered
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.named import names_one
@@ -90,6 +91,7 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
     if not tree.nodes:
         return tree
     tree, timed = as_somewhere(tree), one.timed(tree)
+    tree = with_topic(tree, timed)
     tree = with_joined(as_thing(tree, timed), timed)
     tree = with_thing_before_time(with_her(with_bare_thing(with_whole_things(tree), timed), timed), timed)
     tree = with_purpose(with_aim(tree, timed))
@@ -178,6 +180,9 @@ def _may_be_done(tree: Tree) -> bool:
     node = tree.nodes[tree.root]
     # "Mic up the leads"
     behind = tree.root + 1 + len(tree.children(tree.root, "prt"))
+    if any(one.lower in lexicon.doing.surely_timed for one in tree.nodes[tree.root + 1 : tree.root + 2]):
+        # "Bank shuts at four"
+        return False
     led = any(one.tag in DETERMINERS | {"PRP"} for one in tree.nodes[behind : behind + 1])
     return node.may_act or node.lower in lexicon.timing_alone or led
 

@@ -9,7 +9,7 @@ from fuzzytime.language.meaning.instants import midnight
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Part
 from fuzzytime.language.sentence.sketches.its_times.referred import is_there
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, TimeRequirement
 
 HALF = 30
 """Minutes past an hour from which on a mark is one to the next hour: "twenty to"."""
@@ -62,10 +62,15 @@ def _begin_of(instruction: Instruction, *, due: bool = False) -> float | None:
     """
     # "From monday the shop opens at eight" begins at eight.
     requirements = sorted(instruction.requirements, key=lambda one: one.constraint is not Constraint.AT)
-    said = [one.latest if due and one.earliest is None else one.earliest for one in requirements]
+    said = [one.latest if due and _is_due(one) else one.earliest for one in requirements]
     repeats = instruction.repeats
     said += repeats.occurrences(DAY_SECONDS)[:1] if repeats is not None else ()
     return next((seconds for seconds in said if seconds is not None), None)
+
+
+def _is_due(requirement: TimeRequirement) -> bool:
+    """Whether it is said by when something is to begin; "Sam's here till sunday" says how long it goes on."""
+    return requirement.earliest is None and requirement.preposition != "until"
 
 
 def _goes(sketch: Sketch) -> bool:

@@ -109,7 +109,9 @@ def _said_from(part: Part, first: int, timed: Collection[int]) -> int | None:
     for place in sorted(timed):
         verb = place - 1
         asked = any(node.tag.startswith("W") for node in nodes[first:verb])
-        if verb > first and verb not in timed and not asked:
+        # "Visit the butcher's at noon"
+        owned = nodes[verb].tag == "POS" and nodes[first - 1].tag in {"DT", "IN", "PRP$"}
+        if verb > first and verb not in timed and not asked and not owned:
             word, doing = nodes[verb].lower, part.lexicon.doing
             comes = nodes[verb].tag == "VBZ" and nodes[verb].lemma in doing.arriving
             if comes or word in part.lexicon.closed.present_be or word in doing.timed:

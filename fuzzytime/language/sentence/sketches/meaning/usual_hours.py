@@ -24,7 +24,8 @@ def at_usual_hours(moment: Moment, sketch: Sketch, text: str) -> Moment:
     # "Let me sleep until ten", "don't sleep past nine"
     leading = [text[slice(*phrase.span)].partition(" ")[0] for phrase in sketch.phrases]
     leading += [phrase.said.preposition or "" for phrase in sketch.phrases]
-    named = [*(f"{name} {word}" for name in named for word in dict.fromkeys(leading)), *named]
+    denied = [f"{name} not" for name in _denied(sketch, text)]
+    named = [*(f"{name} {word}" for name in (*named, *denied) for word in dict.fromkeys(leading)), *named]
     dated = [text[slice(*phrase.span)] for phrase in sketch.phrases if phrase.rule == DATED]
     hours = [phrase for phrase in sketch.phrases if phrase.rule == HOURS]
     # "(Opens at eight)" does not say what does, nor does "they open at eight".
@@ -49,6 +50,15 @@ def at_usual_hours(moment: Moment, sketch: Sketch, text: str) -> Moment:
     if last is not None:
         policy = replace(policy, plausible_from=first, plausible_to=last, workday_from=first)
     return replace(moment, policy=policy, usual=last is not None, early=last is None)
+
+
+def _denied(sketch: Sketch, text: str) -> list[str]:
+    """Give what is not to be then: "no music after ten", "don't play music after ten"."""
+    if sketch.operation is not None:
+        return [sketch.operation.name] if sketch.operation.negated else []
+    start = min((phrase.span[0] for phrase in sketch.phrases), default=0)
+    before = text[sketch.part.segment.span[0] : start].lower()
+    return [before] if before.split()[:1] == ["no"] else []
 
 
 def _clocks_of(sketch: Sketch) -> Iterator[Clock]:

@@ -1,4 +1,4 @@
-"""What is told beside instructions: ``told_beside``, ``lengths``, ``opening_hours``.
+"""What is told beside instructions: ``told_beside``, ``ends_told``, ``lengths``, ``opening_hours``.
 
 What has to be done because of it: ``reasons_told``.
 """

@@ -96,7 +96,6 @@ def _meant_below(tree: Tree, root: int) -> int | None:
         or lemma in lexicon.wanting
         or (lemma in lexicon.doing.remembering and _has_to(tree, below) and _is_said_of(tree, root))
         or (lemma in lexicon.indicators and not _is_left(tree, root, below))
-        or _is_going_to(tree, root)
         or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root)))
         or (lemma == "have" and _has_to(tree, below))
         or passes_on(tree, root)
@@ -229,10 +228,6 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
     """Whether somebody or something is said to be so, or to do so now: "I'm running late"."""
     closed = tree.lexicon.closed
     node = tree.nodes[verb]
-    if node.lemma == "be" and node.relation == "xcomp" and _is_going_to(tree, node.head):
-        # "It's going to be lovely"
-        whose = [tree.nodes[p].lower for p in tree.children(node.head, *SUBJECTS)]
-        return bool(whose) and whose[0] not in closed.second_person
     subjects = [p for p in tree.children(verb, *SUBJECTS) if p < verb]
     helping = tree.said(tree.children(verb, "aux", "auxpass"))
     if subjects and tree.nodes[subjects[0]].lower == "it" and tree.children(verb, "dobj") and not helping:
@@ -241,6 +236,9 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
     if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in closed.second_person:
         return False
     is_so = node.lemma in closed.lemmas_of_be and node.tag in PRESENT and not helping
+    if node.lemma == "be" and tree.nodes[subjects[0]].lower == "it" and helping <= closed.future:
+        # "It will be lovely"
+        return True
     goes_on = node.tag == "VBG" and bool(helping) and helping <= closed.present_be
     became = node.tag == "VBN" and bool(tree.children(verb, "auxpass")) and helping <= closed.present_be
     return is_so or became or (goes_on and _complement(tree, verb, node.lemma) is None)
@@ -297,11 +295,6 @@ def _lets_forget(tree: Tree, place: int) -> bool:
     below = _complement(tree, place, "let")
     forgets = below is not None and tree.nodes[below].lemma in tree.lexicon.forgetting
     return forgets and below is not None and bool(tree.children(below, "xcomp", "dobj"))
-
-
-def _is_going_to(tree: Tree, place: int) -> bool:
-    """Whether it is "it's going to rain", not "go to see her"."""
-    return tree.nodes[place].lower in {"going", "gonna", "gon"} and bool(tree.children(place, "aux"))
 
 
 def _has_to(tree: Tree, below: int) -> bool:

@@ -39,9 +39,9 @@ def is_purpose(tree: Tree, root: int) -> bool:
 
 
 def _brings(tree: Tree, have: int, root: int) -> bool:
-    """Whether a "have" taken for an auxiliary brings something about: "have it washed", "have him go"."""
+    """Whether a "have" taken for an auxiliary brings something about: "have it washed", "have it running"."""
     between = any(have < place < root for place in tree.children(root, *SUBJECTS))
-    return tree.nodes[root].tag == "VB" or (tree.nodes[root].tag == "VBN" and between)
+    return tree.nodes[root].tag == "VB" or (tree.nodes[root].tag in {"VBN", "VBG"} and between)
 
 
 def is_order(tree: Tree, place: int) -> bool:

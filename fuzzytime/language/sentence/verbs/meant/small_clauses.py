@@ -61,6 +61,9 @@ def _set_going(tree: Tree, verb: int) -> SmallClause | None:
 def _clauses(tree: Tree, verb: int) -> Iterator[SmallClause]:
     objects = [place for place in tree.children(verb, "dobj") if place > verb]
     below = list(tree.children(verb, *COMPLEMENTS))
+    if tree.said(range(verb + 1, min(verb + 2, len(tree.nodes)))) & tree.lexicon.doing.sure:
+        # "Make sure the children are in bed" has a clause with a tense of its own.
+        return
     if tree.nodes[verb].relation in GOVERNED:
         below.append(tree.nodes[verb].head)
     for predicate in below:

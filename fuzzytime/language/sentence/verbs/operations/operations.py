@@ -139,7 +139,10 @@ class Reader(Particles):
         level = [*level, *self._let(verb)]
         direct = [p for p in found if p > verb and p not in level and not self._is_apart(p)]
         direct = [p for p in direct if not self.names_company(p)]
-        yield self.words([p for p in direct if not self.timed(p)], verb)
+        # "Do ten minutes of yoga", "give the patient five minutes of oxygen"
+        of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
+        thing = [p for o in of for p in self.tree.children(o, "pobj")]
+        yield self.words([*(p for p in direct if not self.timed(p)), *thing], verb)
         yield self._inquired(verb)
         # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
         named = self.words(direct, verb)
@@ -148,9 +151,6 @@ class Reader(Particles):
         often = [p for p in self.tree.children(verb, "advmod", "npadvmod") if p > verb and self.timed(p)]
         below = ((p, self.tree.nodes[d]) for p in often for d in self.tree.below(p) if not self.timed(d))
         yield self.words([p for p, node in below if node.relation == "det"], verb)
-        # "Do ten minutes of yoga"
-        of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
-        yield self.words([p for o in of for p in self.tree.children(o, "pobj")], verb)
         yield self._taken_for_measure(verb, particle)
         # "Say hello"
         yield [p for p in self.tree.children(verb, "intj") if p == verb + 1]

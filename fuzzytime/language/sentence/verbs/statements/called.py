@@ -95,8 +95,9 @@ def person_due(tree: Tree, verb: int) -> str | None:
     name = tree.nodes[subjects[0]]
     known = name.lower in lexicon.persons - lexicon.closed.persons_addressed and name.tag != "PRP"
     named = known or (name.tag == "NNP" and name.text[0].isupper())
-    led = all(tree.nodes[p].tag in DETERMINERS for p in tree.children(subjects[0]))
-    # "The kids must do their homework"
+    # "The kids must do their homework", "the night nurse should check bed nine"
+    beside = [p for p in tree.children(subjects[0]) if tree.nodes[p].relation not in {"compound", "amod"}]
+    led = all(tree.nodes[p].tag in DETERMINERS for p in beside)
     return tree.text[tree.nodes[tree.reach(subjects[0])[0]].start : name.end] if named and led else None
 
 

@@ -1,6 +1,5 @@
 """Who or what is said to do it: statements ask for nothing."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.sentence.trees.tags import PRESENT, SUBJECTS
@@ -200,14 +199,12 @@ class Stated(Places):
         """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
         closed, doing = self.lexicon.closed, self.lexicon.doing
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
-        governing = self.tree.children(self.tree.nodes[verb].head, "nsubj")
-        named = subjects or [self.tree.nodes[p].lower for p in governing]
         words = self.tree.said((verb, *self.tree.children(verb, "acomp", "attr")))
-        if named == ["it"] and not self.lexicon.impersonal.isdisjoint(words):
+        if subjects == ["it"] and not self.lexicon.impersonal.isdisjoint(words):
             # "It's going to rain at four"
             return True
         becomes = self.tree.nodes[verb].lemma in self.lexicon.doing.being - {"be"}
-        if named == ["it"] and becomes and self.tree.nodes[verb].tag == "VBZ":
+        if subjects == ["it"] and becomes and self.tree.nodes[verb].tag == "VBZ":
             # "It gets cold after nine"
             return True
         helping = self._helping(verb)
@@ -238,9 +235,9 @@ class Stated(Places):
             # "It should take an hour", "they need twenty minutes"
             objects = self.tree.children(verb, "dobj", "npadvmod")
             return bool(subjects) and subjects[0] not in closed.sure_persons and any(map(self.timed, objects))
-        return self._is_standing(verb) or (told and finite and not self._done_to(verb, subjects, helping))
+        return self._is_standing(verb) or (told and finite and not self._done_to(verb, helping))
 
-    def _done_to(self, verb: int, subjects: Sequence[str], helping: set[str]) -> list[int]:
+    def _done_to(self, verb: int, helping: set[str]) -> list[int]:
         """Give what something is done to, or must become: of "the guests arrive at six" nothing."""
         closed, results, nodes = self.lexicon.closed, self.lexicon.results, self.tree.nodes
         due = self.lexicon.beside.due | (results if helping & closed.future else frozenset())
@@ -250,7 +247,7 @@ class Stated(Places):
         if nodes[verb].lemma == "be" and not helping:
             # "The hall is free between ten and noon"; but "the hall is ready by ten" asks for it.
             found = [p for p in found if nodes[p].relation != "acomp" or nodes[p].lower in results]
-        if subjects and subjects[0] in closed.first_and_third_person and helping & closed.future:
-            # "I'll be late"
+        if helping & closed.future:
+            # "I'll be late", "the lads will be hungry at six"
             found = [p for p in found if nodes[p].relation != "acomp"]
         return found

@@ -1,0 +1,66 @@
+"""Forms of "be" that trees take for others: "I'm going to be out" is to come, "the vet's" is a place."""
+
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree
+
+LEAST = 2
+"""Words of "at mum", before the mark of whose place it is."""
+
+OF_ORDERS = frozenset({"dobj", "prep", "npadvmod", "advmod", "prt", "tmod", "punct"})
+"""Relations of words to an order before them."""
+
+
+def with_clipped(tree: Tree) -> Tree:
+    """Give "im at the gym" its "am", which is typed without an apostrophe."""
+    for place in range(1, len(tree.nodes)):
+        known = tree.nodes[place].lower in tree.lexicon.closed.clipped_be and tree.nodes[place].tag == "VBP"
+        if known and tree.nodes[place - 1].tag == "PRP":
+            tree = tree.changed(place, lemma="be")
+    return tree
+
+
+def with_future(tree: Tree) -> Tree:
+    """Give "I'm going to be out" the tree of "I'll be out", where "going" was taken for what is done."""
+    for going, node in enumerate(tree.nodes):
+        be = tree.children(going, "aux")
+        subjects = tree.children(going, *SUBJECTS, "expl")
+        if node.lower not in tree.lexicon.closed.future or not be or not subjects:
+            continue
+        closed = tree.lexicon.closed
+        is_so = tree.said(be) <= closed.present_be | closed.past_be and max(subjects) < min(be)
+        done = [p for p in tree.children(going, "xcomp") if tree.nodes[p].tag == "VB" and p > going]
+        if not is_so or not done:
+            # "Are you going to call?", "I'm going to bed"
+            continue
+        verb, head = done[0], node.head
+        to = [p for p in tree.children(verb, "aux") if p < verb]
+        behind = [p for p in tree.children(going) if p != verb and p not in be]
+        tree = tree.hung((*be, *to), going, "dep").hung(behind, verb)
+        tree = tree.changed(verb, relation=node.relation, head=verb if head == going else head)
+        tree = tree.changed(going, tag="MD", relation="aux", head=verb)
+        if tree.children(verb, "auxpass"):
+            tree = tree.hung(tree.children(verb, "nsubj"), verb, "nsubjpass")
+    return tree
+
+
+def with_owners_place(tree: Tree) -> Tree:
+    """Give "visit the vet's before noon" its order, where the mark of whose place it is was taken for "is".
+
+    So of "I'm at mum's till four".
+    """
+    marked = tree.lexicon.closed.clipped_be
+    marks = [p for p, node in enumerate(tree.nodes) if node.lower in marked and not node.text[0].isalnum()]
+    place = next((p for p in marks if tree.nodes[p - 1].relation == "pobj"), tree.root)
+    if place < LEAST or place not in marks:
+        return tree
+    if place != tree.root and not tree.children(place, *SUBJECTS):
+        tree = tree.hung(tree.children(place), tree.root)
+        return tree.changed(place, tag="POS", lemma=tree.nodes[place].lower, relation="case", head=place - 1)
+    order, owner = tree.nodes[0], tree.nodes[place - 1]
+    led = order.head == place and order.may_act and order.lower == order.lemma
+    told = any(tree.nodes[p].relation not in OF_ORDERS for p in tree.children(place) if p)
+    if not led or not owner.tag.startswith("NN") or place - 1 not in tree.below(0) or told:
+        return tree
+    tree = tree.hung([p for p in tree.children(place) if p], 0)
+    tree = tree.changed(0, tag="VB", relation="ROOT", head=0)
+    return tree.changed(place, tag="POS", lemma=tree.nodes[place].lower, relation="case", head=place - 1)
