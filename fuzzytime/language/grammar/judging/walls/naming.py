@@ -39,6 +39,11 @@ class Naming(Standing):
             return True
         if (said.preposition is None or wall.clock is not None) and self._is_next_in_row(piece, wall):
             return True
+        limited = self.texts[0] in self.closed.limiting | self.closed.negators
+        helping = limited and self.texts[piece.end - 1] in self.closed.inverted_auxiliaries
+        if helping and self.around.follower(piece) in self.closed.personal_pronouns:
+            # "Only after eight may you ring the bell"
+            return True
         if self._is_beside_event(piece, wall) or (said.preposition is None and self._is_subject(piece, wall)):
             return True
         if "to" in {said.preposition, before} and self.around.names_place(piece):

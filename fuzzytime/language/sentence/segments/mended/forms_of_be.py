@@ -38,8 +38,6 @@ def with_future(tree: Tree) -> Tree:
         tree = tree.hung((*be, *to), going, "dep").hung(behind, verb)
         tree = tree.changed(verb, relation=node.relation, head=verb if head == going else head)
         tree = tree.changed(going, tag="MD", relation="aux", head=verb)
-        if tree.children(verb, "auxpass"):
-            tree = tree.hung(tree.children(verb, "nsubj"), verb, "nsubjpass")
     return tree
 
 

@@ -141,7 +141,7 @@ class Reader(Particles):
         direct = [p for p in direct if not self.names_company(p)]
         # "Do ten minutes of yoga", "give the patient five minutes of oxygen"
         of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
-        thing = [p for o in of for p in self.tree.children(o, "pobj")]
+        thing = [p for o in of for p in self.tree.children(o, "pobj", "pcomp")]
         yield self.words([*(p for p in direct if not self.timed(p)), *thing], verb)
         yield self._inquired(verb)
         # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
