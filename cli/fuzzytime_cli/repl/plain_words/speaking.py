@@ -49,6 +49,7 @@ from fuzzytime_cli.repl.plain_words.telling import (
     behind_how_a_day_is,
     is_news,
     told_anew,
+    told_reading,
     told_state,
 )
 from fuzzytime_cli.repl.plain_words.usually_said import asks_how_it_is
@@ -107,7 +108,7 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
         return Reply((Text(plain(f"taken as: {wish}")),), anew=wish)
     if waited := happened(scene, words):
         reading = scene.language.read(words, now=scene.now)
-        return told_state(scene, words, reading) or run_each(scene, waited)
+        return told_reading(scene, words, reading) or run_each(scene, waited)
     instead = None if asks else wished_instead(scene, words)
     if instead is not None:
         return run(scene, About(kind=AboutKind.MOVE), instead)

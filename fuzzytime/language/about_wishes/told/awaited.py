@@ -91,11 +91,16 @@ def _named(tokens: Sequence[Token], lexicon: Lexicon) -> Iterator[str]:
     closed = lexicon.closed
     pronouns = closed.personal_pronouns | closed.third_person
     small = {form[0] for name in ("being", "anew") for form in lexicon.conversation[name] if len(form) == 1}
-    for token in tokens:
+    places = lexicon.particles.keys() | {form[0] for form in lexicon.conversation["present"] if len(form) == 1}
+    # "The pasta is in" is not "the pasta is out", and the same as "the pasta went in".
+    where = tokens[-1:] and tokens[-1].text.lower() in places
+    getting = lexicon.doing.being_somewhere if where else frozenset[str]()
+    for place, token in enumerate(tokens):
         word, verb = token.text.lower(), token.tag.startswith(VERBAL)
         left_out = pronouns if verb else pronouns | small
-        named = word[:1].isalnum() and word not in left_out and content_words(word)
-        if named and token.relation not in {"aux", "aux:pass"}:
+        last = where and place == len(tokens) - 1
+        named = word[:1].isalnum() and word not in left_out and (last or content_words(word))
+        if named and token.relation not in {"aux", "aux:pass"} and token.lemma not in getting:
             yield token.lemma
 
 
