@@ -192,10 +192,10 @@ def test_words_that_take_back_are_of_what_they_are_said_of() -> None:
         ("close the window when it rains", "it's raining", ":ctx rain="),
         ("light the candles when the guests are here", "the guests are here", ":ctx guests_arrive"),
         ("serve the soup ten minutes after the guests arrive", "the guests have arrived", ":ctx guests"),
-        ("open the door when Bob is here", "Bob is here", "taken as: Bob is here now"),
-        ("take the tents down once the dew is off", "the dew is off", "taken as: the dew is off now"),
-        ("order the parts if the tray is ok", "the tray is ok", "taken as: the tray is ok now"),
-        ("set a timer once pasta is in", "pasta's in", "taken as: pasta's in now"),
+        ("open the door when Bob is here", "Bob is here", "taken as :edit 1 "),
+        ("take the tents down once the dew is off", "the dew is off", "taken as :edit 1 "),
+        ("order the parts if the tray is ok", "the tray is ok", "taken as :edit 1 "),
+        ("set a timer once pasta is in", "pasta's in", "taken as :edit 1 "),
     ],
 )
 def test_what_is_told_to_be_so_is_what_something_waits_for(wish: str, told: str, reading: str) -> None:

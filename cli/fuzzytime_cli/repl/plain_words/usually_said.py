@@ -14,6 +14,7 @@ from fuzzytime.language.about_wishes import (
 )
 from fuzzytime_cli.repl.naming import entry_of
 from fuzzytime_cli.repl.plain_words.known import is_known
+from fuzzytime_cli.repl.plain_words.shifting import shift_said
 from fuzzytime_cli.repl.plain_words.telling import is_news
 from fuzzytime_cli.repl.plain_words.told_times import order_told
 from fuzzytime_cli.repl.plain_words.ways import MARK, in_usual_words, of_whom
@@ -136,6 +137,8 @@ def _usual(scene: Scene, clause: str) -> str | None:
     if about is not None and about.kind is AboutKind.UNDO and about.text:
         # "Put it all back" pushes nothing.
         return None
+    if (shifted := shift_said(scene, clause)) is not None:
+        return shifted
     order = order_told(scene, clause)
     if is_news(scene, clause):
         # What only is late may tell a bound: "lunch can't be later than half twelve".

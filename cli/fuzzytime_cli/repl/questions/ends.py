@@ -31,11 +31,14 @@ def on_time(scene: Scene, about: About) -> Reply:
     late = [(place, words) for place, words in told if place is not None and place in left]
     whole = all_over(scene)
     if not late:
-        return replace(whole, lines=(Text("yes: everything that is planned has its time"), *whole.lines))
+        answer = "no" if about.text else "yes"
+        return replace(
+            whole, lines=(Text(f"{answer}: everything that is planned has its time"), *whole.lines)
+        )
     said_of = [f"  {scene.plan.everything[place].identifier} {plain(words)}" for place, words in late[:MOST]]
     lines = [line for words in said_of for line in wrapped(words, scene.width, 6)]
     focus = number_of(scene.plan.everything[late[0][0]].identifier)
-    return Reply((Text("not all of it:"), *lines, *whole.lines), focus=focus)
+    return Reply((Text("yes:" if about.text else "not all of it:"), *lines, *whole.lines), focus=focus)
 
 
 def _is_over_by(scene: Scene, words: str) -> Reply:

@@ -127,9 +127,10 @@ def _ordered(said: Said) -> About | None:
             return replace(about_thing(AboutKind.MOVE, thing), time=time)
         new = rest.without("instead")[0]
         undirected, directions = new.without(*DIRECTIONS)
-        if new.words and not undirected.words and is_last(thing):
+        if new.words and not undirected.words and (is_last(thing) or (verb == "do" and thing.names)):
             # "Do it earlier": by how much is not said
-            return About(kind=AboutKind.DELAY, earlier="earlier" in directions, certain=True)
+            about = about_thing(AboutKind.DELAY, thing, certain=is_last(thing))
+            return replace(about, earlier="earlier" in directions)
         if (later := later_by(new)) is not None and not later[1].words:
             about = about_thing(AboutKind.DELAY, thing)
             return replace(about, by=later[0].by, text=later[0].text, earlier=later[0].earlier)

@@ -91,7 +91,9 @@ def _named(tokens: Sequence[Token], lexicon: Lexicon) -> Iterator[str]:
     closed = lexicon.closed
     pronouns = closed.personal_pronouns | closed.third_person
     small = {form[0] for name in ("being", "anew") for form in lexicon.conversation[name] if len(form) == 1}
-    places = lexicon.particles.keys() | {form[0] for form in lexicon.conversation["present"] if len(form) == 1}
+    places = lexicon.particles.keys() | {
+        form[0] for form in lexicon.conversation["present"] if len(form) == 1
+    }
     # "The pasta is in" is not "the pasta is out", and the same as "the pasta went in".
     where = tokens[-1:] and tokens[-1].text.lower() in places
     getting = lexicon.doing.being_somewhere if where else frozenset[str]()
