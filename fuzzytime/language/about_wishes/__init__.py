@@ -41,6 +41,7 @@ from fuzzytime.language.about_wishes.reading import about_wishes, bare, behind_w
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.about_wishes.things import about_things, continuing
 from fuzzytime.language.about_wishes.told.awaited import (
+    as_now,
     done_at_once,
     is_untold,
     tells_awaited,
@@ -63,6 +64,7 @@ __all__ = [
     "about_things",
     "about_wishes",
     "added_time",
+    "as_now",
     "bare",
     "behind_an_answer",
     "behind_what_is_told",

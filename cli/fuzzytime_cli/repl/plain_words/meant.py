@@ -257,6 +257,9 @@ def _swap(scene: Scene, about: About) -> str | None:
         if len(left) != 2:
             raise FuzzytimeError("which two? Say: swap the call and the soup")
         return f":swap {left[0].number} {left[1].number}"
+    if about.places:
+        # "Swap the first two"
+        return f":swap {' '.join(str(entry.number) for entry in entries_meant(scene, about))}"
     found = [sole(scene, about, names) for names in (about.names, about.others)]
     if found[0] is None and found[1] is None:
         return None

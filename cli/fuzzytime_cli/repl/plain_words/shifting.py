@@ -2,19 +2,24 @@
 
 from dataclasses import replace
 
+from rich.text import Text
+
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import verb_forms
 from fuzzytime.language.about_wishes import About, AboutKind, Said, bare, later_by, without_request
 from fuzzytime.requirement import Constraint, Unit
 from fuzzytime.times import seconds_between
+from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.naming import entry_of, is_named_itself, starts_of_entry
 from fuzzytime_cli.repl.plain_words.known import is_known
 from fuzzytime_cli.repl.plain_words.of_all import entries_of_all
 from fuzzytime_cli.repl.plain_words.retiming import with_time
 from fuzzytime_cli.repl.plain_words.said_again import asked_alike
-from fuzzytime_cli.repl.scene import Scene, is_for_others, waiting
+from fuzzytime_cli.repl.questions.stretches import CLOCKED
+from fuzzytime_cli.repl.scene import Reply, Scene, is_for_others, step, waiting
 from fuzzytime_cli.repl.typed import number_of
-from fuzzytime_cli.session import Entry
+from fuzzytime_cli.repl.which import entries_meant
+from fuzzytime_cli.session import Entry, State
 
 MINUTE = 60.0
 
@@ -25,7 +30,9 @@ def shift_said(scene: Scene, clause: str) -> str | None:
     Of "could I feed the cat a bit later?" that is "push s1 back a bit". What is not planned is a wish.
     """
     said = Said.of(clause, scene.now, scene.lexicon)
-    asked = bare(without_request(said)) if said.words else said
+    if not any(form.isalnum() for form in said.forms):
+        return None
+    asked = bare(without_request(said))
     for one in (asked, said.behind(said.opens_with("may do"))):
         usual = _later(scene, one) or _begun(scene, one) or _not_done(scene, one)
         if usual is not None:
@@ -35,6 +42,7 @@ def shift_said(scene: Scene, clause: str) -> str | None:
 
 def _later(scene: Scene, said: Said) -> str | None:
     """Read a verb, what it is done with, and how much later or earlier that is to be."""
+    said = said.without_end(said.table("instead")) if said.words else said
     for place in range(1, len(said.words)):
         front, behind = said.until(place), said.behind(place)
         undirected, directions = behind.without("later", "earlier")
@@ -56,7 +64,7 @@ def _later(scene: Scene, said: Said) -> str | None:
 def _meant(scene: Scene, said: Said) -> str | None:
     """Give the label of what a verb and a thing are of, as it was asked for, or whatever is done with it."""
     thing = said.behind(1)
-    of_it = thing.is_in("last") or (thing.words and set(thing.forms) <= scene.lexicon.closed.anaphors)
+    of_it = thing.is_in("last") or (thing.words and set(thing.forms) <= scene.lexicon.closed.all_anaphors)
     entry = _done_so(scene, said.forms[0]) if of_it else asked_alike(scene, said.text)
     if entry is None and thing.words and said.forms[0] in _verbs(scene):
         known = is_known(scene, thing, told=False)
@@ -71,15 +79,15 @@ def _not_done(scene: Scene, said: Said) -> str | None:
     if rest is None:
         return None
     for place in range(1, len(rest.words) + 1):
-        entry, behind = asked_alike(scene, rest.until(place).text), rest.behind(place)
-        if entry is None or not waiting(scene, entry.number):
+        label, behind = _meant(scene, rest.until(place)), rest.behind(place)
+        if label is None:
             continue
         time = behind.one_time()
         if time is not None and time.constraint is Constraint.BEFORE:
             # "Don't call the bank before noon"
-            return f"move {entry.identifier} to not {behind.text}"
+            return f"move {label} to not {behind.text}"
         if not behind.words:
-            return f"cancel {entry.identifier}"
+            return f"cancel {label}"
     return None
 
 
@@ -102,7 +110,8 @@ def _begun(scene: Scene, said: Said) -> str | None:
     asked = said.without_end(said.table("instead"))
     for place in range(2, len(asked.words)):
         thing, time = asked.until(place).behind(1), asked.behind(place).as_time()
-        if not time or time.lower().startswith("for ") or not is_known(scene, thing, told=False):
+        named = bool(thing.words) and not thing.is_in("last") and is_known(scene, thing, told=False)
+        if not time or time.lower().startswith("for ") or not named:
             continue
         # "Start the fence at eleven, then"
         itself = asked != said or bool(thing.label) or is_named_itself(scene, thing.names)
@@ -142,29 +151,45 @@ def behind_its_other(scene: Scene, entry: Entry, by: float) -> str | None:
     first = scene.plan.skills[firsts[0]].skill.name
     if lag < 0:
         raise FuzzytimeError(f"{one.skill.name} is to come after {first}, and cannot be earlier than that")
-    joint = part.text.split()[0]
-    time = f"{lag} {Unit.MINUTE}s {joint} {part.anchor.text.removeprefix(f'{joint} ')}"
+    # Of "ten minutes after you call mum", and "when the lawn is mown", that
+    time = f"{lag} {Unit.MINUTE}s after {part.anchor.text}"
     own = one.instruction.requirements if one.instruction is not None else ()
     return with_time(scene, entry, About(kind=AboutKind.MOVE, time=time), own) if lag else None
 
 
-def each_on_a_day(scene: Scene, about: About) -> list[str]:
-    """Give the commands that move all that are meant to another day, each at its hour.
+def each_on_a_day(scene: Scene, about: About) -> Reply:
+    """Move all that are meant to another day, each at its hour, in one step.
 
     Raises
     ------
     FuzzytimeError
         If nothing is meant, or its words have no place for a day.
     """
+    several = entries_of_all(scene, about) if about.everything else entries_meant(scene, about)
     meant = [
         entry
-        for entry in entries_of_all(scene, about)
+        for entry in several
         if (mine := waiting(scene, entry.number)) and not any(is_for_others(one) for _, one in mine)
     ]
-    day = replace(about, everything=False, time=about.text, text="", names=frozenset(), others=frozenset())
-    return [
-        f":edit {entry.number} {with_time(scene, entry, day)}" for entry in meant if _is_timed(scene, entry)
-    ]
+    day = About(kind=AboutKind.MOVE, time=about.text if about.everything else about.time)
+    texts = {entry.number: with_time(scene, entry, day) for entry in meant if _is_timed(scene, entry)}
+    if not texts:
+        raise FuzzytimeError("nothing else is left that could be moved")
+
+    def change(state: State) -> State:
+        for number, text in texts.items():
+            state = state.with_changed(number, text=text, given=scene.now, moved_by=0.0, moved_to=None)
+        return state
+
+    reply = step(scene, f":edit {','.join(map(str, texts))}", change)
+    heads = [Text(plain(f"taken as :edit {number} {text}")) for number, text in texts.items()]
+    return replace(reply, lines=(*heads, Text(":undo takes it all back"), *reply.lines), taken=about)
+
+
+def of_several_on_a_day(scene: Scene, about: About) -> bool:
+    """Whether several that are listed are to be on another day: "move the call and the gym to friday"."""
+    time = Said(about.time, scene.now, scene.lexicon).one_time() if about.each or about.both else None
+    return time is not None and time.grain not in {None, *CLOCKED} and len(entries_meant(scene, about)) > 1
 
 
 def _is_timed(scene: Scene, entry: Entry) -> bool:

@@ -43,7 +43,7 @@ from fuzzytime_cli.repl.plain_words.reasons import behind_what_tells, with_reaso
 from fuzzytime_cli.repl.plain_words.redirected import by_another_length, the_other
 from fuzzytime_cli.repl.plain_words.retiming import wished_instead
 from fuzzytime_cli.repl.plain_words.said_again import again_later, said_anew, timed_now
-from fuzzytime_cli.repl.plain_words.shifting import each_on_a_day
+from fuzzytime_cli.repl.plain_words.shifting import each_on_a_day, of_several_on_a_day
 from fuzzytime_cli.repl.plain_words.supposing import supposed
 from fuzzytime_cli.repl.plain_words.taking import run, run_each
 from fuzzytime_cli.repl.plain_words.telling import (
@@ -53,6 +53,7 @@ from fuzzytime_cli.repl.plain_words.telling import (
     told_anew,
     told_reading,
     told_state,
+    told_to_have_happened,
 )
 from fuzzytime_cli.repl.plain_words.usually_said import asks_how_it_is
 from fuzzytime_cli.repl.questions import answering, ends, gaps, leeways, rooms
@@ -151,7 +152,7 @@ def _told(scene: Scene, words: str) -> Reply | None:
     meant = means is not None and means.kind is AboutKind.INSTEAD
     operation = None if meant else reported(reading, language.lexicon)
     if operation is None:
-        state = told_state(scene, words, reading)
+        state = told_state(scene, words, reading) or told_to_have_happened(scene, words)
         if state is not None:
             return state
         if not meant and (reply := perhaps_done(scene, reading, _taken)) is not None:
@@ -264,9 +265,10 @@ def _retimed(scene: Scene, about: About) -> Reply | None:
         return moved
     if about.kind is AboutKind.MOVE and (again := by_another_length(scene, about, _taken)) is not None:
         return again
-    if about.kind is AboutKind.MOVE and about.everything and about.text:
-        lines = each_on_a_day(scene, about)
-        return run_each(scene, lines) if lines else refused("nothing else is left that could be moved")
+    if about.kind is AboutKind.MOVE and (
+        about.text if about.everything else of_several_on_a_day(scene, about)
+    ):
+        return each_on_a_day(scene, about)
     lasting = running_for(scene, about)
     return None if lasting is None else run(scene, about, lasting)
 

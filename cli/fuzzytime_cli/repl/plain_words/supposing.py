@@ -23,7 +23,8 @@ Answered = Callable[[Scene, str], Reply | None]
 
 def supposed(scene: Scene, text: str, answered: Answered) -> Reply:
     """Show what would come of it: a wish, or what is said of those there are, as that is ``answered``."""
-    text = as_usually_said(scene, _of_now(scene, text))
+    asked = _of_now(scene, text)
+    text = as_usually_said(scene, asked)
     about = about_wishes(text, scene.now, scene.lexicon)
     about = about or _begun_then(scene, text)
     line = None if about is None or about.text else _supposable(scene, about)
@@ -33,9 +34,9 @@ def supposed(scene: Scene, text: str, answered: Answered) -> Reply:
     if line is None and (reply := answered(replace(scene, tried=states), text)) and states:
         # "What if the call takes an hour?"
         told = what_would_move(scene, DID, states[-1])
-        return replace(told, offer=Offer(thing=text), focus=reply.focus)
-    tried = line or text
-    offer = Offer(line=tried) if tried[0] in MARKS_OF_COMMANDS else Offer(thing=text)
+        return replace(told, offer=Offer(thing=asked), focus=reply.focus)
+    tried = line or asked
+    offer = Offer(line=tried) if tried[0] in MARKS_OF_COMMANDS else Offer(thing=asked)
     return replace(what_if(scene, tried), offer=offer)
 
 

@@ -12,6 +12,7 @@ from fuzzytime.language.about_wishes import (
     About,
     AboutKind,
     about_wishes,
+    as_now,
     behind_what_is_told,
     news_in,
 )
@@ -65,6 +66,12 @@ def told_reading(scene: Scene, words: str, reading: Reading) -> Reply | None:
     reply = ctx(scene, text)
     head = Text(plain(f"taken as :ctx {text}; :undo takes it back"))
     return Reply((head, *reply.lines), changed=reply.changed)
+
+
+def told_to_have_happened(scene: Scene, words: str) -> Reply | None:
+    """Take an event that is told to have happened as a reading: "the timer rang"; else give None."""
+    anew = as_now(words.strip().rstrip(".! "), scene.lexicon)
+    return None if anew is None else told_reading(scene, anew, scene.language.read(anew, now=scene.now))
 
 
 def _is_event(signal: str, said: str, condition: Condition) -> bool:

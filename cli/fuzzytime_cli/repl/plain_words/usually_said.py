@@ -28,6 +28,11 @@ COMMA = ", "
 APART = ". "
 """What stands between what changes something, and a wish beside it."""
 
+SURELY_ASKED = frozenset(
+    {AboutKind.ON_TIME, AboutKind.LEEWAY, AboutKind.APART, AboutKind.ALL, AboutKind.LASTING, AboutKind.WHY}
+)
+"""Questions that are no request, whatever else they may be read as."""
+
 LONGEST = 40
 """Words of a line that is about what was asked for, at most."""
 
@@ -41,6 +46,11 @@ def as_usually_said(scene: Scene, words: str) -> str:
         return words
     words = _with_labels(scene, words)
     if asks_how_it_is(scene, words):
+        # "Would it be possible to ring the landlord earlier?"
+        return shift_said(scene, words) or words
+    about = about_wishes(words, scene.now, scene.lexicon)
+    if about is not None and about.certain and about.kind in SURELY_ASKED and words.rstrip().endswith("?"):
+        # "Will it all be done by noon?"
         return words
     parts = JOINTS.split(words)
     clauses, joints = parts[::2], parts[1::2]

@@ -26,7 +26,8 @@ def how_far(scene: Scene, about: About) -> Reply:
         return Reply(tuple(running)) if running else nothing_about(about.names)
     place = min(timed, key=lambda one: scene.plan.schedule.start_times[one])
     one = scene.plan.skills[place]
-    told = may_start(scene, place, about) or "as late as you like: nothing that is planned waits for it"
+    start = at(scene, scene.plan.instant(scene.plan.schedule.start_times[place]))
+    told = may_start(scene, place, about) or f"at {start}, and nothing else that is planned waits for it"
     said = f"{plain(one.identifier)} {plain(one.skill.name)}: {told}"
     lines = (Text(line) for line in wrapped(said, scene.width, 6))
     return Reply((*unknown, *lines), focus=number_of(one.identifier))

@@ -1,4 +1,4 @@
-"""Questions about room: "is there time for a nap?", "when am I free for an hour?", "how late can I start?"."""
+"""Questions about room: "is there time for a nap?", "when is a free hour?", "how late can I start?"."""
 
 from dataclasses import replace
 
@@ -65,7 +65,12 @@ def _apart(said: Said) -> About | None:
 
 def _room(said: Said) -> About | None:
     """Read whether there is time for something, before a time or something else."""
-    rest = (said.after("when") or said).after("having time")
+    places = said.lexicon.questions["placing"]
+    rest = (said.after("when") or (said.behind(1) if said.forms[:1] in places else said)).after("having time")
+    may = (said.after("when") or Said("", said.now, said.lexicon)).after("may do") if rest is None else None
+    if may is not None and any((form,) in said.table("one") for form in may.forms[1:]):
+        # "When could I go for a forty minute run?"
+        rest = may
     if rest is None or not rest.words:
         return None
     rest = rest.without_end(said.table("closing"))
@@ -73,6 +78,7 @@ def _room(said: Said) -> About | None:
     if room is None:
         thing, time = ("", "") if rest.length() else rest.parted()
         room = replace(ROOM, thing=thing or rest.text, time=time, text=time)
+    room = replace(room, upcoming=said.opens_with("when") > 0)
     return _with_length(room, said) if room.thing else None
 
 
@@ -88,8 +94,16 @@ def _with_length(room: About, said: Said) -> About:
 
 def asked_gap(said: Said) -> About | None:
     """Read whether there is a gap, or when, perhaps of some length: "have I an hour free before lunch?"."""
-    when = said.after("when") or said.after("what")
+    when = said.after("when") or said.after("what") or said.after("showing")
+    having = said.after("having left")
     place = next((n for n, word in enumerate(said.forms) if (word,) in said.table("gaps")), 0)
+    if having is not None and having.words:
+        # "Have I got half an hour before lunch?"
+        room, length = _beside_what(having), having.length()
+        front = having if room is None else Said(room.thing, said.now, said.lexicon)
+        length = front.length()
+        if length is not None and not length.rest.names and (place or not length.rest.words):
+            return replace(room or ROOM, thing="", by=length.seconds)
     if not place or (when is None and (said.forms[0] not in helping(said) or said.forms[place - 1] == "the")):
         return None
     asks = when or said

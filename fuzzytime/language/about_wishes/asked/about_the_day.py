@@ -39,6 +39,8 @@ def asked(said: Said) -> About | None:
 
 
 def _about_last(said: Said) -> About | None:
+    if said.is_in("asking for all"):
+        return About(kind=AboutKind.ALL, certain=True)
     if said.is_in("asking if late"):
         return About(kind=AboutKind.ON_TIME, text=said.text, certain=True)
     if said.is_in("on time"):

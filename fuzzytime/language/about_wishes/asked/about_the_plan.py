@@ -14,7 +14,8 @@ def named_by(said: Said) -> frozenset[str]:
     """Give what a question is about: its labels, or its words but for those that name nothing."""
     if labels := frozenset(filter(LABEL.fullmatch, said.text.lower().split())):
         return labels
-    times = {*said.lexicon.numbers, "at", "am", "pm"}
+    closed = said.lexicon.closed
+    times = {*said.lexicon.numbers, "at", "am", "pm"} | closed.personal_pronouns | closed.object_pronouns
     return frozenset(name for name in said.names - _words(said, "filling") - times if not name.isdigit())
 
 

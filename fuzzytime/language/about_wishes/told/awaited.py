@@ -29,6 +29,18 @@ def written_out(said: str) -> str:
     return CONTRACTED.sub(lambda short: BEING[short[1]], said)
 
 
+def as_now(said: str, lexicon: Lexicon) -> str | None:
+    """Give what is told to have happened as it is said of what happens now; None where its verb is none.
+
+    >>> from fuzzytime.language.finding import shipped_lexicon
+    >>> as_now("the timer rang", shipped_lexicon())
+    'the timer rings'
+    """
+    front, _, last = said.rpartition(" ")
+    verb = next((verb for verb, forms in lexicon.past.items() if last.lower() in forms), None)
+    return f"{front} {verb}s" if verb and front else None
+
+
 def is_untold(part: TimeRequirement) -> bool:
     """Whether it waits for something that no instruction brings about."""
     if part.condition is not None and part.constraint is Constraint.WHEN:
