@@ -159,7 +159,8 @@ def test_questions_are_answered_and_change_nothing() -> None:
     assert "stir the soup" in talk.say("so what was the plan again?")
     assert len(talk.entries) == 2
     talk.say("paint the fence for an hour at 11:30 exactly")
-    assert "not all of it" in talk.say("will we be late?")
+    assert "yes:" in talk.say("will we be late?")
+    assert "not all of it" in talk.say("will we be on time?")
 
 
 @pytest.mark.model

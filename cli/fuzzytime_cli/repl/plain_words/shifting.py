@@ -6,11 +6,19 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import verb_forms
-from fuzzytime.language.about_wishes import About, AboutKind, Said, bare, later_by, without_request
+from fuzzytime.language.about_wishes import (
+    About,
+    AboutKind,
+    Said,
+    about_wishes,
+    bare,
+    later_by,
+    without_request,
+)
 from fuzzytime.requirement import Constraint, Unit
 from fuzzytime.times import seconds_between
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.naming import entry_of, is_named_itself, starts_of_entry
+from fuzzytime_cli.repl.naming import entry_of, is_named_itself, part_meant, starts_of_entry
 from fuzzytime_cli.repl.plain_words.known import is_known
 from fuzzytime_cli.repl.plain_words.of_all import entries_of_all
 from fuzzytime_cli.repl.plain_words.retiming import with_time
@@ -34,7 +42,8 @@ def shift_said(scene: Scene, clause: str) -> str | None:
         return None
     asked = bare(without_request(said))
     for one in (asked, said.behind(said.opens_with("may do"))):
-        usual = _later(scene, one) or _begun(scene, one) or _not_done(scene, one)
+        begun = None if about_wishes(one.text, scene.now, scene.lexicon) is not None else _begun(scene, one)
+        usual = _later(scene, one) or begun or _not_done(scene, one)
         if usual is not None:
             return usual
     return None
@@ -47,7 +56,11 @@ def _later(scene: Scene, said: Said) -> str | None:
         front, behind = said.until(place), said.behind(place)
         undirected, directions = behind.without("later", "earlier")
         found = later_by(behind)
-        if not directions or (undirected.words and (found is None or found[1].words)):
+        if (
+            not directions
+            or front.ends_with("again")
+            or (undirected.words and (found is None or found[1].words))
+        ):
             continue
         label = _meant(scene, front)
         if label is None:
@@ -65,12 +78,20 @@ def _meant(scene: Scene, said: Said) -> str | None:
     """Give the label of what a verb and a thing are of, as it was asked for, or whatever is done with it."""
     thing = said.behind(1)
     of_it = thing.is_in("last") or (thing.words and set(thing.forms) <= scene.lexicon.closed.all_anaphors)
-    entry = _done_so(scene, said.forms[0]) if of_it else asked_alike(scene, said.text)
+    if of_it:
+        return _done_so(scene, said.forms[0])
+    entry, names = asked_alike(scene, said.text), said.names
     if entry is None and thing.words and said.forms[0] in _verbs(scene):
         known = is_known(scene, thing, told=False)
-        entry = entry_of(scene, thing.meant) if known else None
-    left = entry is not None and bool(waiting(scene, entry.number))
-    return entry.identifier if entry is not None and left else None
+        entry, names = entry_of(scene, thing.meant) if known else None, thing.meant
+    return _label(scene, entry, names)
+
+
+def _label(scene: Scene, entry: Entry | None, names: frozenset[str]) -> str | None:
+    """Give the label of what is left to do of an entry, or of the one of its things that is named."""
+    if entry is None or not waiting(scene, entry.number):
+        return None
+    return part_meant(scene, entry.number, names) or entry.identifier
 
 
 def _not_done(scene: Scene, said: Said) -> str | None:
@@ -91,16 +112,15 @@ def _not_done(scene: Scene, said: Said) -> str | None:
     return None
 
 
-def _done_so(scene: Scene, verb: str) -> Entry | None:
-    """Give the last entry of what is done with a verb: "feed it", whatever was spoken of since."""
-    numbers = {
-        number_of(one.identifier)
+def _done_so(scene: Scene, verb: str) -> str | None:
+    """Give the label of the last that is done with a verb: "feed it", whatever was spoken of since."""
+    labels = [
+        one.identifier
         for _, one in waiting(scene)
         if one.operation is not None and verb in verb_forms(one.operation.lemma, scene.lexicon)
-    }
-    entries = [entry for entry in scene.conversation.state.entries if entry.number in numbers]
-    spoken_of = [entry for entry in entries if entry.number == scene.focus]
-    return next(reversed(spoken_of or entries), None)
+    ]
+    spoken_of = [label for label in labels if number_of(label) == scene.focus]
+    return max(spoken_of or labels, key=number_of, default=None)
 
 
 def _begun(scene: Scene, said: Said) -> str | None:
@@ -108,15 +128,15 @@ def _begun(scene: Scene, said: Said) -> str | None:
     if not said.words or said.forms[0] not in _verbs(scene):
         return None
     asked = said.without_end(said.table("instead"))
-    for place in range(2, len(asked.words)):
+    for place in (n for n in range(2, len(asked.words)) if not asked.words[n].glued):
         thing, time = asked.until(place).behind(1), asked.behind(place).as_time()
         named = bool(thing.words) and not thing.is_in("last") and is_known(scene, thing, told=False)
         if not time or time.lower().startswith("for ") or not named:
             continue
         # "Start the fence at eleven, then"
         itself = asked != said or bool(thing.label) or is_named_itself(scene, thing.names)
-        entry = entry_of(scene, thing.meant) if itself else None
-        return None if entry is None else f"move {entry.identifier} to {time.removeprefix('at ')}"
+        label = _label(scene, entry_of(scene, thing.meant), thing.meant) if itself else None
+        return None if label is None else f"move {label} to {time.removeprefix('at ')}"
     return None
 
 
@@ -126,6 +146,27 @@ def _verbs(scene: Scene) -> frozenset[str]:
     making = frozenset(form[0] for form in scene.lexicon.conversation["done with"])
     verbs = doing.beginning | doing.spending | making
     return frozenset[str]().union(*(verb_forms(verb, scene.lexicon) for verb in verbs))
+
+
+def check_order(scene: Scene, words: str) -> None:
+    """Refuse to make a wish of an order about what is planned: "move the call around a bit".
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is one.
+    """
+    said = bare(without_request(Said.of(words, scene.now, scene.lexicon)))
+    if not said.words or said.forms[0] not in scene.lexicon.moving or said.has_time:
+        return
+    for place in range(len(said.words), 1, -1):
+        thing = said.until(place).behind(1)
+        known = bool(thing.words) and is_known(scene, thing, told=False)
+        if known and is_named_itself(scene, thing.names):
+            raise FuzzytimeError(
+                f"{words!r} is not understood of {thing.text}, and nothing is changed: "
+                "say: move it to six, push it back by ten minutes"
+            )
 
 
 def behind_its_other(scene: Scene, entry: Entry, by: float) -> str | None:

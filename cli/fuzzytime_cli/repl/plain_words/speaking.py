@@ -43,7 +43,7 @@ from fuzzytime_cli.repl.plain_words.reasons import behind_what_tells, with_reaso
 from fuzzytime_cli.repl.plain_words.redirected import by_another_length, the_other
 from fuzzytime_cli.repl.plain_words.retiming import wished_instead
 from fuzzytime_cli.repl.plain_words.said_again import again_later, said_anew, timed_now
-from fuzzytime_cli.repl.plain_words.shifting import each_on_a_day, of_several_on_a_day
+from fuzzytime_cli.repl.plain_words.shifting import check_order, each_on_a_day, of_several_on_a_day
 from fuzzytime_cli.repl.plain_words.supposing import supposed
 from fuzzytime_cli.repl.plain_words.taking import run, run_each
 from fuzzytime_cli.repl.plain_words.telling import (
@@ -171,6 +171,7 @@ def _told(scene: Scene, words: str) -> Reply | None:
             return run(scene, About(kind=AboutKind.MOVE), anew)
         leant = leaning(scene, words, reading, _taken)
         if leant is None:
+            check_order(scene, words)
             _check_told(scene, words, reading)
         # What asks for something is no question: "could you feed the cat?"
         if leant is not None or wish:

@@ -33,6 +33,9 @@ SURELY_ASKED = frozenset(
 )
 """Questions that are no request, whatever else they may be read as."""
 
+TWO = 2
+"""Clauses of what is late, and when it then is."""
+
 LONGEST = 40
 """Words of a line that is about what was asked for, at most."""
 
@@ -55,6 +58,8 @@ def as_usually_said(scene: Scene, words: str) -> str:
     parts = JOINTS.split(words)
     clauses, joints = parts[::2], parts[1::2]
     whole = _usual(scene, words)
+    if len(clauses) == TWO and (order := _when_late(scene, *clauses)):
+        return order
     if not joints:
         return words if whole is None else whole
     first = _usual(scene, clauses[0])
@@ -115,6 +120,20 @@ def _of_who_rang(scene: Scene, told: str, clause: str) -> str:
     if behind.opens_with("absent"):
         return f"{who.text} {behind.text}"
     return of_whom(who, behind).text
+
+
+def _when_late(scene: Scene, told: str, clause: str) -> str:
+    """Give the order for what is told to be late, and then when it is: "Ann is late, she comes at two"."""
+    about = about_wishes(told, scene.now, scene.lexicon)
+    late = about is not None and about.kind is AboutKind.DELAY and about.by is None and not about.text
+    said = Said.of(clause, scene.now, scene.lexicon)
+    if about is None or not (late and about.names and said.opens_with("they")) or is_news(scene, told):
+        return ""
+    entry = entry_of(scene, about.names)
+    parts = (said.behind(place) for place in range(1, len(said.words)))
+    time = next((part.as_time() for part in parts if part.one_time() is not None), "")
+    moves = entry is not None and time and not time.lower().startswith(("for ", "by "))
+    return f"move {entry.identifier} to {time.removeprefix('at ')}" if entry is not None and moves else ""
 
 
 def _of_whose(scene: Scene, clause: str) -> str:

@@ -5,12 +5,13 @@ from datetime import datetime
 
 from rich.text import Text
 
+from fuzzytime.interpreter import Interpreted
 from fuzzytime.language.about_wishes import About
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.questions.stretches import bounds_of, time_of
 from fuzzytime_cli.repl.questions.taken import at
-from fuzzytime_cli.repl.scene import Reply, Scene, said, waiting
+from fuzzytime_cli.repl.scene import Reply, Scene, is_for_others, said, waiting
 from fuzzytime_cli.repl.typed import number_of
 
 SOON = 90.0
@@ -64,13 +65,17 @@ def _ends(scene: Scene) -> list[datetime]:
     """Give when each is done of what is planned, or running; of what only happens where nothing else is."""
     schedule, skills = scene.plan.schedule, scene.plan.skills
     ends = [
-        (scene.plan.instant(one.done), skills[position].stated and not skills[position].skill.time_until_done)
+        (scene.plan.instant(one.done), is_for_others(skills[position]) or _only_happens(skills[position]))
         for position, one in enumerate(schedule.skills)
         if scene.plan.has_time(position)
     ]
     ends += [(one.done, False) for one in scene.conversation.running(scene.now)]
     # "Is everything done before five?" is not when the guests have come.
     return [end for end, happens in ends if not happens] or [end for end, _ in ends]
+
+
+def _only_happens(one: Interpreted) -> bool:
+    return one.stated and not one.skill.time_until_done
 
 
 def how_long_until(scene: Scene, instant: datetime) -> str:

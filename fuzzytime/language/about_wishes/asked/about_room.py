@@ -95,16 +95,10 @@ def _with_length(room: About, said: Said) -> About:
 def asked_gap(said: Said) -> About | None:
     """Read whether there is a gap, or when, perhaps of some length: "have I an hour free before lunch?"."""
     when = said.after("when") or said.after("what") or said.after("showing")
-    having = said.after("having left")
     place = next((n for n, word in enumerate(said.forms) if (word,) in said.table("gaps")), 0)
-    if having is not None and having.words:
-        # "Have I got half an hour before lunch?"
-        room, length = _beside_what(having), having.length()
-        front = having if room is None else Said(room.thing, said.now, said.lexicon)
-        length = front.length()
-        if length is not None and not length.rest.names and (place or not length.rest.words):
-            return replace(room or ROOM, thing="", by=length.seconds)
-    if not place or (when is None and (said.forms[0] not in helping(said) or said.forms[place - 1] == "the")):
+    if not place:
+        return _length_left(said)
+    if when is None and (said.forms[0] not in helping(said) or said.forms[place - 1] == "the"):
         return None
     asks = when or said
     room = _beside_what(asks)
@@ -114,12 +108,25 @@ def asked_gap(said: Said) -> About | None:
     length = front.length() or one_alone(front)
     small = ("speaker", "filling", "having left", "next of all")
     others = (front if length is None else length.rest).without(*small)[0]
-    timed = when is not None and said.forms[place] in said.lexicon.taken
-    if others.names - {OF} or (room is None and length is None) or (timed and length is None):
-        # "When's my break before lunch?" is of what is planned.
+    # "When's my break before lunch?" is of what is planned, and "give me a break for an hour" a wish.
+    named = said.forms[place] in said.lexicon.taken and when is not None
+    known = length is None or not said.opens_with("when")
+    if others.names - {OF} or (room is None and length is None) or (named and known):
         return None
     by = None if length is None else length.seconds
     return replace(room or ROOM, thing="", by=by, upcoming=when is not None)
+
+
+def _length_left(said: Said) -> About | None:
+    """Read whether there is so much time: "have I got half an hour before lunch?"."""
+    having = said.after("having left") if said.forms[:1] and said.forms[0] in helping(said) else None
+    if having is None or not having.words:
+        return None
+    room = _beside_what(having)
+    front = having if room is None else Said(room.thing, said.now, said.lexicon)
+    length = front.length()
+    whole = length is not None and not length.rest.words
+    return replace(room or ROOM, thing="", by=length.seconds) if length is not None and whole else None
 
 
 def _beside_what(said: Said) -> About | None:

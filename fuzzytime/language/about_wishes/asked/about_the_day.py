@@ -50,7 +50,8 @@ def _about_last(said: Said) -> About | None:
     if said.is_in("asking when"):
         return About(kind=AboutKind.WHEN, certain=True)
     rest = said.after("lasting")
-    if rest is not None and rest.ends_with("all of it"):
+    ends = () if rest is None else (rest, rest.without_end(said.table("needing")))
+    if any(end.ends_with("all of it") for end in ends):
         # "How long does it take in all?"
         return About(kind=AboutKind.WHEN, everything=True, certain=True)
     return None
@@ -137,6 +138,9 @@ def _named(said: Said) -> frozenset[str]:
 def _during(said: Said) -> About | None:
     """Read what there is at some time: "what's on friday?", "what am I doing at nine?"."""
     rest = said.after("holding") or said.after("busy") or _doing(said)
+    what = said.after("what") if rest is None else None
+    # "What's between lunch and the call?"
+    rest = what if what is not None and what.forms[:1] == (BETWEEN,) else rest
     if rest is None or not rest.words:
         return None
     names, others = ends_between(rest.behind(1)) if rest.forms[0] == BETWEEN else (NONE, NONE)
