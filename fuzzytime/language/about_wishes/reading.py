@@ -132,6 +132,8 @@ def bare(said: Said) -> Said:
 
 def without_request(said: Said) -> Said:
     """Leave out what makes a question or a suggestion of an order: "could we", "can you please", "let's"."""
+    if not said.words:
+        return said
     said = _without_courtesies(said)
     questions = said.lexicon.questions
     opening = {*questions["requesting"], *questions["suggesting"], *said.table("letting")}

@@ -156,7 +156,8 @@ def check_order(scene: Scene, words: str) -> None:
     FuzzytimeError
         If it is one.
     """
-    said = bare(without_request(Said.of(words, scene.now, scene.lexicon)))
+    whole = Said.of(words, scene.now, scene.lexicon)
+    said = bare(without_request(whole)) if whole.words else whole
     if not said.words or said.forms[0] not in scene.lexicon.moving or said.has_time:
         return
     for place in range(len(said.words), 1, -1):
