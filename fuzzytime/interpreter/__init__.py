@@ -15,6 +15,7 @@ What binds skills
 
 Planning (``planner``)
     What happens by itself, and what has begun: ``happening``, ``started``.
+    How far one of those that are planned may move: ``leeway``.
 """
 
 from fuzzytime.interpreter.interpretation import (
@@ -25,6 +26,7 @@ from fuzzytime.interpreter.interpretation import (
     ProblemKind,
 )
 from fuzzytime.interpreter.interpreter import Interpreter
+from fuzzytime.interpreter.leeway import Leeway, Limit
 from fuzzytime.interpreter.planner import Plan, plan, scheduled, task_of, understood
 from fuzzytime.interpreter.request import (
     MAX_HORIZON,
@@ -45,6 +47,8 @@ __all__ = [
     "Interpretation",
     "Interpreted",
     "Interpreter",
+    "Leeway",
+    "Limit",
     "Moved",
     "Plan",
     "Problem",

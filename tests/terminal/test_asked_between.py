@@ -75,7 +75,11 @@ def test_what_is_done_several_times_is_done_with_the_last() -> None:
 @pytest.mark.parametrize(
     ("asked", "taken", "wish"),
     [
-        ("is there room for a 20 minute walk before lunch?", "ok pop that in", "20 minute walk before lunch"),
+        (
+            "is there room for a 20 minute walk before lunch?",
+            "ok pop that in",
+            "walk for 20 min before lunch",
+        ),
         ("have I got time to sweep the hall after lunch?", "go on, do it", "sweep the hall after lunch"),
         ("am I free at half past eleven?", "have tea then", "have tea at half past eleven"),
         ("have I a gap before the shop?", "mow the lawn in it", "mow the lawn between 13:15 and 14:00"),

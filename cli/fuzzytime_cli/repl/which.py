@@ -57,7 +57,7 @@ def entries_meant(scene: Scene, about: About) -> list[Entry]:
             raise FuzzytimeError(f"{len(left)} others are left: say which, such as: the call")
         return left
     if about.upcoming:
-        return _next_of(scene)
+        return _next_of(scene, about.names)
     if about.places:
         if max(abs(place) for place in about.places) > len(left):
             raise FuzzytimeError(f"{len(left)} {'is' if len(left) == 1 else 'are'} left (:list shows which)")
@@ -87,8 +87,8 @@ def _each_of(scene: Scene, about: About) -> list[Entry]:
     return list(dict.fromkeys(entry for entry in found if entry is not None))
 
 
-def _next_of(scene: Scene) -> list[Entry]:
-    """Give the entry of what starts next.
+def _next_of(scene: Scene, names: frozenset[str]) -> list[Entry]:
+    """Give the entry of what starts next, of what is named so; none where nothing is.
 
     Raises
     ------
@@ -101,6 +101,10 @@ def _next_of(scene: Scene) -> list[Entry]:
         for place, one in waiting(scene)
         if scene.plan.has_time(place)
     ]
+    named = {e.identifier for e in scene.conversation.state.entries if names <= words_of_entry(scene, e)}
+    starts = [start for start in starts if start[1] in named]
+    if names and not starts:
+        return []
     if not starts:
         raise FuzzytimeError("nothing starts next (:list shows what is asked for)")
     return [one for one in scene.conversation.state.entries if one.identifier == min(starts)[1]]

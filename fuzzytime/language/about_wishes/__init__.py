@@ -14,8 +14,13 @@ What leans on the line before
 from fuzzytime.language.about_wishes.about import AT_FIRST, AT_LAST, AT_ONCE, About, AboutKind
 from fuzzytime.language.about_wishes.called_by_time import called_by_time
 from fuzzytime.language.about_wishes.continued import continued, names_thing
-from fuzzytime.language.about_wishes.corrections import added_time, restated, without_closing
-from fuzzytime.language.about_wishes.lengths import by_how_much, counted, later_by
+from fuzzytime.language.about_wishes.corrections import (
+    added_time,
+    opening_correction,
+    restated,
+    without_closing,
+)
+from fuzzytime.language.about_wishes.lengths import by_how_much, counted, in_full, later_by
 from fuzzytime.language.about_wishes.other_words.answers import choice_meant, chooses_none, lets_be
 from fuzzytime.language.about_wishes.other_words.merging import merged_time
 from fuzzytime.language.about_wishes.other_words.replacing import (
@@ -36,6 +41,7 @@ from fuzzytime.language.about_wishes.reading import about_wishes, bare, behind_w
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.about_wishes.things import about_things, continuing
 from fuzzytime.language.about_wishes.told.awaited import (
+    as_now,
     done_at_once,
     is_untold,
     tells_awaited,
@@ -58,6 +64,7 @@ __all__ = [
     "about_things",
     "about_wishes",
     "added_time",
+    "as_now",
     "bare",
     "behind_an_answer",
     "behind_what_is_told",
@@ -71,6 +78,7 @@ __all__ = [
     "counted",
     "done_at_once",
     "goes_on_until",
+    "in_full",
     "in_its_place",
     "is_person",
     "is_thing",
@@ -83,6 +91,7 @@ __all__ = [
     "news_in",
     "of_planned",
     "open_hours",
+    "opening_correction",
     "respelled",
     "restated",
     "reworded",

@@ -53,6 +53,8 @@ class AboutKind(StrEnum):
     ON_TIME = "on time"
     HOW = "how"
     BLOCK = "block"
+    LEEWAY = "leeway"
+    APART = "apart"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -67,10 +67,26 @@ def counted(said: Said) -> Said:
     return Said(f"{said.text} {Unit.MINUTE}s", said.now, said.lexicon) if said.as_number() else said
 
 
+def one_alone(said: Said) -> Length | None:
+    """Give the length that is one of its unit, at the end, and the rest: "my next free hour"."""
+    unit = said.words[-1].start if said.words else 0
+    one = Said(f"1 {said.text[unit:]}", said.now, said.lexicon).length()
+    whole = said.words and one is not None and not one.rest.words
+    return replace(one, rest=said.until(len(said.words) - 1)) if one is not None and whole else None
+
+
+def in_full(said: Said) -> Said:
+    """Give a length without what says that it is more: of "another hour" that is one hour."""
+    length = said.without("more")[0]
+    alone = one_alone(length) if len(length.words) == 1 else None
+    return length if alone is None else Said(f"1 {length.text}", said.now, said.lexicon)
+
+
 def minutes_alone(said: Said, *, directed: bool) -> Length | None:
     """Give the minutes that a number alone counts: "push it by ten", "push everything back ten"."""
     place = len(said.words) - 1
-    number = said.behind(place).as_number() if place > 0 else ""
+    # "S1" is one word.
+    number = said.behind(place).as_number() if place > 0 and not said.words[place].glued else ""
     joint = said.forms[place - 1 : place] == ("by",)
     if not number or not (joint or directed):
         return None

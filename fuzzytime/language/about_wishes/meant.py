@@ -28,6 +28,10 @@ def about_thing(kind: AboutKind, thing: Said, *, certain: bool = False) -> About
         return About(kind=kind, other=True, certain=True)
     if thing.is_in("the next"):
         return About(kind=kind, upcoming=True, certain=True)
+    following = thing.after("the next")
+    if following is not None and following.names and not thing.places:
+        # "The next aspirin"
+        return About(kind=kind, names=following.names, upcoming=True)
     counted = () if thing.is_in("last") else thing.places
     names = named_in(thing)
     several = bool(names) and not thing.label and is_several(thing.text, thing.lexicon)

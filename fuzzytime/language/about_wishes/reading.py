@@ -79,7 +79,9 @@ def _certain_behind_and(said: Said) -> About | None:
     """Read what goes on with another change of what was spoken of: "and make it half an hour"."""
     rest = said.after("continuing")
     found = _read(rest) if rest is not None and rest.words else None
-    return found if found is not None and found.certain and not found.names else None
+    # "And can we do it at three?"
+    asked = rest is not None and bool(rest.words) and without_request(rest) != rest
+    return found if found is not None and (found.certain or asked) and not found.names else None
 
 
 def _of_thing(said: Said) -> About | None:
@@ -130,6 +132,8 @@ def bare(said: Said) -> Said:
 
 def without_request(said: Said) -> Said:
     """Leave out what makes a question or a suggestion of an order: "could we", "can you please", "let's"."""
+    if not said.words:
+        return said
     said = _without_courtesies(said)
     questions = said.lexicon.questions
     opening = {*questions["requesting"], *questions["suggesting"], *said.table("letting")}

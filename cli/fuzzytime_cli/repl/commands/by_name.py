@@ -40,6 +40,9 @@ HEAD = (
 )
 """What the commands' list begins with."""
 
+DID = "If you did that:"
+"""What stands above what would come of something."""
+
 NARROW = 60
 """Columns below which what a command does stands under it, not beside it."""
 
@@ -84,7 +87,7 @@ def what_if(scene: Scene, text: str) -> Reply:
             "an instruction or a command must follow, such as: :what-if call mum at noon; :what-if :drop 2"
         )
     if words[0] in ":/":
-        return looking.what_would_move(scene, "If you did that:", _tried(scene, words))
+        return looking.what_would_move(scene, DID, _tried(scene, words))
     asked = scene.conversation.state.with_entry(words, scene.now)
     return looking.what_would_move(scene, "If you asked for that:", asked)
 
@@ -113,7 +116,9 @@ COMMANDS: Mapping[str, Command] = {
     ),
     "swap": Command("swap N M", "give N and M each other's times", moving.swap),
     "done": Command("done N", "skill N is done", changing.done),
-    "more": Command("more N 5min", "skill N, which has started, goes on for longer", changing.more),
+    "more": Command(
+        "more N 5min", "skill N, which has started, goes on for longer (-5min: less long)", changing.more
+    ),
     "undo": Command("undo", "take the last step back", changing.undo),
     "redo": Command("redo", "take an undone step again", changing.redo),
     "duration": Command("duration N 4min", "how long instruction N takes", changing.duration),

@@ -1,6 +1,7 @@
 """Commands of the conversation that change what is asked for, or what is so; each can be undone."""
 
 from dataclasses import replace
+from datetime import datetime
 
 from rich.text import Text
 
@@ -105,22 +106,30 @@ def done(scene: Scene, text: str) -> Reply:
 
 
 def more(scene: Scene, text: str) -> Reply:
-    """Say that a skill that has started goes on for longer."""
+    """Say that a skill that has started goes on for longer, or below 0 for less long."""
     _, rest = number_and_rest(text, "a length of time, such as 5min,")
     wanted, longer = identifier_of(scene, text.split(maxsplit=1)[0]), parse_duration(rest)
-    if longer <= 0:
-        raise FuzzytimeError(f"a length of time must be above 0, got {rest!r}")
+    if not longer:
+        raise FuzzytimeError(f"a length of time must not be 0, got {rest!r}")
     store, name = scene.conversation.store, scene.conversation.name
     begun = next((one for one in store.started(name) if one.identifier == wanted), None)
     if begun is None:
         raise FuzzytimeError(f"{wanted} has not started (see: :duration)")
+    if longer < 0:
+        done = max(scene.now, instant_after(begun.done, longer))
+        store.note_until(name, wanted, min(begun.end, done), done)
+        return _goes_on_until(scene, begun.name, done)
     done = instant_after(max(begun.done, scene.now), longer)
     # Who is at it stays at it; what goes on by itself goes on by itself.
     by_itself = begun.end < scene.now < begun.done
     end = begun.end if by_itself else instant_after(max(begun.end, scene.now), longer)
     store.note_until(name, wanted, end, max(done, end))
-    until = Clock(scene.now, with_seconds=True).at(max(done, end))
-    return Reply((Text(f"{plain(begun.name)} goes on until {until}"),), changed=True)
+    return _goes_on_until(scene, begun.name, max(done, end))
+
+
+def _goes_on_until(scene: Scene, name: str, done: datetime) -> Reply:
+    until = Clock(scene.now, with_seconds=True).at(done)
+    return Reply((Text(f"{plain(name)} goes on until {until}"),), changed=True)
 
 
 def ctx(scene: Scene, text: str) -> Reply:

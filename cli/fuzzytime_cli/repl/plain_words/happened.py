@@ -1,6 +1,7 @@
 """What somebody tells to have happened, where something waits for it: "bob called", "the rain stopped"."""
 
 from fuzzytime.language.about_wishes import (
+    Said,
     done_at_once,
     is_untold,
     tells_awaited,
@@ -17,9 +18,11 @@ def happened(scene: Scene, words: str) -> tuple[str, ...]:
     Of "call mum when I get home", and then "I got home", that is to call mum as soon as possible.
     """
     waited = [(one, part) for _, one in waiting(scene) for part in one.requirements if is_untold(part)]
-    said = words.strip().rstrip(".! ")
-    if not waited or said.endswith("?"):
+    if not waited or words.rstrip().endswith("?"):
         return ()
+    # "The coals are white now"
+    whole = Said.of(words, scene.now, scene.lexicon)
+    said = whole.without_end(whole.table("anew")).text
     reading = scene.language.read(said, now=scene.now)
     if not tells_of_somebody(reading.tokens):
         # "The glue's dry"

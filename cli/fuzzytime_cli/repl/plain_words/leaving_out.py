@@ -113,9 +113,10 @@ def next_left_out(scene: Scene, about: About) -> Reply | None:
     FuzzytimeError
         If there are others on its day, as only days can be left out.
     """
-    (entry,) = entries_meant(scene, about)
-    if not any(repeats(one) for _, one in waiting(scene, entry.number)):
+    meant = entries_meant(scene, about)
+    if not meant or not any(repeats(one) for _, one in waiting(scene, meant[0].number)):
         return None
+    entry = meant[0]
     days = sorted(start.date() for start in starts_of_entry(scene, entry))
     if days.count(days[0]) > 1:
         raise FuzzytimeError(

@@ -22,9 +22,19 @@ from fuzzytime_cli.repl.naming import (
 )
 from fuzzytime_cli.repl.parts import first_part, swapped_parts
 from fuzzytime_cli.repl.plain_words.of_all import delaying_all, dropping_all
-from fuzzytime_cli.repl.plain_words.progress import as_typed, blocked, late, length_said, progress, unstarted
+from fuzzytime_cli.repl.plain_words.progress import (
+    as_typed,
+    blocked,
+    late,
+    length_asked,
+    length_said,
+    progress,
+    unstarted,
+)
 from fuzzytime_cli.repl.plain_words.retiming import days_on, with_time
-from fuzzytime_cli.repl.scene import Scene, waiting
+from fuzzytime_cli.repl.plain_words.shifting import behind_its_other
+from fuzzytime_cli.repl.questions.leeways import may_start
+from fuzzytime_cli.repl.scene import AskedBackError, Scene, waiting
 from fuzzytime_cli.repl.which import entries_meant, sole
 from fuzzytime_cli.repl.without import without_part, without_thing
 from fuzzytime_cli.session import Entry
@@ -111,8 +121,15 @@ def _delaying(scene: Scene, about: About, meant: list[Entry]) -> str:
     FuzzytimeError
         If that has started.
     """
+    if about.by is None and not about.text and len(meant) == 1:
+        # By how much the laundry can be earlier, is told who asks whether it can.
+        message = length_asked(about)
+        raise AskedBackError(f"{message}{_within(scene, meant[0], about)}", replace(about, certain=True))
     numbers, length = ",".join(str(entry.number) for entry in meant), length_said(scene, about)
     part = part_meant(scene, meant[0].number, about.names) if len(meant) == 1 else None
+    by = parse_duration(length.lstrip("-")) * (-1 if length[0] == "-" else 1)
+    if part is None and len(meant) == 1 and (words := behind_its_other(scene, meant[0], by)) is not None:
+        return f":edit {numbers} {words}"
     if part is None:
         return f":delay {numbers} {length}"
     schedule = scene.plan.schedule
@@ -123,8 +140,15 @@ def _delaying(scene: Scene, about: About, meant: list[Entry]) -> str:
     ]
     if not starts:
         raise FuzzytimeError(f"{part} has started, or is not planned: it is not put off")
-    then = instant_after(starts[0], parse_duration(length.lstrip("-")) * (-1 if length[0] == "-" else 1))
+    then = instant_after(starts[0], by)
     return f":edit {numbers} {with_time(scene, meant[0], replace(about, time=exactly(then)), part=part)}"
+
+
+def _within(scene: Scene, entry: Entry, about: About) -> str:
+    """Say how far something may be earlier, or later; nothing where no limit is, or no time."""
+    left = [place for place, _ in waiting(scene, entry.number) if scene.plan.has_time(place)]
+    found = may_start(scene, left[0], about) if len(left) == 1 else None
+    return f"; it may start {found}" if found else ""
 
 
 def _dropping(scene: Scene, about: About, meant: list[Entry]) -> str:
@@ -233,6 +257,9 @@ def _swap(scene: Scene, about: About) -> str | None:
         if len(left) != 2:
             raise FuzzytimeError("which two? Say: swap the call and the soup")
         return f":swap {left[0].number} {left[1].number}"
+    if about.places:
+        # "Swap the first two"
+        return f":swap {' '.join(str(entry.number) for entry in entries_meant(scene, about))}"
     found = [sole(scene, about, names) for names in (about.names, about.others)]
     if found[0] is None and found[1] is None:
         return None

@@ -44,6 +44,18 @@ def dropping_all(scene: Scene, about: About) -> str:
     return f":drop {'all' if meant is None else ','.join(str(entry.number) for entry in meant)}"
 
 
+def entries_of_all(scene: Scene, about: About) -> list[Entry]:
+    """Give the entries that are meant, or all.
+
+    Raises
+    ------
+    FuzzytimeError
+        As `dropping_all`.
+    """
+    meant = _meant(scene, about)
+    return list(scene.conversation.state.entries) if meant is None else meant
+
+
 def _meant(scene: Scene, about: About) -> list[Entry] | None:
     """Give the entries that are meant; None for all.
 

@@ -4,11 +4,11 @@ from dataclasses import replace
 from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language.about_wishes import About, AboutKind
-from fuzzytime.times import instant_after, parse_duration
+from fuzzytime.language.about_wishes import About, AboutKind, Said
+from fuzzytime.times import instant_after, parse_duration, seconds_between
 from fuzzytime_cli.clock import Clock
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, part_meant, running_one, unknown
-from fuzzytime_cli.repl.plain_words.retiming import some_time, with_time
+from fuzzytime_cli.repl.plain_words.retiming import FOR, some_time, with_time
 from fuzzytime_cli.repl.questions.stretches import on_its_day
 from fuzzytime_cli.repl.scene import AskedBackError, Scene, check_sole, waiting
 from fuzzytime_cli.repl.typed import number_of
@@ -63,6 +63,20 @@ def progress(scene: Scene, about: About) -> str | None:
     if last is not None:
         raise FuzzytimeError(f"{last.name} was done at {over}")
     return unknown(about.names) if about.certain else None
+
+
+def running_for(scene: Scene, about: About) -> str | None:
+    """Give the command by which what is running takes so long in all: "it takes an hour"; else None."""
+    if about.kind not in {AboutKind.TAKES, AboutKind.MOVE} or not about.time.lower().startswith(FOR):
+        return None
+    entry = entry_of(scene, about.names) if not (about.places or about.upcoming or about.both) else None
+    running = scene.conversation.running(scene.now) if scene.tried is None else []
+    mine = [one for one in running if entry is not None and number_of(one.identifier) == entry.number]
+    length = Said(about.time, scene.now, scene.lexicon).length()
+    if len(mine) != 1 or entry is None or length is None or length.rest.words:
+        return None
+    by = length.seconds - seconds_between(mine[0].start, mine[0].done)
+    return f":more {mine[0].identifier} {as_typed(by)}" if by and not waiting(scene, entry.number) else None
 
 
 def _lengthened(scene: Scene, entry: Entry, about: About) -> str:
@@ -158,12 +172,16 @@ def length_said(scene: Scene, about: About) -> str:
         by = some_time(scene, about.text)
         return as_typed(-by if about.earlier else by)
     if about.by is None:
-        way = "bring it forward" if about.earlier else "push it back"
-        message = f"by how much? Say: {way} by ten minutes (or: make it half past six)"
-        if about.kind is AboutKind.MORE:
-            message = f"by how much? Say: twenty minutes {'shorter' if about.earlier else 'longer'}"
-        raise AskedBackError(message, replace(about, certain=True))
+        raise AskedBackError(length_asked(about), replace(about, certain=True))
     return as_typed(about.by)
+
+
+def length_asked(about: About) -> str:
+    """Ask by how much something is to be later, earlier, longer or shorter."""
+    if about.kind is AboutKind.MORE:
+        return f"by how much? Say: twenty minutes {'shorter' if about.earlier else 'longer'}"
+    way = "bring it forward" if about.earlier else "push it back"
+    return f"by how much? Say: {way} by ten minutes (or: make it half past six)"
 
 
 def as_typed(length: float) -> str:

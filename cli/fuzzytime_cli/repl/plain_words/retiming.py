@@ -147,8 +147,14 @@ def _replaced(scene: Scene, parts: Sequence[TimeRequirement], time: str) -> list
     times = [part for part in times if part.constraint is not Constraint.WHEN] or times
     if bound_in(scene, time) is None:
         return times
-    # What is to be done by four, and not before two
-    return [part for part in times if part.constraint is not Constraint.BEFORE]
+    # What is to be done by four, or after something else, and not before two
+    return [part for part in times if part.constraint is not Constraint.BEFORE and not _follows(scene, part)]
+
+
+def _follows(scene: Scene, part: TimeRequirement) -> bool:
+    """Whether it says what something comes after: "after lunch", "after that"."""
+    said = Said(part.text, scene.now, scene.lexicon).beside()
+    return part.anchor is not None or (said is not None and said[1].is_in("last"))
 
 
 def _without_vague(entry: Entry, times: Sequence[TimeRequirement]) -> Entry | None:

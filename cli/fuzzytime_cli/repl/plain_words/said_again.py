@@ -86,7 +86,7 @@ def again_later(scene: Scene, words: str) -> str | None:
             continue
         front = said.until(place)
         front = front.behind(front.opens_with("continuing"))
-        entry = entry_of(scene, frozenset()) if not front.words else _asked_alike(scene, front.text)
+        entry = entry_of(scene, frozenset()) if not front.words else asked_alike(scene, front.text)
         if entry is None:
             return None
         begun = [one.start for one in begun_parts(scene, entry.number)]
@@ -111,7 +111,7 @@ def _length_behind(said: Said) -> float | None:
     return None
 
 
-def _asked_alike(scene: Scene, words: str) -> Entry | None:
+def asked_alike(scene: Scene, words: str) -> Entry | None:
     """Give the entry that asks for the same as some words; None where none does, or these ask for more."""
     read = scene.language.read(words, now=scene.now).instructions
     operation = read[0].operation if len(read) == 1 else None

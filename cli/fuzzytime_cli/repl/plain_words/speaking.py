@@ -38,10 +38,12 @@ from fuzzytime_cli.repl.plain_words.leaving_out import left_out, left_out_then, 
 from fuzzytime_cli.repl.plain_words.meant import command_meant
 from fuzzytime_cli.repl.plain_words.offered import beside_what_is_meant, declines, offer_taken, takes_offer
 from fuzzytime_cli.repl.plain_words.perhaps import cancelled_elsewhere, check_who
+from fuzzytime_cli.repl.plain_words.progress import running_for
 from fuzzytime_cli.repl.plain_words.reasons import behind_what_tells, with_reason
 from fuzzytime_cli.repl.plain_words.redirected import by_another_length, the_other
 from fuzzytime_cli.repl.plain_words.retiming import wished_instead
 from fuzzytime_cli.repl.plain_words.said_again import again_later, said_anew, timed_now
+from fuzzytime_cli.repl.plain_words.shifting import check_order, each_on_a_day, of_several_on_a_day
 from fuzzytime_cli.repl.plain_words.supposing import supposed
 from fuzzytime_cli.repl.plain_words.taking import run, run_each
 from fuzzytime_cli.repl.plain_words.telling import (
@@ -49,10 +51,12 @@ from fuzzytime_cli.repl.plain_words.telling import (
     behind_how_a_day_is,
     is_news,
     told_anew,
+    told_reading,
     told_state,
+    told_to_have_happened,
 )
 from fuzzytime_cli.repl.plain_words.usually_said import asks_how_it_is
-from fuzzytime_cli.repl.questions import answering, ends, gaps, rooms
+from fuzzytime_cli.repl.questions import answering, ends, gaps, leeways, rooms
 from fuzzytime_cli.repl.scene import Reply, Scene, refused
 from fuzzytime_cli.repl.which import which_one
 from fuzzytime_cli.told_states import tells_what_is, told_of_whom
@@ -107,7 +111,7 @@ def _reply_about(scene: Scene, words: str) -> Reply | None:
         return Reply((Text(plain(f"taken as: {wish}")),), anew=wish)
     if waited := happened(scene, words):
         reading = scene.language.read(words, now=scene.now)
-        return told_state(scene, words, reading) or run_each(scene, waited)
+        return told_reading(scene, words, reading) or run_each(scene, waited)
     instead = None if asks else wished_instead(scene, words)
     if instead is not None:
         return run(scene, About(kind=AboutKind.MOVE), instead)
@@ -148,7 +152,7 @@ def _told(scene: Scene, words: str) -> Reply | None:
     meant = means is not None and means.kind is AboutKind.INSTEAD
     operation = None if meant else reported(reading, language.lexicon)
     if operation is None:
-        state = told_state(scene, words, reading)
+        state = told_state(scene, words, reading) or told_to_have_happened(scene, words)
         if state is not None:
             return state
         if not meant and (reply := perhaps_done(scene, reading, _taken)) is not None:
@@ -167,6 +171,7 @@ def _told(scene: Scene, words: str) -> Reply | None:
             return run(scene, About(kind=AboutKind.MOVE), anew)
         leant = leaning(scene, words, reading, _taken)
         if leant is None:
+            check_order(scene, words)
             _check_told(scene, words, reading)
         # What asks for something is no question: "could you feed the cat?"
         if leant is not None or wish:
@@ -245,16 +250,28 @@ def _taken(scene: Scene, about: About) -> Reply | None:
         return left_out(scene, about, _taken)
     if about.kind is AboutKind.DROP and about.upcoming and (out := next_left_out(scene, about)) is not None:
         return out
-    if (moved := left_out_then(scene, about)) is not None:
+    if (moved := _retimed(scene, about)) is not None:
         return moved
-    if about.kind is AboutKind.MOVE and (again := by_another_length(scene, about, _taken)) is not None:
-        return again
     if about.kind is AboutKind.TAKES:
         about = replace(about, kind=AboutKind.MOVE)
     line = command_meant(scene, about)
     if line is None:
         return None
     return run(scene, about, line)
+
+
+def _retimed(scene: Scene, about: About) -> Reply | None:
+    """Take another time, or length, of what was left out, of all, or of what is running; else give None."""
+    if (moved := left_out_then(scene, about)) is not None:
+        return moved
+    if about.kind is AboutKind.MOVE and (again := by_another_length(scene, about, _taken)) is not None:
+        return again
+    if about.kind is AboutKind.MOVE and (
+        about.text if about.everything else of_several_on_a_day(scene, about)
+    ):
+        return each_on_a_day(scene, about)
+    lasting = running_for(scene, about)
+    return None if lasting is None else run(scene, about, lasting)
 
 
 def _when_then(scene: Scene, about: About) -> Reply | None:
@@ -276,9 +293,11 @@ ANSWERS: Mapping[AboutKind, Callable[[Scene, About], Reply]] = {
     AboutKind.BESIDE: answering.beside,
     AboutKind.FREE: gaps.free,
     AboutKind.ROOM: rooms.room,
+    AboutKind.APART: rooms.apart,
+    AboutKind.LEEWAY: leeways.how_far,
     AboutKind.DURING: gaps.during,
     AboutKind.ON_TIME: ends.on_time,
-    AboutKind.SUPPOSE: lambda scene, about: supposed(scene, about.text),
+    AboutKind.SUPPOSE: lambda scene, about: supposed(scene, about.text, _reply_about),
     AboutKind.HOW: lambda scene, about: how_to(scene, about.text),
 }
 """What answers each kind of question."""

@@ -5,9 +5,10 @@ from dataclasses import replace
 
 from rich.text import Text
 
+from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.about_wishes import About, AboutKind
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.commands.by_name import command_of
+from fuzzytime_cli.repl.commands.by_name import TRIED, command_of
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.repl.typed import whole_number
 
@@ -15,6 +16,8 @@ from fuzzytime_cli.repl.typed import whole_number
 def run(scene: Scene, about: About, line: str) -> Reply:
     """Run a command, and say which."""
     command, rest = command_of(line)
+    if scene.tried is not None and command not in TRIED:
+        raise FuzzytimeError(f"what {line!r} would do is not shown: say it, and then undo")
     named = rest.partition(" ")[0]
     dropped, focus = "", None
     if line.startswith(":drop"):

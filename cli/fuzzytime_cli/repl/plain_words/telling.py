@@ -12,6 +12,7 @@ from fuzzytime.language.about_wishes import (
     About,
     AboutKind,
     about_wishes,
+    as_now,
     behind_what_is_told,
     news_in,
 )
@@ -33,10 +34,24 @@ CHANGED = frozenset({AboutKind.MOVE, AboutKind.DELAY, AboutKind.DROP, AboutKind.
 
 def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
     """Take what is so now as a reading, or as what something waits for; None where nothing is told."""
+    if (reply := told_reading(scene, words, reading)) is not None:
+        return reply
     said = words.strip().rstrip(".! ")
-    if said.endswith("?") or not _tells(scene, said, reading):
+    if not _tells(scene, said, reading) or _condition(scene, said) is None:
         return None
-    condition = _condition(scene, said)
+    if not is_waited_for(said, (one for _, one in waiting(scene))):
+        return None
+    anew = as_news(said)
+    read = scene.language.read(anew, now=scene.now).instructions
+    if not any(one.operation is not None and one.operation.stated for one in read):
+        return None
+    return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
+
+
+def told_reading(scene: Scene, words: str, reading: Reading) -> Reply | None:
+    """Take what is so now as a reading of a signal: "the pan is hot"; None where it is of none."""
+    said = words.strip().rstrip(".! ")
+    condition = _condition(scene, said) if _tells(scene, said, reading) else None
     if condition is None:
         return None
     conversation = scene.conversation
@@ -44,19 +59,19 @@ def told_state(scene: Scene, words: str, reading: Reading) -> Reply | None:
         context_of(conversation.state.readings, scene.now)
     )
     told = conversation.interpreter.rulebook.told(condition, context)
-    if told is not None and (told.value is not None or _is_event(told.signal, said, condition)):
-        unit = f" {told.unit}" if told.unit else ""
-        text = told.signal if told.value is None else f"{told.signal}={told.value:g}{unit}"
-        reply = ctx(scene, text)
-        head = Text(plain(f"taken as :ctx {text}; :undo takes it back"))
-        return Reply((head, *reply.lines), changed=reply.changed)
-    if not is_waited_for(said, (one for _, one in waiting(scene))):
+    if told is None or not (told.value is not None or _is_event(told.signal, said, condition)):
         return None
-    anew = as_news(said)
-    read = conversation.interpreter.language.read(anew, now=scene.now).instructions
-    if not any(one.operation is not None and one.operation.stated for one in read):
-        return None
-    return Reply((Text(plain(f"taken as: {anew}")),), anew=anew)
+    unit = f" {told.unit}" if told.unit else ""
+    text = told.signal if told.value is None else f"{told.signal}={told.value:g}{unit}"
+    reply = ctx(scene, text)
+    head = Text(plain(f"taken as :ctx {text}; :undo takes it back"))
+    return Reply((head, *reply.lines), changed=reply.changed)
+
+
+def told_to_have_happened(scene: Scene, words: str) -> Reply | None:
+    """Take an event that is told to have happened as a reading: "the timer rang"; else give None."""
+    anew = as_now(words.strip().rstrip(".! "), scene.lexicon)
+    return None if anew is None else told_reading(scene, anew, scene.language.read(anew, now=scene.now))
 
 
 def _is_event(signal: str, said: str, condition: Condition) -> bool:
@@ -68,7 +83,7 @@ def _is_event(signal: str, said: str, condition: Condition) -> bool:
 
 def _tells(scene: Scene, said: str, reading: Reading) -> bool:
     """Whether words tell what is so, and are no news of what was told."""
-    if not reading.instructions or not tells_a_state(said, reading, scene.lexicon):
+    if said.endswith("?") or not reading.instructions or not tells_a_state(said, reading, scene.lexicon):
         return False
     return not is_news(scene, said)
 

@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 from datetime import datetime
 
+from fuzzytime.english import is_participle
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import find_times
+from fuzzytime.language import find_times, verb_forms
 from fuzzytime.language.about_wishes import (
     About,
     AboutKind,
@@ -13,6 +14,7 @@ from fuzzytime.language.about_wishes import (
     goes_on_until,
     of_planned,
     open_hours,
+    opening_correction,
 )
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import format_duration, instant_after
@@ -39,6 +41,8 @@ def order_told(scene: Scene, clause: str) -> str | None:
         If what "it" is cannot be told from what it is to come before, or after.
     """
     said = Said(clause, scene.now, scene.lexicon)
+    if event := _of_event(scene, said):
+        return event
     if bounded := _of_open_hours(scene, said):
         return bounded
     if ending := _of_end(scene, said):
@@ -53,6 +57,24 @@ def order_told(scene: Scene, clause: str) -> str | None:
     lasts = Said(orders[0], scene.now, scene.lexicon).length() if len(orders) > 1 else None
     new = None if lasts is None else lasts.seconds
     return ". ".join(_as_planned(scene, order, new) for order in orders) or None
+
+
+def _of_event(scene: Scene, clause: Said) -> str:
+    """Give the event that others come before, or after, with the time that is told of it by its verb.
+
+    Of "half an hour before closing" that is "closing is at six" where it is said that "we close at six".
+    """
+    told = clause.behind(opening_correction(clause)).without_exclamations()
+    anchors = (part.anchor for one in scene.plan.everything for part in one.requirements)
+    events = {anchor.text.split()[-1] for anchor in anchors if anchor is not None}
+    for place in range(1, len(told.words) - 1):
+        time = told.behind(place + 1).as_time()
+        bare = told.behind(place + 1).one_time() is not None and not time.lower().startswith("for ")
+        verb = told.forms[place].removesuffix("s")
+        named = (one for one in events if is_participle(one) and one in verb_forms(verb, scene.lexicon))
+        if time and bare and (event := next(named, None)) is not None:
+            return f"{event} is {time}"
+    return ""
 
 
 def _check_whose(scene: Scene, orders: Sequence[str]) -> None:

@@ -14,6 +14,7 @@ from fuzzytime.language.about_wishes import (
 )
 from fuzzytime_cli.repl.naming import entry_of
 from fuzzytime_cli.repl.plain_words.known import is_known
+from fuzzytime_cli.repl.plain_words.shifting import shift_said
 from fuzzytime_cli.repl.plain_words.telling import is_news
 from fuzzytime_cli.repl.plain_words.told_times import order_told
 from fuzzytime_cli.repl.plain_words.ways import MARK, in_usual_words, of_whom
@@ -26,6 +27,14 @@ JOINTS = re.compile(r"(,\s+|;\s+|\s+[-\u2013\u2014]+\s+|\s+(?:because|since|so)\
 COMMA = ", "
 APART = ". "
 """What stands between what changes something, and a wish beside it."""
+
+SURELY_ASKED = frozenset(
+    {AboutKind.ON_TIME, AboutKind.LEEWAY, AboutKind.APART, AboutKind.ALL, AboutKind.LASTING, AboutKind.WHY}
+)
+"""Questions that are no request, whatever else they may be read as."""
+
+TWO = 2
+"""Clauses of what is late, and when it then is."""
 
 LONGEST = 40
 """Words of a line that is about what was asked for, at most."""
@@ -40,10 +49,17 @@ def as_usually_said(scene: Scene, words: str) -> str:
         return words
     words = _with_labels(scene, words)
     if asks_how_it_is(scene, words):
+        # "Would it be possible to ring the landlord earlier?"
+        return shift_said(scene, words) or words
+    about = about_wishes(words, scene.now, scene.lexicon)
+    if about is not None and about.certain and about.kind in SURELY_ASKED and words.rstrip().endswith("?"):
+        # "Will it all be done by noon?"
         return words
     parts = JOINTS.split(words)
     clauses, joints = parts[::2], parts[1::2]
     whole = _usual(scene, words)
+    if len(clauses) == TWO and (order := _when_late(scene, *clauses)):
+        return order
     if not joints:
         return words if whole is None else whole
     first = _usual(scene, clauses[0])
@@ -106,6 +122,20 @@ def _of_who_rang(scene: Scene, told: str, clause: str) -> str:
     return of_whom(who, behind).text
 
 
+def _when_late(scene: Scene, told: str, clause: str) -> str:
+    """Give the order for what is told to be late, and then when it is: "Ann is late, she comes at two"."""
+    about = about_wishes(told, scene.now, scene.lexicon)
+    late = about is not None and about.kind is AboutKind.DELAY and about.by is None and not about.text
+    said = Said.of(clause, scene.now, scene.lexicon)
+    if about is None or not (late and about.names and said.opens_with("they")) or is_news(scene, told):
+        return ""
+    entry = entry_of(scene, about.names)
+    parts = (said.behind(place) for place in range(1, len(said.words)))
+    time = next((part.as_time() for part in parts if part.one_time() is not None), "")
+    moves = entry is not None and time and not time.lower().startswith(("for ", "by "))
+    return f"move {entry.identifier} to {time.removeprefix('at ')}" if entry is not None and moves else ""
+
+
 def _of_whose(scene: Scene, clause: str) -> str:
     """Give a clause with what it tells of those that belong to something told of that: "Rolo's owner"."""
     said = Said.of(clause, scene.now, scene.lexicon)
@@ -136,6 +166,8 @@ def _usual(scene: Scene, clause: str) -> str | None:
     if about is not None and about.kind is AboutKind.UNDO and about.text:
         # "Put it all back" pushes nothing.
         return None
+    if (shifted := shift_said(scene, clause)) is not None:
+        return shifted
     order = order_told(scene, clause)
     if is_news(scene, clause):
         # What only is late may tell a bound: "lunch can't be later than half twelve".

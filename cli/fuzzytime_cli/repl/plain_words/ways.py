@@ -6,7 +6,15 @@ from datetime import datetime
 
 from fuzzytime.english import is_participle
 from fuzzytime.language import Lexicon
-from fuzzytime.language.about_wishes import Said, bare, counted, later_by, without_request, written_out
+from fuzzytime.language.about_wishes import (
+    Said,
+    bare,
+    counted,
+    in_full,
+    later_by,
+    without_request,
+    written_out,
+)
 
 SLOT = "<"
 """How what is left open in a way to say something begins: "<thing>"."""
@@ -132,7 +140,7 @@ def _is_meant(slots: Slots, is_known: Callable[[Said, bool], bool], *, told: boo
         and all(is_known(said, told) for said in things)
         and all(map(_time, times))
         and all(_is_length(said) for name, said in slots.items() if name == LENGTH)
-        and all(_is_length(said.without("more")[0]) for name, said in slots.items() if name == MORE)
+        and all(_is_length(in_full(said)) for name, said in slots.items() if name == MORE)
     )
 
 
@@ -152,6 +160,7 @@ def _with_slots(usual: str, slots: Slots) -> str:
     for name, said in slots.items():
         text = _time(said).removeprefix(AT) if name in TIMES else said.text
         text = text.removeprefix(TO) if name == PURPOSE else text
+        text = in_full(said).text if name in {LENGTH, MORE} else text
         # "The lecture's been moved to two"
         text = said.label or MARK.sub("", text) if name == THING else text
         if name == THING and len(said.words) > 1 and said.forms[:1] in said.table("last"):

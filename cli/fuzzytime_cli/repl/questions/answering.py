@@ -53,7 +53,7 @@ def when(scene: Scene, about: About) -> Reply:
     """Say when that is planned which all of some words name, or when all is over."""
     if about.everything:
         return all_over(scene)
-    positions, told = _as_named(scene, about.names)
+    positions, told = as_named(scene, about.names)
     schedule = scene.plan.schedule
     timed = [position for position in positions if scene.plan.has_time(position)]
     timed.sort(key=lambda position: schedule.start_times[position])
@@ -63,7 +63,7 @@ def when(scene: Scene, about: About) -> Reply:
     elif about.text and len({scene.plan.everything[place].wish.identifier for place in positions}) == 1:
         # "When will the dough be done?" is of the last that is done with it.
         positions = positions[-1:]
-    lines = [] if about.text and positions else _going_on(scene, about)
+    lines = [] if about.text and positions else going_on(scene, about)
     lines += [_start(scene, position) for position in positions[:MOST]]
     if len(positions) > MOST:
         lines.append(Text(f"and {len(positions) - MOST} more times"))
@@ -73,13 +73,13 @@ def when(scene: Scene, about: About) -> Reply:
     return replace(reply, lines=(*reply.lines, *over))
 
 
-def _as_named(scene: Scene, names: frozenset[str]) -> tuple[list[int], list[Text]]:
+def as_named(scene: Scene, names: frozenset[str]) -> tuple[list[int], list[Text]]:
     """Give what some words name, or those of them that name anything; and what is said of the others."""
     lexicon = scene.lexicon
     small = lexicon.particles.keys() | lexicon.doing.leaving
     # "When's the roast out?", "when do I leave for the shop?"
     positions = _positions(scene, names) or _positions(scene, names - small or names)
-    if positions or _going_on(scene, About(kind=AboutKind.WHEN, names=names)):
+    if positions or going_on(scene, About(kind=AboutKind.WHEN, names=names)):
         return positions, []
     known = names.intersection(frozenset[str]().union(*(_words_of(scene, one) for _, one in waiting(scene))))
     positions = _positions(scene, known) if known else []
@@ -110,7 +110,7 @@ def asked_of(scene: Scene, words: str) -> Reply | None:
 def lasting(scene: Scene, about: About) -> Reply:
     """Say how long that takes which some words name."""
     positions = _positions(scene, about.names)
-    lines = _going_on(scene, about)
+    lines = going_on(scene, about)
     for position in positions[:MOST]:
         interpreted = scene.plan.everything[position]
         skill = interpreted.skill
@@ -144,7 +144,7 @@ def did(scene: Scene, about: About) -> Reply:
         lines += [_start(scene, position) for position in positions[:1]]
         return Reply(tuple(lines), focus=number_of(begun.identifier))
     if not positions:
-        return _nothing(about.names)
+        return nothing_about(about.names)
     start = _start(scene, positions[0])
     return Reply((Text("not yet: ") + start,), focus=_focus(scene, positions))
 
@@ -157,7 +157,7 @@ def beside(scene: Scene, about: About) -> Reply:
     # "After the cake", which is in the oven, what is done with it then comes.
     named = [place for place in positions if place in left and running is None]
     if not named and running is None:
-        return _nothing(about.names)
+        return nothing_about(about.names)
     begin = min((schedule.start_times[place] for place in named), default=0.0)
     over = max((schedule.skills[place].end for place in named), default=0.0)
     times = {place: schedule.start_times[place] for place in left if place not in named}
@@ -171,7 +171,7 @@ def beside(scene: Scene, about: About) -> Reply:
     return Reply(tuple(_start(scene, place) for place in found), focus=_focus(scene, found))
 
 
-def _going_on(scene: Scene, about: About) -> list[Text]:
+def going_on(scene: Scene, about: About) -> list[Text]:
     """Say of what is running and named until when it is."""
     clock = Clock(scene.now, with_seconds=True)
     entry = None if about.names else entry_of(scene, about.names)
@@ -196,7 +196,7 @@ def why(scene: Scene, about: About) -> Reply:
         entry = entry_of(scene, about.names)
         if entry is not None:
             position_of(scene, str(entry.number))  # what is running, or over, says so
-        return _nothing(about.names)
+        return nothing_about(about.names)
     name = scene.plan.everything[positions[0]].identifier
     sentences = [*why_sentences(scene.plan, positions[0]), f":why {name} shows words, rules and curve."]
     heading = f"{plain(name)} {plain(scene.plan.everything[positions[0]].skill.name)}"
@@ -206,10 +206,11 @@ def why(scene: Scene, about: About) -> Reply:
 
 def _reply(scene: Scene, about: About, lines: list[Text], positions: list[int]) -> Reply:
     """Answer with some lines about skills; without lines say that nothing is meant."""
-    return Reply(tuple(lines), focus=_focus(scene, positions)) if lines else _nothing(about.names)
+    return Reply(tuple(lines), focus=_focus(scene, positions)) if lines else nothing_about(about.names)
 
 
-def _nothing(names: frozenset[str]) -> Reply:
+def nothing_about(names: frozenset[str]) -> Reply:
+    """Answer that nothing planned is about some words."""
     what = " ".join(sorted(names)) if len(names) <= FEW else "that"
     return said(f"nothing that is planned is about {what}" if names else "nothing is planned")
 

@@ -5,12 +5,13 @@ from datetime import datetime
 
 from rich.text import Text
 
+from fuzzytime.interpreter import Interpreted
 from fuzzytime.language.about_wishes import About
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.questions.stretches import bounds_of, time_of
 from fuzzytime_cli.repl.questions.taken import at
-from fuzzytime_cli.repl.scene import Reply, Scene, said, waiting
+from fuzzytime_cli.repl.scene import Reply, Scene, is_for_others, said, waiting
 from fuzzytime_cli.repl.typed import number_of
 
 SOON = 90.0
@@ -31,11 +32,14 @@ def on_time(scene: Scene, about: About) -> Reply:
     late = [(place, words) for place, words in told if place is not None and place in left]
     whole = all_over(scene)
     if not late:
-        return replace(whole, lines=(Text("yes: everything that is planned has its time"), *whole.lines))
+        answer = "no" if about.text else "yes"
+        return replace(
+            whole, lines=(Text(f"{answer}: everything that is planned has its time"), *whole.lines)
+        )
     said_of = [f"  {scene.plan.everything[place].identifier} {plain(words)}" for place, words in late[:MOST]]
     lines = [line for words in said_of for line in wrapped(words, scene.width, 6)]
     focus = number_of(scene.plan.everything[late[0][0]].identifier)
-    return Reply((Text("not all of it:"), *lines, *whole.lines), focus=focus)
+    return Reply((Text("yes:" if about.text else "not all of it:"), *lines, *whole.lines), focus=focus)
 
 
 def _is_over_by(scene: Scene, words: str) -> Reply:
@@ -61,13 +65,17 @@ def _ends(scene: Scene) -> list[datetime]:
     """Give when each is done of what is planned, or running; of what only happens where nothing else is."""
     schedule, skills = scene.plan.schedule, scene.plan.skills
     ends = [
-        (scene.plan.instant(one.done), skills[position].stated and not skills[position].skill.time_until_done)
+        (scene.plan.instant(one.done), is_for_others(skills[position]) or _only_happens(skills[position]))
         for position, one in enumerate(schedule.skills)
         if scene.plan.has_time(position)
     ]
     ends += [(one.done, False) for one in scene.conversation.running(scene.now)]
     # "Is everything done before five?" is not when the guests have come.
     return [end for end, happens in ends if not happens] or [end for end, _ in ends]
+
+
+def _only_happens(one: Interpreted) -> bool:
+    return one.stated and not one.skill.time_until_done
 
 
 def how_long_until(scene: Scene, instant: datetime) -> str:

@@ -4,11 +4,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 from datetime import datetime, timedelta
 
+from rich.text import Text
+
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
 from fuzzytime.language.about_wishes import About, without_article
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import format_duration
+from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.compared import moves
 from fuzzytime_cli.repl.naming import entries_named, entry_of, part_meant, running_one, unknown
 from fuzzytime_cli.repl.questions.stretches import bounds_of, time_of
@@ -45,7 +48,8 @@ def room(scene: Scene, about: About) -> Reply:
     fitting = [gap for gap in _gaps(scene, since, until) if gap[1] is None or gap[1] - gap[0] >= length]
     if fitting:
         begin, over = fitting[0 if about.thing or about.joint != "before" else -1]
-        told = said(f"yes: {what} fits in at {at(scene, begin)}{_until(scene, over)}")
+        yes = "" if about.upcoming else "yes: "
+        told = said(f"{yes}{what} fits in at {at(scene, begin)}{_until(scene, over)}")
         lasting = f" for {_long(length)}" if about.by is not None else ""
         offer = Offer(_wish_for(scene, about.thing) + lasting, about.text)
         return replace(told, offer=offer if about.thing else offer_of(scene, begin, over))
@@ -95,6 +99,23 @@ def beside(scene: Scene, about: About) -> tuple[datetime, datetime | None]:
         first, second = sorted([(start, end), _planned(scene, about.others)])
         return max(scene.now, first[1]), second[0]
     return (max(scene.now, end), None) if about.joint == "after" else (scene.now, start)
+
+
+def apart(scene: Scene, about: About) -> Reply:
+    """Say how long it is between two things, or behind one until the next, and what is planned there."""
+    first, over = beside(scene, about)
+    taken = all_taken(scene)
+    behind = next((one for one in taken if one.start >= first), None)
+    over = over or (None if behind is None else behind.start)
+    if over is None:
+        return said(f"nothing is planned {plain(about.thing)}, from {at(scene, first)} on")
+    if over < first:
+        return said(f"no time: they overlap, from {at(scene, over)} to {at(scene, first)}")
+    named = [one for one in taken if first <= one.start < over]
+    beside_it = [f"with {one.title}, {at(scene, one.start)} to {at(scene, one.end)}" for one in named[:MOST]]
+    told = said(f"{_long(over - first)}, from {at(scene, first)} to {at(scene, over)}")
+    told = replace(told, lines=(*told.lines, *map(Text, beside_it)))
+    return replace(told, offer=Offer() if named else offer_of(scene, first, over))
 
 
 def _planned(scene: Scene, names: frozenset[str]) -> tuple[datetime, datetime]:

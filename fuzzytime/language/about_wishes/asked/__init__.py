@@ -1,1 +1,1 @@
-"""Questions ``about_the_plan``, and ``about_the_day``: when one is free, what was done, and what there is."""
+"""Questions ``about_the_plan``, ``about_room``, and ``about_the_day``: when one is free, what was done."""

@@ -3,16 +3,21 @@
 from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.asked.about_room import (
+    BESIDE,
+    BETWEEN,
+    BY,
+    NONE,
+    ROOM,
+    asked_gap,
+    asked_room,
+    ends_between,
+)
 from fuzzytime.language.about_wishes.asked.about_the_plan import helping
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.requirement import Constraint
 
-BETWEEN = "between"
-BY = ("by", "before")
-BESIDE = {**dict.fromkeys((*BY, "until", "till"), "before"), "at": "", "after": "after", BETWEEN: BETWEEN}
-NONE = frozenset[str]()
-ROOM = About(kind=AboutKind.ROOM, certain=True)
 THE = ("the", "my", "our", "that", "this", "his", "her", "their")
 
 
@@ -21,9 +26,9 @@ def asked(said: Said) -> About | None:
     return (
         _about_last(said)
         or _over_by(said)
-        or _room(said)
+        or asked_room(said)
         or _free(said)
-        or _gap(said)
+        or asked_gap(said)
         or _is_then(said)
         or _during(said)
         or _done(said)
@@ -34,6 +39,10 @@ def asked(said: Said) -> About | None:
 
 
 def _about_last(said: Said) -> About | None:
+    if said.is_in("asking for all"):
+        return About(kind=AboutKind.ALL, certain=True)
+    if said.is_in("asking if late"):
+        return About(kind=AboutKind.ON_TIME, text=said.text, certain=True)
     if said.is_in("on time"):
         return About(kind=AboutKind.ON_TIME, certain=True)
     if said.is_in("asking next"):
@@ -41,7 +50,8 @@ def _about_last(said: Said) -> About | None:
     if said.is_in("asking when"):
         return About(kind=AboutKind.WHEN, certain=True)
     rest = said.after("lasting")
-    if rest is not None and rest.ends_with("all of it"):
+    ends = () if rest is None else (rest, rest.without_end(said.table("needing")))
+    if any(end.ends_with("all of it") for end in ends):
         # "How long does it take in all?"
         return About(kind=AboutKind.WHEN, everything=True, certain=True)
     return None
@@ -91,58 +101,6 @@ def _of_somebody(said: Said) -> Said | None:
     return said.behind(place + 1) if asks else None
 
 
-def _room(said: Said) -> About | None:
-    """Read whether there is time for something, before a time or something else."""
-    rest = (said.after("when") or said).after("having time")
-    if rest is None or not rest.words:
-        return None
-    rest = rest.without_end(said.table("closing"))
-    room = _beside_what(rest)
-    if room is None:
-        thing, time = rest.parted()
-        room = replace(ROOM, thing=thing, time=time, text=time)
-    return room if room.thing else None
-
-
-def _gap(said: Said) -> About | None:
-    """Read whether there is a gap, perhaps of some length: "have I an hour free before lunch?"."""
-    place = next((n for n, word in enumerate(said.forms) if (word,) in said.table("gaps")), 0)
-    if not place or said.forms[0] not in helping(said) or said.forms[place - 1] == "the":
-        return None
-    room = _beside_what(said)
-    front = Said(said.text if room is None else room.thing, said.now, said.lexicon).without("gaps")[0]
-    length = front.length()
-    others = (front if length is None else length.rest).without("speaker", "filling", "having left")[0]
-    if others.names or (room is None and length is None):
-        return None
-    return replace(room or ROOM, thing="", by=None if length is None else length.seconds)
-
-
-def _beside_what(said: Said) -> About | None:
-    """Read beside what there is to be room for a thing: "a walk before the call", "lunch at two"."""
-    for place in range(len(said.words) - 1, 0, -1):
-        way = BESIDE.get(said.forms[place])
-        if way is None:
-            continue
-        behind, rest = said.behind(place), said.behind(place + 1)
-        # "Before lunch" is before that which is planned, or else before noon.
-        time = behind.text if behind.one_time() is not None else ""
-        names, others = _ends_between(rest) if way == BETWEEN else (rest.names if way else NONE, NONE)
-        if time or names:
-            thing = said.until(place).text
-            return replace(
-                ROOM, thing=thing, text=behind.text, time=time, names=names, others=others, joint=way
-            )
-    return None
-
-
-def _ends_between(said: Said) -> tuple[frozenset[str], frozenset[str]]:
-    """Give what names the one and the other that something is between: "lunch and the call"; or nothing."""
-    joint = said.forms.index("and") if "and" in said.forms else 0
-    ends = said.until(joint).names, said.behind(joint + 1).names
-    return ends if joint and all(ends) else (NONE, NONE)
-
-
 def _over_by(said: Said) -> About | None:
     """Read whether all is over by a time: "will I be home by five?"."""
     place = next(
@@ -180,9 +138,12 @@ def _named(said: Said) -> frozenset[str]:
 def _during(said: Said) -> About | None:
     """Read what there is at some time: "what's on friday?", "what am I doing at nine?"."""
     rest = said.after("holding") or said.after("busy") or _doing(said)
+    what = said.after("what") if rest is None else None
+    # "What's between lunch and the call?"
+    rest = what if what is not None and what.forms[:1] == (BETWEEN,) else rest
     if rest is None or not rest.words:
         return None
-    names, others = _ends_between(rest.behind(1)) if rest.forms[0] == BETWEEN else (NONE, NONE)
+    names, others = ends_between(rest.behind(1)) if rest.forms[0] == BETWEEN else (NONE, NONE)
     if names:
         time = rest.text if rest.one_time() is not None else ""
         between = About(kind=AboutKind.DURING, time=time, names=names, others=others, certain=True)

@@ -10,11 +10,12 @@ def question(said: Said) -> About | None:
     return _supposed(said) or _why(said) or _when(said) or _lasting(said) or _open(said)
 
 
-def _names(said: Said) -> frozenset[str]:
+def named_by(said: Said) -> frozenset[str]:
     """Give what a question is about: its labels, or its words but for those that name nothing."""
     if labels := frozenset(filter(LABEL.fullmatch, said.text.lower().split())):
         return labels
-    times = {*said.lexicon.numbers, "at", "am", "pm"}
+    closed = said.lexicon.closed
+    times = {*said.lexicon.numbers, "at", "am", "pm"} | closed.personal_pronouns | closed.object_pronouns
     return frozenset(name for name in said.names - _words(said, "filling") - times if not name.isdigit())
 
 
@@ -34,7 +35,7 @@ def _why(said: Said) -> About | None:
         # "Why do I varnish at half ten?"
         named = Said(named.parted()[0] or named.text, said.now, said.lexicon)
     # "Why friday?"
-    names = frozenset() if named is None else _names(named)
+    names = frozenset() if named is None else named_by(named)
     if rest is None or (names and _asks_for_something(said)):
         return None
     return About(kind=AboutKind.WHY, names=names, certain=True)
@@ -68,7 +69,7 @@ def _when(said: Said) -> About | None:
     if rest.is_in("moment") and said.forms[0] != "when":
         return About(kind=AboutKind.CLOCK, certain=True)
     rest, found = rest.without("next of all", "yet")
-    names = _names(rest)
+    names = named_by(rest)
     # "What time do I start then?"
     about_it = not names and any((word,) in said.table("last") for word in rest.forms)
     about_it |= not names and rest.forms[:2] in said.table("done next")
@@ -87,7 +88,7 @@ def helping(said: Said) -> frozenset[str]:
 def _is_over(said: Said) -> bool:
     """Whether who speaks asks when all is over: "when will I be done"."""
     rest, found = said.without("finished", "speaker", "everything")
-    return "finished" in found and "speaker" in found and not _names(rest)
+    return "finished" in found and "speaker" in found and not named_by(rest)
 
 
 def _lasting(said: Said) -> About | None:
@@ -103,9 +104,9 @@ def _lasting(said: Said) -> About | None:
     told = rest.forms[-1:] in said.table("needing") and len(rest.words) > 1
     if rest.forms[0] not in helping(said) and not told:
         return None
-    rest = rest.until(len(rest.words) - 1) if told else rest
+    rest = (rest.until(len(rest.words) - 1) if told else rest).without("yet")[0]
     left = rest.names & _words(said, "plan")
-    names = _names(rest) - left
+    names = named_by(rest) - left
     # "How long is left?" asks for what is going on.
     return About(kind=AboutKind.LASTING if names or not left else AboutKind.NEXT, names=names, certain=True)
 

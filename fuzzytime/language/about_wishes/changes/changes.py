@@ -17,6 +17,9 @@ from fuzzytime.requirement import Unit
 
 SEVERAL = ("both", "everything")
 
+TWO = 2
+"""How many are swapped."""
+
 OWNER = re.compile(r"(?<=\w)['\u2019]s\b")
 """What tells whose something is."""
 
@@ -42,8 +45,9 @@ def change(said: Said) -> About | None:
 def _undone(said: Said) -> About | None:
     for kind, name in ((AboutKind.UNDO, "undoing"), (AboutKind.REDO, "redoing")):
         rest = said.after(name)
-        if rest is not None and (is_last(rest) or any(map(rest.is_in, SEVERAL)) or rest.places):
-            return About(kind=kind, both=not is_last(rest), certain=True)
+        if rest is not None and (is_last(rest) or any(map(rest.is_in, SEVERAL)) or rest.places or rest.label):
+            # "Undo s3", which is "the last one"
+            return About(kind=kind, both=not (is_last(rest) or rest.label), certain=True)
     form = longest_match(said.words, 0, {(first[0],) for first in said.table("undoing") if len(first) == 2})
     particle = {first[1] for first in said.table("undoing") if len(first) == 2}
     if form is not None and said.forms[-1] in particle and is_last(said.until(len(said.words) - 1).behind(1)):
@@ -59,7 +63,8 @@ def _swapped(said: Said) -> About | None:
     rest = rest.until(len(rest.words) - 1) if rest.forms[-1:] in said.table("behind swapping") else rest
     if not rest.words:
         return About(kind=AboutKind.SWAP, both=True, certain=True)
-    if (both := about_thing(AboutKind.SWAP, rest)).both:
+    both = about_thing(AboutKind.SWAP, rest)
+    if both.both or len(both.places) == TWO:
         return both
     joint = next(
         (place for place, word in enumerate(rest.forms) if word in said.lexicon.closed.joints_of_swaps), 0
@@ -127,9 +132,10 @@ def _ordered(said: Said) -> About | None:
             return replace(about_thing(AboutKind.MOVE, thing), time=time)
         new = rest.without("instead")[0]
         undirected, directions = new.without(*DIRECTIONS)
-        if new.words and not undirected.words and is_last(thing):
+        if new.words and not undirected.words and (is_last(thing) or (verb == "do" and thing.names)):
             # "Do it earlier": by how much is not said
-            return About(kind=AboutKind.DELAY, earlier="earlier" in directions, certain=True)
+            about = about_thing(AboutKind.DELAY, thing, certain=is_last(thing))
+            return replace(about, earlier="earlier" in directions)
         if (later := later_by(new)) is not None and not later[1].words:
             about = about_thing(AboutKind.DELAY, thing)
             return replace(about, by=later[0].by, text=later[0].text, earlier=later[0].earlier)

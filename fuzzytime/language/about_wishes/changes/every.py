@@ -49,7 +49,8 @@ def every_shifted(said: Said) -> About | None:
     """Read how much later, or earlier, all that is left is to be, or a part of it; None where none is."""
     delaying = said.after("delaying")
     moving = bool(said.forms) and said.forms[0] in said.lexicon.rescheduling
-    rest = delaying or (said.behind(1) if moving else said)
+    done = bool(said.forms) and said.forms[0] in said.lexicon.doing.spending
+    rest = delaying or (said.behind(1) if moving or done else said)
     ends = [n for n in range(1, len(rest.words)) if rest.behind(n).opens_with("except")]
     if not any(rest.behind(n).opens_with(EVERYTHING) for n in range(len(rest.words))):
         return None

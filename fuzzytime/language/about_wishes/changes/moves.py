@@ -4,9 +4,10 @@ import re
 from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.changes.every import every
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, REFERRED, minutes_alone
 from fuzzytime.language.about_wishes.meant import about_thing, is_last
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import CLOCKED, Said
 from fuzzytime.language.about_wishes.told.told_of import told_of
 from fuzzytime.language.finding import find_times
 
@@ -87,8 +88,12 @@ def moved(said: Said) -> About | None:
     new = Said(behind[place:].strip(), said.now, said.lexicon)
     if not thing.words:
         return None
-    if thing.is_in("everything") or thing.is_in("both"):
-        return About(kind=AboutKind.MOVE, everything=True, certain=True)
+    meant = About(kind=AboutKind.MOVE, everything=True, certain=True) if thing.is_in("both") else None
+    if (meant := meant or every(AboutKind.MOVE, thing)) is not None:
+        # "Move everything after three to tomorrow" keeps the hours.
+        day = new.one_time() or Said(new.as_time(), said.now, said.lexicon).one_time()
+        text = new.as_time() if day is not None and day.grain not in {None, *CLOCKED} else ""
+        return replace(meant, text=text)
     about = about_thing(AboutKind.MOVE, thing)
     if not (about.names or about.places or about.upcoming) and not is_last(thing):
         return None

@@ -29,6 +29,18 @@ def written_out(said: str) -> str:
     return CONTRACTED.sub(lambda short: BEING[short[1]], said)
 
 
+def as_now(said: str, lexicon: Lexicon) -> str | None:
+    """Give what is told to have happened as it is said of what happens now; None where its verb is none.
+
+    >>> from fuzzytime.language.finding import shipped_lexicon
+    >>> as_now("the timer rang", shipped_lexicon())
+    'the timer rings'
+    """
+    front, _, last = said.rpartition(" ")
+    verb = next((verb for verb, forms in lexicon.past.items() if last.lower() in forms), None)
+    return f"{front} {verb}s" if verb and front else None
+
+
 def is_untold(part: TimeRequirement) -> bool:
     """Whether it waits for something that no instruction brings about."""
     if part.condition is not None and part.constraint is Constraint.WHEN:
@@ -91,11 +103,18 @@ def _named(tokens: Sequence[Token], lexicon: Lexicon) -> Iterator[str]:
     closed = lexicon.closed
     pronouns = closed.personal_pronouns | closed.third_person
     small = {form[0] for name in ("being", "anew") for form in lexicon.conversation[name] if len(form) == 1}
-    for token in tokens:
+    places = lexicon.particles.keys() | {
+        form[0] for form in lexicon.conversation["present"] if len(form) == 1
+    }
+    # "The pasta is in" is not "the pasta is out", and the same as "the pasta went in".
+    where = tokens[-1:] and tokens[-1].text.lower() in places
+    getting = lexicon.doing.being_somewhere if where else frozenset[str]()
+    for place, token in enumerate(tokens):
         word, verb = token.text.lower(), token.tag.startswith(VERBAL)
         left_out = pronouns if verb else pronouns | small
-        named = word[:1].isalnum() and word not in left_out and content_words(word)
-        if named and token.relation not in {"aux", "aux:pass"}:
+        last = where and place == len(tokens) - 1
+        named = word[:1].isalnum() and word not in left_out and (last or content_words(word))
+        if named and token.relation not in {"aux", "aux:pass"} and token.lemma not in getting:
             yield token.lemma
 
 

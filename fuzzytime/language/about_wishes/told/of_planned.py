@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from fuzzytime.language.about_wishes.corrections import opening_correction
-from fuzzytime.language.about_wishes.lengths import DIRECTIONS, counted
+from fuzzytime.language.about_wishes.lengths import DIRECTIONS, counted, in_full
 from fuzzytime.language.about_wishes.said import Said, one_time
 from fuzzytime.language.about_wishes.told.awaited import written_out
 from fuzzytime.requirement import Constraint
@@ -205,6 +205,8 @@ class _Told:
             return ""
         length = left.text.removeprefix("by ").removeprefix("for ")
         if "more" in ways:
+            # "This will take another hour"
+            length = in_full(left).text if len(left.words) == 1 else length
             return f"make {self.name} {length} longer" if not ways & (SOONER | LATER) else ""
         if ways & SOONER:
             return f"bring {self.name} forward by {length}"
