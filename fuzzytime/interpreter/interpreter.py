@@ -147,7 +147,7 @@ class Interpreter:
         )
         prepared = tuple(of_prepared(skills, self.language.lexicon))
         kept = (*gathered.rows.kept(), *of_places(skills), *prepared)
-        order = (*kept, *of_things(skills), *of_timetables(skills, prepared))
+        order = (*kept, *of_things(skills, self.language.lexicon), *of_timetables(skills, prepared))
         order = free_of_circles(order, precedences)
         out = turns_out_of_bounds(skills, precedences)
         dropped = {skills[place].identifier for place in out}
