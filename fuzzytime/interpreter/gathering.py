@@ -42,6 +42,7 @@ class Gathering:
     skills: list[Interpreted] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
     ahead: list[tuple[SpokenWish, Instruction]] = field(default_factory=list)
+    lengths: list[tuple[int, Instruction]] = field(default_factory=list)
     waiting: list[tuple[int, SpokenWish, Reading, Instruction]] = field(default_factory=list)
     _seen: Counter[str] = field(default_factory=Counter)
     _taken: set[str] = field(init=False)
@@ -125,6 +126,11 @@ class Gathering:
         """Take what an instruction tells or asks for, and give the places of the skills that it is about."""
         instruction = bounding(instruction, reading, self.maker.lexicon) if listed else instruction
         if instruction.length_of is not None:
+            told = instruction.length_of.target
+            if told is not None and told >= len(self.links.instructions):
+                # "The gel takes 90 minutes, start it before lunch"
+                self.lengths.append((len(self.links.instructions), instruction))
+                return range(0)
             lengthened = self._lengthened(instruction)
             self._go_there(wish, reading, instruction, instruction.length_of.target)
             return lengthened
@@ -186,6 +192,8 @@ class Gathering:
 
     def finish(self) -> None:
         """Make what waited for others, and let all be done by when words ahead of it said so."""
+        for place, instruction in self.lengths:
+            self.links.instructions[place] = self._lengthened(instruction)
         self._make_waiting()
         for wish, instruction in self.ahead:
             if not any(map(_is_asked, self.skills)):

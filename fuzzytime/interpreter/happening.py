@@ -8,6 +8,7 @@ from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Pr
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import problem_of, too_late
 from fuzzytime.interpreter.request import Request, Started
+from fuzzytime.requirement import Constraint
 from fuzzytime.satisfaction import NEVER, Rectangle
 from fuzzytime.skills import Busy, Precedence
 from fuzzytime.times import instant_after
@@ -30,7 +31,9 @@ def happening(interpretation: Interpretation, started: Sequence[Started] = ()) -
     for entries in (interpretation.precedences, interpretation.order):
         left = []
         for entry in _without_cancelled(entries, skills):
-            if fixed.get(entry.second, math.inf) > 0 or entry.first in fixed:
+            # "Before Anna gets up", who has slept since before now
+            until = fixed.get(entry.second, math.inf) - min(entry.minimum_lag, 0.0)
+            if until > 0 or entry.first in fixed:
                 left.append(entry)
             elif skills[entry.first].identifier not in begun and not _is_lost(skills[entry.first]):
                 problems.append(too_late(skills[entry.first], skills[entry.second]))
@@ -110,6 +113,9 @@ def _where_it_happens(one: Interpreted) -> Interpreted:
     one = replace(one, skill=replace(one.skill, happens=True))
     time = one.skill.preferred
     if time is None or not all(part.anchor is None for part in one.requirements):
+        return one
+    if any(part.constraint is Constraint.BETWEEN for part in one.requirements):
+        # "Lunch" alone is near the middle of its hours, and not there whatever comes.
         return one
     if time < 0 or float(one.skill.satisfaction(time)) < SURE:
         return one

@@ -156,7 +156,7 @@ class Interpreter:
         )
         prepared = tuple(of_prepared(skills, self.language.lexicon))
         kept = (*gathered.rows.kept(), *of_places(skills), *prepared)
-        order = (*kept, *of_things(skills), *of_timetables(skills, prepared))
+        order = (*kept, *of_things(skills, self.language.lexicon), *of_timetables(skills, prepared))
         order = free_of_circles(order, precedences)
         skills = shortly_before(skills, gathered.rows.ends, (*precedences, *order), self.language.lexicon)
         out = turns_out_of_bounds(skills, precedences)

@@ -8,6 +8,7 @@ from fuzzytime.interpreter.bounding import from_there_on, within_its_ends
 from fuzzytime.interpreter.how_long import HowLong
 from fuzzytime.interpreter.in_other_words.lasting import with_lasting
 from fuzzytime.interpreter.in_other_words.retold import (
+    amid_its_hours,
     from_to,
     going_to,
     occurrence,
@@ -180,7 +181,8 @@ class Maker:
             within_its_ends(self._resolved(part, operation, duration), part, duration, -given) for part in own
         ]
         offered = Offered.of(own, resolutions, given)
-        function, named = self._moved(wish, offered.satisfaction, offered.named)
+        usual = offered.named or amid_its_hours(operation, requirements, given)
+        function, named = self._moved(wish, offered.satisfaction, usual)
         reason, waits = offered.why_never()
         if not reason and function.support.empty:
             reason = "what is said about its time contradicts itself"

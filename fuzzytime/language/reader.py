@@ -16,8 +16,8 @@ from fuzzytime.language.recent import Recent, moment_as_typed
 from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
-from fuzzytime.language.sentence.sketches.meaning.clock_times import IN_ORDER, LastSaid, said_in
-from fuzzytime.language.sentence.together.days.headings import on_next_day, under_headings
+from fuzzytime.language.sentence.sketches.meaning.clock_times import IN_ORDER, SEVERAL, LastSaid, said_in
+from fuzzytime.language.sentence.together.days.headings import on_next_day, through_night, under_headings
 from fuzzytime.language.sentence.together.none_of_it.needed_lines import with_needed
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
@@ -161,6 +161,9 @@ class Language:
         begun = self._in_turn(drafts, given, over=True) if len(drafts) > IN_ORDER else found
         if begun[1][-1].in_order and begun[1][-1].astray < found[1][-1].astray:
             found = begun
+        night = self._in_turn(through_night(drafts), given)
+        if night[1][-1].lines >= SEVERAL and night[1][-1].forward == night[1][-1].lines:
+            return night
         tomorrow = on_next_day(drafts)
         for days, early in ((drafts, True), (tomorrow, False), (tomorrow, True)):
             if days and found[1][-1].astray:

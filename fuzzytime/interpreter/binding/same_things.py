@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from fuzzytime.interpreter.binding.steps import OWN_TIME, Step, is_anchored, is_asked
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.language import content_words
+from fuzzytime.language import Lexicon, content_words, undoes
 from fuzzytime.requirement import Constraint
 from fuzzytime.skills import Precedence
 
@@ -18,11 +18,12 @@ LEADS = OWN_TIME | {Constraint.BEFORE}
 """What says of a step when it is, whatever was said before it."""
 
 
-def of_things(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
+def of_things(skills: Sequence[Interpreted], lexicon: Lexicon) -> Iterator[Precedence]:
     """Give the order of what is done with the same thing, where no words say when.
 
     A time of its own says more than the order: "serve the soup at seven", "heat the soup". What is done once
-    more by a deadline is done shortly before that: "let the dog out at nine", "… again before bed".
+    more by a deadline, or undoes it, is done shortly before that: "let the dog out at nine", "… again before
+    bed"; "open the vents first thing", "shut the vents before it gets dark".
     """
     worked_on: dict[str, list[tuple[frozenset[str], Step]]] = {}
     for position, one in enumerate(skills):
@@ -33,7 +34,7 @@ def of_things(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
         rarest = min((worked_on.setdefault(word, []) for word in thing), key=len)
         # "Pick the first tray", "inspect the tray"
         before = next((earlier for named, earlier in reversed(rarest) if thing <= named), None)
-        if before is not None and _is_again(before, step):
+        if before is not None and _is_again(before, step, lexicon):
             yield before.precedence_until_due(step)
         elif before is not None and _leaves_open(before) and _is_open(step):
             yield before.precedence(step)
@@ -62,13 +63,16 @@ def _is_open(step: Step) -> bool:
     return not any(part.constraint in LEADS or is_anchored(part) for part in said)
 
 
-def _is_again(before: Step, step: Step) -> bool:
-    """Whether the same is done once more, and only by when is said."""
+def _is_again(before: Step, step: Step, lexicon: Lexicon) -> bool:
+    """Whether the same is done once more, or undone, and only by when is said."""
     one, other = before.interpreted.operation, step.interpreted.operation
-    if one is None or other is None or (one.phrase, one.object) != (other.phrase, other.object):
+    if one is None or other is None:
+        return False
+    undone = undoes(other, one, lexicon)
+    if not undone and (one.phrase, one.object) != (other.phrase, other.object):
         return False
     said = step.interpreted.requirements
     due = all(part.constraint is Constraint.BEFORE and part.anchor is None for part in said)
     latest = step.interpreted.skill.satisfaction.best.high
     first = before.interpreted.skill.satisfaction.best.low
-    return bool(said) and due and before.at_moment and first < latest
+    return bool(said) and due and (undone or before.at_moment) and first < latest

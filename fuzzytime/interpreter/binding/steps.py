@@ -109,12 +109,13 @@ class Step:
         return Precedence(self.position, following.position, -waits)
 
     def precedence_until_due(self, following: "Step") -> Precedence:
-        """Let another follow as late as it is due, where this has a time: what is opened stays open."""
-        order, begin = self.precedence(following), self.interpreted.skill.named
+        """Let another follow as late as it is due: what is opened stays open."""
+        order, skill = self.precedence(following), self.interpreted.skill
+        begin = min(skill.named, default=skill.satisfaction.best.low)
         latest = following.interpreted.skill.satisfaction.best.high
-        if not begin or not math.isfinite(latest):
+        if not math.isfinite(begin) or not math.isfinite(latest):
             return order
-        lag = latest - min(begin) - self.interpreted.skill.time_until_done
+        lag = latest - begin - self.interpreted.skill.time_until_done
         return replace(order, wished_lag=lag) if lag >= order.minimum_lag else order
 
     def _leaves(self, following: "Step") -> bool:

@@ -15,9 +15,8 @@ from fuzzytime.skills import Precedence
 RIGHT_THEN = "exactly"
 """How near what somebody goes to follows the way there."""
 
+A_DAY = 86400.0
 FROM, BETWEEN, UNTIL = "from", "between", "until"
-LASTING = frozenset({"be", "have"})
-"""What is said of somebody or something that is so for a while: "I'm out until four"."""
 
 
 def behind_ends(skills: Sequence[Interpreted], entries: Iterable[Precedence]) -> list[Interpreted]:
@@ -66,8 +65,7 @@ def until_then(instruction: Instruction, lexicon: Lexicon) -> float | None:
     ends = [
         part.latest
         for part in instruction.requirements
-        if _is_until(part)
-        and part.constraint is Constraint.BEFORE
+        if ((_is_until(part) and part.constraint is Constraint.BEFORE) or _is_all_through(part, lexicon))
         and part.reference is not Reference.FINISH
         and not part.alternative
     ]
@@ -100,7 +98,8 @@ def from_to(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Inst
             return replace(instruction, requirements=tuple(requirements), duration=length)
     if operation.stated:
         instruction = replace(instruction, requirements=tuple(map(_beginning, instruction.requirements)))
-    return _until(instruction) if operation.stated and operation.lemma in LASTING else instruction
+    # "I'm out until four", "Anna sleeps till nine"
+    return _until(instruction) if operation.stated and not operation.negated else instruction
 
 
 def _says_ends(part: TimeRequirement, given: datetime, lexicon: Lexicon, *, asked: bool) -> bool:
@@ -158,6 +157,14 @@ def _is_until(part: TimeRequirement) -> bool:
     return part.preposition == UNTIL and part.anchor is None and part.latest is not None
 
 
+def _is_all_through(part: TimeRequirement, lexicon: Lexicon) -> bool:
+    """Whether it is all of what is left of a part of a day: "all morning", "the rest of the afternoon"."""
+    if part.constraint is not Constraint.BETWEEN or part.earliest is None or part.latest is None:
+        return False
+    said = part.latest - part.earliest <= A_DAY and part.recurrence is None
+    return said and not lexicon.beside.all_through.isdisjoint(part.text.lower().split())
+
+
 def occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequirement:
     """Give one occurrence of a repetition as a requirement of its own: at its time, or anywhere in it.
 
@@ -172,6 +179,19 @@ def occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequi
         latest=end,
         number=None,
     )
+
+
+def amid_its_hours(
+    operation: Operation | None, requirements: Sequence[TimeRequirement], given: float
+) -> tuple[float, ...]:
+    """Give the middle of its hours for a meal that a line names alone: "lunch"."""
+    if operation is None or not operation.stated or len(requirements) != 1:
+        return ()
+    (hours,) = requirements
+    alone = hours.text.lower() == (operation.object or "").lower()
+    if not alone or hours.earliest is None or hours.latest is None:
+        return ()
+    return (given + (hours.earliest + hours.latest) / 2,)
 
 
 def turn(repeated: TimeRequirement, target: int, edge: Edge, lag: float) -> TimeRequirement:

@@ -132,6 +132,7 @@ class ClosedClasses(NamedTuple):
     prepositions_of_duration: Words
     prepositions_of_time: Words
     prepositions_of_times_taken: Words
+    prepositions_of_events: Words
     prepositions_of_length: Words
     prepositions_of_way: Words
     prepositions_of_points: Words
@@ -139,6 +140,8 @@ class ClosedClasses(NamedTuple):
     rates: Words
     back_home: Words
     adverbs_of_arrival: Words
+    adverbs_of_return: Words
+    adverbs_of_absence: Words
     adverbs_of_repetition: Words
     sides: Words
     conjuncts: Words
@@ -280,6 +283,8 @@ class BesideTimes(NamedTuple):
     listing: Words
     lists: Words
     open_things: Words
+    limited: Words
+    all_through: Words
     awaited_in_a_stretch: Words
     sites: Words
     things_in_days: Words

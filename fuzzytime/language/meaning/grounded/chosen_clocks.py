@@ -5,11 +5,13 @@ from datetime import datetime, time, timedelta
 
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.grounded.part_instants import EARLY
 from fuzzytime.language.meaning.grounded.standpoint import Standpoint
 from fuzzytime.language.meaning.instants import Instants, midnight
 from fuzzytime.language.meaning.times_of_day import Clock, Half
 
 NOON = 12
+NOON_TIME = time(NOON)
 FOLLOWING = timedelta(hours=6)
 """How long after a clock time the next one of a text, without am or pm, hardly is before it."""
 
@@ -25,9 +27,6 @@ EVENING = time(19)
 NIGHT = time(21)
 OVERNIGHT = timedelta(hours=5)
 """What lines say from then on may lie behind midnight, so long after."""
-
-EARLY = time(4)
-"""From here on, who speaks is up early, not late."""
 
 
 def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
@@ -145,6 +144,11 @@ def _of_morning(
         days = (midnight(since.date()) + timedelta(days=later) for later in (0, 1))
         there = (day + timedelta(seconds=seconds) for day in days for seconds in clock.candidates())
         return min(moment for moment in there if moment > since)
+    late = any(since < moment <= since + OVERNIGHT for moment in moments)
+    if here.early and here.carried and since.time() >= NIGHT and not late:
+        # "Lights out 10.30", then "alarm 6.45"
+        mornings = (m + timedelta(days=later) for m in moments for later in (0, 1))
+        return next((m for m in mornings if since < m and EARLY <= m.time() < NOON_TIME), None)
     if since.time() < here.policy.plausible_from:
         # "Leave it on overnight and switch it off at six"
         return next((moment for moment in moments if since <= moment <= since + CLOSE), None)
@@ -153,7 +157,9 @@ def _of_morning(
 
 def _is_late(here: Standpoint, since: datetime, moments: Sequence[datetime]) -> bool:
     """Whether one of some moments follows what was said of an evening on a line before."""
-    if not here.carried or since.time() < EVENING:
+    # "Rounds at eleven, two and five", said at nine in the evening
+    listed = here.listed and here.now.time() >= EVENING and since - here.now <= CLOSE
+    if not (here.carried or listed) or since.time() < EVENING:
         return False
     if since.time() >= NIGHT:
         # Who drains it at 22:00 puts it back by 1:30 that night.

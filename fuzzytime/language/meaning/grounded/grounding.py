@@ -147,7 +147,9 @@ class Grounding(Standpoint):
             if wall.part is None:
                 raise UngroundedError("a time must name a day or a time of day")
             inside = None if self.window is None else part_within(wall.part, *self.window)
-            return inside or part_alone(wall.part, self.now, self.since, follows=self.follows)
+            return inside or part_alone(
+                wall.part, self.now, self.since, self.policy.plausible_from, follows=self.follows
+            )
         if wall.clock is not None:
             found = self._clock_on(wall, wall.days, wall.clock)
             return self._as_on_others(wall.others, wall, found) if wall.others else found

@@ -1,10 +1,14 @@
 """From when to when a part of the day is: "tonight", "in the morning"."""
 
+from dataclasses import replace
 from datetime import date, datetime, time, timedelta
 
 from fuzzytime.language.meaning.instants import Instants, midnight
 from fuzzytime.language.meaning.times_of_day import FIRST_THING, NOON, WHOLE_DAY, Part
 from fuzzytime.requirement import Unit
+
+EARLY = time(4)
+"""From here on, who speaks is up early, not late."""
 
 
 def part_on(day: date, part: Part, waking: time | None = None) -> Instants:
@@ -23,10 +27,11 @@ def part_within(part: Part, first: datetime, last: datetime) -> Instants | None:
     return next((one for one in found if one.start < last and first < one.end), None)
 
 
-def part_alone(part: Part, now: datetime, since: datetime | None, *, follows: bool) -> Instants:
+def part_alone(part: Part, now: datetime, since: datetime | None, waking: time, *, follows: bool) -> Instants:
     """Give the part of the day that is not over yet: "tonight, then in the morning".
 
-    ``since`` is the time that was said before, and ``follows`` whether this comes after it.
+    ``since`` is the time that was said before, and ``follows`` whether this comes after it. The first thing
+    of a day that has begun is sooner, where people are ``waking`` before that.
     """
     begun = now
     if since is not None and since > now:
@@ -37,4 +42,7 @@ def part_alone(part: Part, now: datetime, since: datetime | None, *, follows: bo
     here = part_on(begun.date(), part)
     # "First thing in the morning", said in the morning, is tomorrow.
     over = here.start if part.name == FIRST_THING else here.end
+    if part.name == FIRST_THING and begun == now < over and now.time() >= EARLY:
+        # Said at half past six by who is up then
+        return replace(here, start=min(over, max(now, datetime.combine(now.date(), waking))))
     return here if over > begun else part_on(begun.date() + timedelta(days=1), part)

@@ -68,8 +68,10 @@ def side_of(clause: Clause) -> Constraint:
 def happens(clause: Clause, lexicon: Lexicon) -> bool:
     """Whether something happens: "when it opens", "when I get in"; not "when it is hot"."""
     subject = None if clause.condition is None else clause.condition.subject
+    # "When Sue gets in at one"
+    goes = clause.where is not None or subject in lexicon.closed.personal_pronouns
     return clause.verb not in {*lexicon.doing.being, None} or (
-        subject in lexicon.closed.personal_pronouns and clause.verb != "be"
+        goes and clause.verb in lexicon.doing.getting - {"be"}
     )
 
 

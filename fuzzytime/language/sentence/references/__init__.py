@@ -1,7 +1,8 @@
 """Which instruction words refer to (``mentions``), what was ``told`` of it, and times that count from it.
 
 What is meant is what is most alike (``likeness``), and what is put somewhere gets there (``whereabouts``).
-A clause may be about ``several``, or about every one of a kind; what is
+Where somebody ``stays`` says what
+"while she's out" means. A clause may be about ``several``, or about every one of a kind; what is
 ``left_inside`` goes in and comes out.
 
 They stand in clauses (``anchors``) or in phrases (``phrase_anchors``). Some count from what was asked for of

@@ -67,6 +67,9 @@ class Anchors:
         # Of equals the nearest: among those before it the last, among those behind the first.
         last = self.position - 1
         subject = None if condition is None else condition.subject
+        if condition is not None and subject == "it" and condition.word in self.lexicon.impersonal:
+            # "Get some milk, shut the vents before it gets dark"
+            return None
         over = condition is not None and condition.word in self.lexicon.results
         if condition is not None and over and clause.object is None and clause.is_through(self.lexicon):
             # "Text me when you are finished", "load out once we're done"
@@ -93,6 +96,21 @@ class Anchors:
         if target is not None or not self.awaits:
             return target
         return best_of(clause, self._coming(clause), self.lexicon)
+
+    def called(self, words: str) -> int | None:
+        """Give the instruction that is called just so, whatever else words may say: "before the crew call".
+
+        That is the latest before it, or else the first of its text, or of those it ``awaits``.
+        """
+        named = content_words(words)
+        if not named:
+            return None
+        last = len(self.mentions.operations) if self.awaits else self.first + len(self.own)
+        places = (*range(self.position - 1, -1, -1), *range(self.position + 1, last))
+        said = ((place, self.operation_at(place)) for place in places)
+        return next(
+            (p for p, one in said if one and not one.negated and content_words(one.name) == named), None
+        )
 
     def _is_done_soon(self, clause: Clause) -> bool:
         """Whether a distance counts back from the end of what goes on: "five minutes before it is ready"."""

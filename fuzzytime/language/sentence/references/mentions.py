@@ -32,9 +32,12 @@ def comes(happening: Operation, lexicon: Lexicon) -> bool:
 
 
 def comes_by_name(happening: Operation, lexicon: Lexicon) -> bool:
-    """Whether what is told has the name of what comes: a delivery, a truck."""
-    last = (happening.object or "").lower().split()[-1:]
-    return happening.stated and happening.lemma == "be" and not lexicon.closed.coming.isdisjoint(last)
+    """Whether what is told has the name of what, or who, comes: a delivery, guests."""
+    # "Delivery due between ten and eleven"
+    words = [word for word in (happening.object or "").lower().split() if word not in lexicon.beside.due]
+    comes_so = not (lexicon.closed.coming | lexicon.persons).isdisjoint(words[-1:])
+    elsewhere = happening.particle or happening.place
+    return happening.stated and happening.lemma == "be" and comes_so and not elsewhere
 
 
 def waits_for(operation: Operation, happening: Operation, lexicon: Lexicon) -> bool:

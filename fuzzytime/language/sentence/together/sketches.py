@@ -68,7 +68,8 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
             found += of_several_times(again, words)
     found = [on_owned_day(_ordered(sketch, draft)) for sketch in again_between(found)]
     headed = draft.heading is not None and draft.heading.day is not None
-    found = things_alone(each_week(found, draft.text), draft.text, apart, headed=headed)
+    found = things_alone(each_week(found, draft.text), draft, apart, headed=headed)
+    found = [_ordered(sketch, draft) for sketch in found]
     # "Morning: gym, shower" has its steps in any order.
     if ": " not in draft.text and not (found and heads_list(found[0], draft.text)):
         found = steps_in_turn(found, draft.text, apart)

@@ -65,13 +65,15 @@ FURTHER = re.compile(r"(?:(?:,\s|\s?/\s?|\s(?:and|&|\+)\s)(?:2[0-3]|[01]?\d)\.[0
 class Timed(IntEnum):
     """How many lines say when something is: of most of them, a number alone is an hour, too: "Wrap 7".
 
-    So is one in front of a line where most of those hours ``LEAD``: "10 cut bars".
+    So is one in front of a line where most of those hours ``LEAD``: "10 cut bars"; and whatever it may count,
+    where those in front go up ``IN_ORDER`` through a day: "7.30 drugs", "8 breakfasts", "10 ward round".
     """
 
     NO = 0
     SOME = 1
     MOST = 2
     LEAD = 3
+    IN_ORDER = 4
 
 
 @cache
@@ -149,7 +151,9 @@ def _names(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon, timed
         # "Simmer 10", "simmer 10 - 12"; but "boil 12 - 1"
         return False
     sure = timed >= Timed.MOST and found["minutes"] is not None
-    named = _is_thing(before[-1], lexicon, sure=sure) if typed else _is_timed(before, lexicon, timed)
+    # "Market stall 10-2": nothing is counted from ten to two.
+    wraps = found["until"] is not None and len(numbers) > 1 and numbers[0] > numbers[1]
+    named = _is_thing(before[-1], lexicon, sure=sure) if typed or wraps else _is_timed(before, lexicon, timed)
     return named or ((typed or timed >= Timed.MOST) and _has_state(before, lexicon))
 
 
@@ -162,16 +166,17 @@ def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
                 ends = FURTHER.match(line[0], found.end()) or found
                 points = POINT.finditer(line[0], found.start(), ends.end())
                 yield from (line.start() + point.start() for point in points)
-            elif timed is Timed.LEAD:
+            elif timed >= Timed.LEAD:
                 yield line.start() + found.start("digits") - 1
         alone = ALONE.match(line[0]) if timed >= Timed.MOST else None
         behind = [] if alone is None else words_of(line[0][alone.end() :])
-        if alone is None or not counts_nothing(behind, 0, lexicon):
+        ordered = timed is Timed.IN_ORDER and not _is_amount(behind[:1], lexicon)
+        if alone is None or not (ordered or counts_nothing(behind, 0, lexicon)):
             continue
         # "11 - coffee", "12 lunch", "7 up"
         sure = alone["dash"] or alone["until"] or has_time(behind[0].text, lexicon)
         sure = sure or behind[0].text in lexicon.beside.states
-        if timed is Timed.LEAD or sure:
+        if timed >= Timed.LEAD or sure:
             yield line.start() + alone.start("hour") - 1
 
 

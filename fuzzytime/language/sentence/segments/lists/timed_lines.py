@@ -26,6 +26,9 @@ TYPED = 3
 MOST = 3
 """Lines with a time, at least, and the part of all lines that makes most of them timed: a third."""
 
+IN_A_ROW = 4
+"""Numbers in front of lines, at least, that are hours as they go up through a day."""
+
 FEWEST = 5
 """Of so many lines, one at least has such a time where others end in numbers that may be hours."""
 
@@ -54,6 +57,7 @@ def _sure(
         rf"""
         (?<![\d.:]) \d{{1,2}} (?: : [0-5]\d (?![\d:]) | (?:\.[0-5]\d)?\s?(?:{half})(?!\w) )
         | (?<=\w\s) 0\d[0-5]\d (?!\w)
+        | (?<![\d.:]) \d{{1,2}} \s (?:'?till?|until) \s \d{{1,2}} (?![\d.:]\S|[/%])
         | \b (?: {before} (?:{part})? | {part} )
           (?: (?:[01]?\d|2[0-3])(?:\.[0-5]\d)? | {"|".join(sorted(hours))} ) (?= \s* (?:[,;.)]|$) )
         """,
@@ -121,6 +125,8 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     halves = hours_behind(lexicon.beside.of_hours)
     behind, fronts = [[*halves.finditer(line)] for line in lines], [LEADING.match(line) for line in lines]
     firsts = [_surely(line.strip(), lexicon) for line in lines]
+    if sum(front is not None for front in fronts) >= SURELY and _go_up(lines):
+        return Timed.IN_ORDER
     decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
     typed = [_is_typed(*found) for found in zip(fronts, behind, strict=True)]
     happens = sum(
@@ -150,3 +156,20 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
         for one, front in zip(firsts, fronts, strict=True)
     )
     return Timed.LEAD if leading >= MOST and MOST * leading >= timed else Timed.MOST
+
+
+def _go_up(lines: Sequence[str]) -> bool:
+    """Whether the numbers in front of lines go up through one day: 7, 7.30, 8, 10, 12, 2.30.
+
+    One alone may count: "9.15 open", "10.30 tea", "12 eggs", "4.30 lock".
+    """
+    found = [LEADING.match(line) or ALONE.match(line) for line in lines]
+    alone = sum(ALONE.match(line) is not None for line in lines)
+    hours = [int(re.findall(r"\d+", one[0])[0]) % HALF_DAY for one in found if one is not None]
+    steps = [(second - first) % HALF_DAY for first, second in pairwise(hours)]
+    return (
+        alone >= MOST
+        and len(hours) >= IN_A_ROW
+        and MOST * len(hours) >= len(lines)
+        and sum(steps) <= HALF_DAY
+    )

@@ -7,11 +7,13 @@ behind, or is when that is done: "fetch Omar, who lands at nine, from the airpor
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
+from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.calendar import Cycle
+from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.told.asides import OPENING, Aside
 from fuzzytime.requirement import MOMENTS, Constraint
@@ -25,11 +27,12 @@ NAME = 4
 
 def asides_of_hours(scanned: Scanned) -> tuple[Aside, ...]:
     """Give the asides of a text that say when somewhere opens or closes, in order."""
-    doing = scanned.lexicon.doing
-    if (doing.hours | doing.moments).isdisjoint(word.text for word in scanned.words):
-        return ()
-    found = (_aside(scanned.words, phrase, scanned.lexicon) for phrase in phrases_of(scanned))
-    return tuple(aside for aside in found if aside is not None)
+    doing, phrases = scanned.lexicon.doing, phrases_of(scanned)
+    found = [_of_end(scanned.words, first, phrase, scanned.lexicon) for first, phrase in pairwise(phrases)]
+    found += [_of_days(scanned.words, phrase, scanned.lexicon) for phrase in phrases]
+    if not (doing.hours | doing.moments | doing.going_on).isdisjoint(word.text for word in scanned.words):
+        found += [_aside(scanned.words, phrase, scanned.lexicon) for phrase in phrases]
+    return tuple(sorted((aside for aside in found if aside is not None), key=lambda aside: aside.span))
 
 
 def bounding(phrase: Phrase, *, closing: bool) -> Phrase:
@@ -42,6 +45,12 @@ def bounding(phrase: Phrase, *, closing: bool) -> Phrase:
 def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | None:
     doing = lexicon.doing
     verb, behind = phrase.first - 1, phrase.end
+    lasts = phrase.said.preposition == "until" and verb > 0 and words[verb].text in doing.going_on
+    if lasts and words[verb - 1].text in OPENING:
+        # A parcel is collected from where it is "(open till six)".
+        end = behind + (words[verb - 1].text == "(")
+        bound = replace(bounding(phrase, closing=True), rule=HOURS)
+        return Aside((words[verb - 1].start, words[end - 1].end), bound, bounds=True)
     if verb < 1 or phrase.said.constraint not in MOMENTS:
         return None
     if words[verb].text not in doing.hours:
@@ -54,6 +63,49 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
     told = bounding(phrase, closing=closing)
     told = replace(told, first=named, span=(words[named].start, phrase.span[1]), rule=HOURS)
     return Aside((words[opening].start, words[behind if bracketed else behind - 1].end), told, bounds=True)
+
+
+def _of_end(words: Sequence[Word], first: Phrase, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
+    """Give the aside that says when what has its time is over: "meeting at nine, should be done by ten"."""
+    begins = first.said.constraint in MOMENTS or first.said.preposition == "from"
+    begins = begins and first.said.wall.clock is not None
+    place = phrase.first - 1
+    over = (words[place].text,) in lexicon.conversation["finished"]
+    if not begins or not over or phrase.said.constraint is not Constraint.BEFORE:
+        return None
+    helping = lexicon.closed.verbs_of_obligation | lexicon.closed.future | lexicon.closed.present_be
+    while place > first.end and words[place - 1].text in helping | {"be", *lexicon.closed.singular_anaphors}:
+        place -= 1
+    # A stop parts entries: "interview at two; finished by three".
+    marks = OPENING | {";"}
+    between = [word.text for word in words[first.end : place]]
+    if not marks.issuperset(between[-1:]) or marks & {*between[:-1]} or phrase.said.wall.clock is None:
+        return None
+    told = replace(phrase, said=replace(phrase.said, preposition="until"), rule=HOURS)
+    return None if not between else Aside((words[place - 1].start, phrase.span[1]), told, bounds=True)
+
+
+def _of_days(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | None:
+    """Give the aside that says on which days, or when, somebody is there: "she's only in mornings"."""
+    time = phrase.said.time
+    if not isinstance(time, Repeat) or len(time.walls) != 1 or time.walls[0].clock:
+        return None
+    opening = opening_before(words, phrase.first, OPENING, NAME)
+    said = [word.text for word in words[opening + 1 : phrase.end - 1]]
+    closed, only = lexicon.closed, lexicon.beside.limited
+    # "Take the dog out, only in the mornings" says how often.
+    there = {*said} - only - closed.articles - closed.prepositions_of_times_taken or words[
+        opening
+    ].text == "("
+    if words[opening].text not in OPENING or only.isdisjoint(said) or not there:
+        return None
+    (wall,) = time.walls
+    # The next that comes is enough.
+    once = replace(wall, days=None) if wall.part is not None and isinstance(wall.days, Cycle) else wall
+    end = phrase.end + (words[opening].text == "(")
+    return Aside(
+        (words[opening].start, words[end - 1].end), replace(phrase, said=Said(once), rule=HOURS), bounds=True
+    )
 
 
 def _of_somebody(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | None:

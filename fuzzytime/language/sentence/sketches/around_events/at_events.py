@@ -27,8 +27,8 @@ def at_events(
         return found, remarks
     for span, is_moment in events_in(sketch, words):
         said = text[slice(*span)]
-        name = said.removeprefix("at").strip()
-        clause = Clause("while", "at", span, span, object=name, is_event=True, edge=Edge.START)
+        marker, _, name = said.partition(" ")
+        clause = Clause("while", marker.lower(), span, span, object=name, is_event=True, edge=Edge.START)
         target = anchors.target_of(clause)
         operation = None if target is None else anchors.operation_at(target)
         happens = operation is not None and operation.stated
@@ -52,7 +52,9 @@ def events_in(sketch: Sketch, words: Sequence[Word]) -> Iterator[tuple[Span, boo
     places = [place for place, word in enumerate(words) if first <= word.start < end]
     for place in places:
         behind = [p for p in places if place < p <= place + LONGEST]
-        if words[place].text != "at" or any(overlap(_span(words, place), span) for span in sketch.heard):
+        if words[place].text not in lexicon.closed.prepositions_of_events or any(
+            overlap(_span(words, place), span) for span in sketch.heard
+        ):
             continue
         for last in behind:
             texts = [words[p].text for p in range(place + 1, last + 1)]
@@ -62,7 +64,8 @@ def events_in(sketch: Sketch, words: Sequence[Word]) -> Iterator[tuple[Span, boo
             moment = any(tuple(texts[-len(form) :]) == form for form in lexicon.moments)
             moment = moment or (happens and texts[-2:-1] == ["next"])
             if over and (moment or happens):
-                yield (words[place].start, words[last].end), moment
+                # In a break that was told of, or at what hardly is a place
+                yield (words[place].start, words[last].end), moment and words[place].text == "at"
                 break
 
 

@@ -11,6 +11,7 @@ from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.left_inside import edge_inside, left_inside
 from fuzzytime.language.sentence.references.meals import meal_of
 from fuzzytime.language.sentence.references.several import every_one, names_each
+from fuzzytime.language.sentence.references.stays import stay_of
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.around_events.at_events import untold
 from fuzzytime.language.sentence.sketches.meaning.pronouns import resolved_object
@@ -38,7 +39,11 @@ def of_clause(
     text = draft.text[slice(*clause.span)]
     remarks: list[Remark] = []
     numbers = comparisons_in(draft.scanned, clause.content, bare=clause.kind == "until")
-    target, said = anchors.target_of(clause), clause.condition
+    what = draft.text[slice(*clause.content)]
+    target = anchors.target_of(clause)
+    if target is None and (target := anchors.called(what)) is not None:
+        clause = replace(clause, verb=None, object=what, condition=None, is_event=True)
+    said = clause.condition
     if said is not None and said.contrary:
         # "If the pan is hot fry it, otherwise wait": the words that say so are others.
         required = _of_condition(clause, replace(said, comparisons=numbers), anchors, sketch)
@@ -54,11 +59,13 @@ def of_clause(
     target = _begun(clause, anchors, sketch) if target is None else target
     if target is None and (target := left_inside(clause, anchors)) is not None:
         clause = replace(clause, edge=edge_inside(clause, anchors))
+    if target is None and (stay := stay_of(clause, anchors)) is not None:
+        target, edge = stay
+        clause = replace(clause, edge=edge)
     if target is None and said is not None and clause.kind in STATING:
         condition = replace(said, text=text, comparisons=numbers)
         required = _of_condition(clause, condition, anchors, sketch)
         return required, list(_once_or_at_start(clause, required, sketch.operation, anchors.lexicon))
-    what = draft.text[slice(*clause.content)]
     if target is None:
         subject = None if said is None else said.subject
         speaks = subject in anchors.lexicon.closed.first_and_second_person

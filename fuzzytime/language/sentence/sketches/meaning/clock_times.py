@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 from datetime import time, timedelta
 
 from fuzzytime.language.instruction import Reading, RemarkKind, Span, overlap
-from fuzzytime.language.meaning.grounded.chosen_clocks import CLOSE, EARLY, EVENING, FOLLOWING
+from fuzzytime.language.meaning.grounded.chosen_clocks import CLOSE, EVENING, FOLLOWING
+from fuzzytime.language.meaning.grounded.part_instants import EARLY
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import BOUNDS, SAID_WHEN, Constraint, Reference, TimeRequirement, Unit
@@ -144,8 +145,11 @@ def night_told(reading: Reading, before: LastSaid) -> LastSaid:
         before = replace(before, night=(before.opened, before.opened + A_DAY / 2) if evening else None)
     stated = (one for one in reading.instructions if one.operation is not None and one.operation.stated)
     for part in (part for one in stated for part in one.requirements):
-        first, last = part.earliest, part.latest
-        if now is None or first is None or last is None or part.constraint is not Constraint.BETWEEN:
+        # "Night shift till six"
+        until = part.constraint is Constraint.BEFORE and part.preposition == "until"
+        first, last = 0.0 if until else part.earliest, part.latest
+        spans = until or part.constraint is Constraint.BETWEEN
+        if now is None or first is None or last is None or not spans:
             continue
         over = (now + timedelta(seconds=last)).date() - (now + timedelta(seconds=first)).date()
         if over.days == 1 and last - first < NIGHT_SECONDS and first <= CLOSE.total_seconds():
@@ -161,8 +165,8 @@ def said_in(reading: Reading, before: LastSaid) -> LastSaid:
     begun = next((clock for clock in clocks if clock is not None), None)
     now = reading.now
     at_night = now is not None and begun is not None and (now + timedelta(seconds=begun)).time() < UP
-    # Who writes a list at half past two is up.
-    at_night = at_night and now is not None and now.time() >= UP
+    # Who writes a list at half past two is up, and so is who is at work then.
+    at_night = at_night and now is not None and now.time() >= UP and before.night is None
     said = last_said(_times_in(reading), before)
     released = [one for one in firsts if one.constraint is not Constraint.BEFORE]
     said = replace(

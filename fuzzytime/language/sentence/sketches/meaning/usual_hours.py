@@ -7,12 +7,16 @@ from datetime import time
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Offset, Range, Wall
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.language.sentence.segments.told.asides_of_hours import HOURS
 from fuzzytime.language.sentence.sketches.its_times.said_of_time import DATED
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+
+BEFORE_NAMES = frozenset({";", "it"})
+"""What stands in front of a name among the words that tell the hours."""
 
 CLAUSE = re.compile("[,;:.(–]|-(?= )")
 """What ends before a clause that says when somewhere opens."""
@@ -35,7 +39,12 @@ def at_usual_hours(moment: Moment, sketch: Sketch, text: str) -> Moment:
         # They were said of something else, which tells which half of the day is meant.
         moment = replace(moment, since=None)
     words = words_of(" ; ".join((*dated, *named)))
-    places = (place for place in range(len(words)) if not _is_thing(words, place, sketch.lexicon))
+    things = [place for place in range(len(words)) if _is_thing(words, place, sketch.lexicon)]
+    if sketch.operation is not None and _is_only_named(sketch.operation):
+        # "Evening feed at six", "night bus at eleven"; but "buy night cream"
+        parts, front = sketch.lexicon.beside.ending_names, [";", *(word.text for word in words)]
+        things = [p for p in things if words[p].text not in parts or front[p] not in BEFORE_NAMES]
+    places = (place for place in range(len(words)) if place not in things)
     found = (longest_match(words, place, sketch.lexicon.usual_hours) for place in places)
     usual = sketch.lexicon.usual_hours
     # "Sleep until" says more than "sleep", and in "crew breakfast" the meal does.
@@ -59,6 +68,11 @@ def _denied(sketch: Sketch, text: str) -> list[str]:
     start = min((phrase.span[0] for phrase in sketch.phrases), default=0)
     before = text[sketch.part.segment.span[0] : start].lower()
     return [before] if before.split()[:1] == ["no"] else []
+
+
+def _is_only_named(operation: Operation) -> bool:
+    """Whether words name what is then, or happens, and no verb says what is done with a thing."""
+    return operation.stated or operation.verb == operation.name
 
 
 def _clocks_of(sketch: Sketch) -> Iterator[Clock]:

@@ -24,11 +24,15 @@ from fuzzytime.language.sentence.together.days.titles import (
     is_of_calendar,
     name_of,
     names_day,
+    shift_of,
     title_of,
 )
 
 TOMORROW = Relative(1)
 NEXT_DAY = "tomorrow"
+TONIGHT = "tonight"
+UP_SECONDS = 5 * 3600
+"""Seconds of a day before which people are up at night, and not early."""
 
 CALLED = 2
 """Words that call a worker: "Robot 2:"."""
@@ -70,10 +74,7 @@ def on_next_day(drafts: Sequence[Draft]) -> list[Draft]:
 
     One line alone is no day that somebody wrote down.
     """
-    now = drafts[0].now if drafts else None
-    named = any(draft.heading is not None and draft.heading.phrases for draft in drafts)
-    alone = sum(bool(draft.phrases) for draft in drafts) <= 1
-    if now is None or now.time() < EVENING or named or alone or any(draft.now != now for draft in drafts):
+    if not _is_of_evening(drafts):
         return []
     day = Phrase(Said(Wall(TOMORROW)), 0, 0, (0, 0), HEADED, above=NEXT_DAY)
     timed = next((place for place, draft in enumerate(drafts) if draft.phrases), 0)
@@ -89,6 +90,27 @@ def on_next_day(drafts: Sequence[Draft]) -> list[Draft]:
         )
         for place, draft in enumerate(drafts)
     ]
+
+
+def through_night(drafts: Sequence[Draft]) -> list[Draft]:
+    """Give what was written in the evening as if "night shift:" stood above; none where no hour is at night.
+
+    "Start at nine", "sandwich at midnight", "check the boilers at two", "finish at six".
+    """
+    clocks = (moment for draft in drafts for clock in clocks_in(draft) for moment in (clock.candidates(),))
+    if not _is_of_evening(drafts) or not any(max(moments) < UP_SECONDS for moments in clocks):
+        return []
+    night = Phrase(Said(shift_of(Relative(0))), 0, 0, (0, 0), HEADED, above=TONIGHT)
+    return [replace(draft, heading=Heading(TONIGHT, draft.text, draft.scanned, (night,))) for draft in drafts]
+
+
+def _is_of_evening(drafts: Sequence[Draft]) -> bool:
+    """Whether lines with times were all written in the evening, and name no day."""
+    now = drafts[0].now if drafts else None
+    named = any(draft.heading is not None and draft.heading.phrases for draft in drafts)
+    alone = sum(bool(draft.phrases) for draft in drafts) <= 1
+    late = now is not None and now.time() >= EVENING
+    return late and not named and not alone and all(draft.now == now for draft in drafts)
 
 
 def _holds(headings: Sequence[Heading | None], place: int) -> bool:

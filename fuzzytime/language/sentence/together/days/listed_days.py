@@ -3,8 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.language.meaning.expressions import Repeat
+from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.sketch import Sketch, are_steps
+from fuzzytime.language.sentence.verbs.without_verbs.happenings import is_typed
 from fuzzytime.language.sentence.verbs.without_verbs.named_alone import named_alone
 
 TOLD = frozenset({"VBZ", "VBP", "VBD", "MD"})
@@ -40,12 +43,15 @@ def listed_below_day(first: Sketch, sketch: Sketch, between: str, text: str) -> 
     return hour.said.wall.clock is not None and hour.said.wall.days is None
 
 
-def things_alone(sketches: Sequence[Sketch], text: str, apart: str, *, headed: bool) -> list[Sketch]:
+def things_alone(sketches: Sequence[Sketch], draft: Draft, apart: str, *, headed: bool) -> list[Sketch]:
     """Give what is named, and no verb is understood, its place among what is to be done.
 
     It stands beside a time or a clause, in a list with a head (``headed`` by a line above), or goes on with
-    what is named before it: "half an hour of piano, then tea". In the text with its stops they are ``apart``.
+    what is named before it: "half an hour of piano, then tea"; or beside its hour on a line among such;
+    or on the way, or first or last of all: "gym on the way home". In the text with its stops they are
+    ``apart``.
     """
+    text = draft.text
     listed = headed or bool(sketches and heads_list(sketches[0], text))
     found: list[Sketch] = []
     # "Homework first, then half an hour of tv"
@@ -57,8 +63,14 @@ def things_alone(sketches: Sequence[Sketch], text: str, apart: str, *, headed: b
         chained = leads or (chained and (then or are_steps(found[-1], sketch, text, apart)))
         # "Mrs Patel at ten, the twins at half ten"
         chained = chained or sketch.part.segment.entry
-        named = sketch.operation is None and (listed or chained or sketch.heard)
-        found.append(_to_be_done(sketch, chained=chained) if named else sketch)
+        orders = [span for span, _ in draft.orders if overlap(span, sketch.part.segment.span)]
+        ways, nodes = sketch.lexicon.closed.ways, sketch.part.tree.nodes
+        # "Gym on the way home"; but "in the way"
+        placed = bool(orders) or any(node.lower in ways and nodes[0].tag != "IN" for node in nodes)
+        named = sketch.operation is None and (listed or chained or placed or sketch.heard)
+        # "The half" at 18:25, "me out" from four to five
+        entry = draft.listed and any(map(is_typed, sketch.phrases))
+        found.append(_to_be_done(sketch, orders, chained=chained, entry=entry) if named else sketch)
     return found
 
 
@@ -68,12 +80,12 @@ def _is_named(sketch: Sketch) -> bool:
     return operation is not None and operation.verb == operation.name
 
 
-def _to_be_done(sketch: Sketch, *, chained: bool) -> Sketch:
+def _to_be_done(sketch: Sketch, orders: Sequence[Span], *, chained: bool, entry: bool) -> Sketch:
     """Give what is named alone, beside its time or without, as what is to be done."""
     tree, offset = sketch.part.tree, sketch.part.offset
     if not tree.nodes:
         return sketch
-    spans = [(first - offset, end - offset) for first, end in sketch.heard]
+    spans = [(first - offset, end - offset) for first, end in (*sketch.heard, *orders)]
     heard = {place for span in spans for place in tree.at(*span)}
-    operation = named_alone(tree, heard, chained=chained)
+    operation = named_alone(tree, heard, chained=chained, entry=entry)
     return sketch if operation is None else replace(sketch, operation=operation.moved(offset))

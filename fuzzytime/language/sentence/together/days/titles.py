@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from fuzzytime.language.finding import ground_all
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Phrase, Range, Repeat, Said, Wall, wall_of
 from fuzzytime.language.meaning.grounded.moment import Moment
@@ -124,8 +125,12 @@ def _night_of(first: Draft) -> Phrase | None:
     day = (day.starting or Wall(Relative(0))) if isinstance(day, Repeat) else day
     if len(times) > 1 or not isinstance(day, Wall) or day.days is None or day.clock is not None:
         return None
-    hours = Range(Wall(day.days, clock=SHIFT[0]), Wall(clock=SHIFT[1]))
-    return Phrase(Said(hours), 0, 0, (0, len(first.text)), HEADED)
+    return Phrase(Said(shift_of(day.days)), 0, 0, (0, len(first.text)), HEADED)
+
+
+def shift_of(day: Calendar) -> Range:
+    """Give the hours of a shift at night, from the evening of a day on."""
+    return Range(Wall(day, clock=SHIFT[0]), Wall(clock=SHIFT[1]))
 
 
 def _names_day_of(first: Draft, time: Phrase, below: Sequence[Draft]) -> bool:

@@ -27,6 +27,7 @@ from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import LASTING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.told.reasons_told import leads_to_consequence
+from fuzzytime.language.sentence.trees.named import names_person
 from fuzzytime.requirement import MOMENTS, STRETCHES, Condition, Constraint
 
 HELD = frozenset({"when", "if", "after", "before"})
@@ -117,6 +118,10 @@ def _held_behind(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     for place, sketch in enumerate(sketches):
         shared = [p for p in sketch.phrases if _is_shared(p, sketch, text)]
         last = place + 1 == len(sketches) or _is_ended(sketch, sketches[place + 1], text)
+        away = [clause for clause in sketch.clauses if _is_while_others(clause, sketch)]
+        joined = place and sketch.part.segment.connective in JOINED and _is_open_in_front(found[place - 1])
+        if away and last and joined and not _is_ended(found[place - 1], sketch, text):
+            found[place - 1] = _beside_others(found[place - 1], away)
         for other in range(place - 1, -1, -1):
             if not shared or not last or _is_ended(found[other], found[other + 1], text):
                 break
@@ -139,6 +144,27 @@ def _held_behind(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
             ):
                 found[place - 1] = found[place - 1].under(phrases, clauses)
     return found
+
+
+def _is_open_in_front(sketch: Sketch) -> bool:
+    """Whether it asks for something, begins its sentence or goes on in it, and says at most how long."""
+    return sketch.is_open and sketch.part.segment.connective in {None, *JOINED}
+
+
+def _is_while_others(clause: Clause, sketch: Sketch) -> bool:
+    """Whether a clause behind an order says where others are meanwhile: "… while she's out"."""
+    subject = None if clause.condition is None else clause.condition.subject
+    there = clause.where is not None and subject not in {None, *sketch.lexicon.closed.singular_anaphors}
+    return clause.kind == "while" and there and _follows(clause, sketch)
+
+
+def _beside_others(sketch: Sketch, clauses: Sequence[Clause]) -> Sketch:
+    """Give an order what is said behind the next: "clean the bath and do the beds while she's out".
+
+    Who is called in it may be meant by that: "wake Ben and cook while he is in the bath".
+    """
+    thing = "" if sketch.operation is None else sketch.operation.object or ""
+    return sketch if names_person(thing, sketch.lexicon) else sketch.under((), tuple(clauses))
 
 
 def _is_verb_alone(sketch: Sketch, text: str) -> bool:

@@ -41,7 +41,8 @@ def due_by_then(
     headlined = nodes[state].tag in PAST and not first and nodes[0].tag in (NAMING if listed else HEADLINED)
     wished = headlined and (listed or end not in moments)
     wished = wished or (end in moments and _is_wished(nodes[:end], state, lexicon))
-    if end not in due and not wished:
+    if end not in due and (not wished or nodes[state].lower in lexicon.doing.foretold):
+        # "Taxi booked for 8.40" is only told.
         return None
     thing, said = tree.typed(range(state)), tree.typed(range(state, end))
     span = (nodes[state].start, nodes[end - 1].end)
@@ -114,7 +115,8 @@ def _is_wished(nodes: Sequence[Node], state: int, lexicon: Lexicon) -> bool:
 def _is_done(node: Node, before: Node, lexicon: Lexicon, *, listed: bool) -> bool:
     """Whether a word is what is done with something: "fed"; but "mum arrived" by herself."""
     comes = lexicon.intransitive | lexicon.doing.arriving | lexicon.doing.leaving
-    done = node.tag == "VBN" or (node.tag == "VBD" and node.lower != node.lemma)
+    # "Night feed was at four" tells what was.
+    done = node.tag == "VBN" or (node.tag == "VBD" and node.lemma not in {node.lower, "be"})
     # "Ann called by six" may tell what was.
     done = done and (listed or not (node.tag == "VBD" and before.tag == "NNP"))
     return done and (node.lemma not in comes or before.lower in lexicon.animals)

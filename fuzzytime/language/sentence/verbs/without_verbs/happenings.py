@@ -48,7 +48,7 @@ def happens(tree: Tree, phrases: Sequence[Phrase]) -> bool:
         return True
     # "12:00 emails": what is named by more than one is no order.
     listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
-    listed = listed or (_is_several(tree, root) and any(map(_is_typed, phrases)))
+    listed = listed or (_is_several(tree, root) and any(map(is_typed, phrases)))
     # "Incision at eight"
     named = _is_noun(tree, root) or _is_counted(tree, root) or _is_of_nouns(tree, root)
     # "District nurse at three"; but "weight check at ten" is somebody's work
@@ -146,6 +146,9 @@ def happening_at(root: int, tree: Tree, phrases: Sequence[Phrase], names: Places
     spans = any(phrase.said.constraint is Constraint.BETWEEN or is_window(phrase) for phrase in phrases)
     words = [place for place in sorted(tree.below(root)) if not names.timed(place)]
     named = names.said([place for place in words if names.has_content(place, words)])
+    # "Kids at swimming four to five": somebody else is
+    placed = any(not names.timed(place) for place in tree.children(root, "prep"))
+    others = placed and node.lower in lexicon.people - lexicon.taken
     return Operation(
         verb=node.lower,
         lemma="be",
@@ -156,7 +159,8 @@ def happening_at(root: int, tree: Tree, phrases: Sequence[Phrase], names: Places
         .removesuffix("'s")
         .removesuffix("\u2019s"),
         stated=True,
-        attended=node.lower not in lexicon.frames | lexicon.beside.awaited_in_a_stretch
+        attended=not others
+        and node.lower not in lexicon.frames | lexicon.beside.awaited_in_a_stretch
         and (spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening)),
     )
 
@@ -187,7 +191,7 @@ def _is_clock_alone(phrase: Phrase) -> bool:
     return clock is not None and not clock.bare and said.preposition is None and said.constraint is None
 
 
-def _is_typed(phrase: Phrase) -> bool:
+def is_typed(phrase: Phrase) -> bool:
     """Whether it is a clock time, or a stretch between two, as it is typed: "12:00", "9:15-10:00", "@10"."""
     return _is_clock_alone(phrase) or is_at_clock(phrase) or is_window(phrase)
 

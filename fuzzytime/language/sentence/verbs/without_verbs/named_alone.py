@@ -30,19 +30,25 @@ THINGS = frozenset({"NN", "NNS", "VBZ"})
 """Tags of things: a plural in front is often taken for what one does."""
 
 
-def named_alone(tree: Tree, heard: Collection[int], *, chained: bool = False) -> Operation | None:
+def named_alone(
+    tree: Tree, heard: Collection[int], *, chained: bool = False, entry: bool = False
+) -> Operation | None:
     """Give what is named beside times and clauses, whose places are ``heard``; None for what is no name.
 
-    What is ``chained`` to another name may be called with its article: "yoga, then a shower".
+    What is ``chained`` to another name may be called with its article: "yoga, then a shower". What stands
+    beside its hour in an ``entry`` of a timetable names something in any words: "18:25 the half".
     """
     said = _said(tree, heard)
     nodes = [tree.nodes[place] for place in said]
-    if not nodes or not all(_is_inside(tree, place) for place in said) or _denies(tree, nodes):
+    named = entry or all(_is_inside(tree, place) for place in said)
+    if not nodes or not named or _denies(tree, nodes):
         return None
     name, span = _lowered(tree.typed(said)), (nodes[0].start, nodes[-1].end)
     if _is_where(tree, nodes):
         return Operation(verb="be", lemma="be", span=span, place=name)
     heads = [node for node in nodes if node.head not in said or tree.nodes[node.head] is node]
+    if entry and heads:
+        return Operation(verb=name, lemma=heads[0].lemma, span=span)
     opened = nodes[0].tag in DETERMINERS
     another = nodes[0].lower in tree.lexicon.closed.indefinite_determiners
     if opened and not (chained or another):
