@@ -163,7 +163,7 @@ class Gathering:
         """Do again, so many times, what this text asked for so far, or else the one before it."""
         known = self.links.instructions
         here = known[self._begun :]
-        # "Hamstrings: hold thirty seconds, repeat twice": where that is not understood, nothing else is meant.
+        # "Hamstrings: hold thirty seconds, repeat twice": nothing else is meant where that is not understood
         said = [place for places in here for place in places] if here else self._before
         copied = [self.skills[place] for place in said if is_asked(self.skills[place])]
         for one in islice(copied * times, MAX_OCCURRENCES):
