@@ -13,7 +13,7 @@ from fuzzytime.language.sentence.sketches.meaning.pronouns import (
     undone_alone,
 )
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.lent.again_before import times_again
+from fuzzytime.language.sentence.together.none_of_it.again_before import times_again
 from fuzzytime.language.sentence.together.none_of_it.doubts import doubts_of, unasked
 from fuzzytime.language.sentence.together.none_of_it.how_much import counted
 from fuzzytime.language.sentence.together.none_of_it.unused import (

@@ -1,4 +1,1 @@
-"""Words that are lent (``lending``): a verb (``verbs_again``), who is asked (``requested_too``).
-
-All that was asked for, done again, is ``again_before``.
-"""
+"""Words that are lent (``lending``): a verb (``verbs_again``), and who is asked (``requested_too``)."""

@@ -9,7 +9,7 @@ from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.lent.again_before import repeats
+from fuzzytime.language.sentence.together.none_of_it.again_before import repeats
 from fuzzytime.language.sentence.together.none_of_it.how_things_are import holds_true, tells_how_things_are
 from fuzzytime.language.sentence.together.none_of_it.orders_again import is_about_orders
 from fuzzytime.language.sentence.together.none_of_it.what_was import has_done, tells_what_was
