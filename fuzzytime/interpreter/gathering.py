@@ -135,7 +135,11 @@ class Gathering:
             self._go_there(wish, reading, instruction, instruction.length_of.target)
             return lengthened
         if instruction.again is not None:
-            return self._again(instruction.again, listed=listed)
+            again = self._again(instruction.again, listed=listed)
+            if not again:
+                what = "names nothing to repeat: say again what is to be done"
+                self.problems.append(problem_of(wish, ProblemKind.NOT_UNDERSTOOD, what, instruction.span))
+            return again
         if instruction.time_of is not None and not any(map(_is_asked, self.skills)):
             # "Everything must be done by six", said before anything is asked for.
             self.ahead.append((wish, instruction))
@@ -164,7 +168,9 @@ class Gathering:
     def _again(self, times: int, *, listed: bool) -> range:
         """Do again, so many times, what this text asked for so far, or else the one before it."""
         known = self.links.instructions
-        said = [place for places in known[self._begun :] for place in places] or [*self._before]
+        here = known[self._begun :]
+        # "Hamstrings: hold thirty seconds, repeat twice": nothing else is meant where that is not understood
+        said = [place for places in here for place in places] if here else self._before
         copied = [self.skills[place] for place in said if is_asked(self.skills[place])]
         for one in islice(copied * times, MAX_OCCURRENCES):
             last = len(self.skills) - 1

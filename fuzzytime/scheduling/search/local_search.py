@@ -47,7 +47,8 @@ class LocalSearch:
         begin = warm or nothing(problem)
         if problem.lags:
             # Where each waits for another, few can be put in at a time.
-            begin = min(begin, one_by_one(problem), key=lambda draft: draft.cost)
+            drafts = (begin, one_by_one(problem), one_by_one(problem, urgent=True))
+            begin = min(drafts, key=lambda draft: draft.cost)
         grid = grid_of(problem, step_for(problem, self.slots)).fairly_rounded(problem)
         plan = Rough(problem, grid, begin)
         try:

@@ -46,10 +46,11 @@ def remembered(problem: Problem, hints: Sequence[float]) -> Draft | None:
     return None if np.isnan(starts).all() else draft_of(problem, starts, agents)
 
 
-def one_by_one(problem: Problem) -> Draft:
+def one_by_one(problem: Problem, *, urgent: bool = False) -> Draft:
     """Give the draft in which each job in turn starts as soon as it is best, or as it can.
 
-    Who must come before it had its turn: where each waits for another, all are planned at once.
+    Who must come before it had its turn: where each waits for another, all are planned at once. Of those that
+    may come next, the one that may begin first does, or the most ``urgent``, that may begin no later.
     """
     count = len(problem.jobs)
     starts, agents = np.full(count, np.nan), np.ones(count, np.int64)
@@ -61,7 +62,8 @@ def one_by_one(problem: Problem) -> Draft:
     waiting = [len(lags) for lags in leading]
     lane_of = lanes_of_agents(problem)
     rota = Rota(lane_of)
-    ready = [(job.earliest, index) for index, job in enumerate(problem.jobs) if not waiting[index]]
+    turn = [job.latest if urgent else job.earliest for job in problem.jobs]
+    ready = [(turn[index], index) for index in range(count) if not waiting[index]]
     heapq.heapify(ready)
     while ready:
         _, index = heapq.heappop(ready)
@@ -87,7 +89,7 @@ def one_by_one(problem: Problem) -> Draft:
         for second in following[index]:
             waiting[second] -= 1
             if not waiting[second]:
-                heapq.heappush(ready, (problem.jobs[second].earliest, second))
+                heapq.heappush(ready, (turn[second], second))
     return draft_of(problem, starts, agents)
 
 

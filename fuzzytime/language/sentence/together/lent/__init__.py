@@ -1,1 +1,1 @@
-"""Words that are lent (``lending``): a verb (``verbs_again``), who is asked (``requested_too``)."""
+"""Words that are lent (``lending``): a verb (``verbs_again``), and who is asked (``requested_too``)."""

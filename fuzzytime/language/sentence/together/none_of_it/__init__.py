@@ -1,6 +1,6 @@
 """What is no instruction of its own.
 
-Said of orders given before: ``orders_again``, ``again_before``, ``after_all``. None at all: ``doubts``,
+Said of orders given before: ``orders_again``, ``after_all``, ``again_before``. None at all: ``doubts``,
 ``what_was``, ``how_things_are``, ``needed_lines``. Words that name no time: ``naming``, ``how_much``.
 Words of none: ``unused``.
 """
