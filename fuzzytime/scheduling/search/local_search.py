@@ -45,10 +45,17 @@ class LocalSearch:
         if len(problem.jobs) <= MOST_JOBS and only_order_counts(problem):
             return Dynasearch(self.seed, self.slots).search(problem, watch, warm)
         begin = warm or nothing(problem)
-        if problem.lags:
-            # Where each waits for another, few can be put in at a time.
-            drafts = (begin, one_by_one(problem), one_by_one(problem, urgent=True))
-            begin = min(drafts, key=lambda draft: draft.cost)
+        if not problem.lags:
+            return self._improved(problem, watch, begin)
+        # Where each waits for another, few can be put in at a time; but the best begin may lead nowhere.
+        in_turn, urgent = one_by_one(problem), one_by_one(problem, urgent=True)
+        if all(lag.high == math.inf for lag in problem.lags) and in_turn.cost < begin.cost:
+            begin = in_turn
+        other = min(in_turn, urgent, key=lambda draft: draft.cost)
+        begins = [begin] if other is begin else sorted((begin, other), key=lambda draft: draft.cost)
+        return min((self._improved(problem, watch, one) for one in begins), key=lambda draft: draft.cost)
+
+    def _improved(self, problem: Problem, watch: Stopwatch, begin: Draft) -> Draft:
         grid = grid_of(problem, step_for(problem, self.slots)).fairly_rounded(problem)
         plan = Rough(problem, grid, begin)
         try:
