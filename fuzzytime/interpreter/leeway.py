@@ -64,10 +64,13 @@ class Leeway:
         """
         skill, taken = self.made.skills[self.position].skill, list(self._taken())
         own = (skill.satisfaction.best if skill.preferred is None else EVERYWHERE).high
+        if math.isfinite(own):
+            # "Before four" is as late as that leaves room, whatever stands before.
+            ahead = (begin - skill.duration for _, begin, _ in taken)
+            return self._last_of(sorted([own, *(time for time in ahead if self.start < time < own)])[::-1])
         behind = max((end for _, _, end in taken), default=self.start) + skill.duration
-        tried = sorted(begin for _, begin, _ in taken if self.start < begin < own)
-        over = max(self.start, own) if own < behind else math.inf
-        return self._limit([*tried, max(self.start, min(own, behind))], over)
+        tried = sorted(begin for _, begin, _ in taken if self.start < begin)
+        return self._limit([*tried, behind], math.inf)
 
     def earliest(self) -> Limit:
         """Give how early it may start: now at the earliest, or where its own words begin."""
@@ -75,6 +78,16 @@ class Leeway:
         own = max(0.0, skill.satisfaction.best.low if skill.preferred is None else 0.0)
         tried = sorted((begin for _, begin, _ in taken if own < begin < self.start), reverse=True)
         return self._limit([*tried, min(own, self.start)], min(own, self.start))
+
+    def _last_of(self, tried: Iterable[float]) -> Limit:
+        """Give the first of some starts at which nobody loses, with those that lose at the one before it."""
+        losing: tuple[str, ...] = ()
+        for time in tried:
+            found = self._losing(time)
+            if found is None:
+                return Limit(time, losing)
+            losing = found
+        return Limit(self.start, losing)
 
     def _taken(self) -> Iterable[tuple[str, float, float]]:
         """Give from when to when time is taken, and by which of the others, if by any."""
