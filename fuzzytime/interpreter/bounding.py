@@ -1,15 +1,19 @@
 """A satisfaction function bounded anew: by where it was moved to, and by how long what it begins takes."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.interpreter.interpretation import WITHIN
-from fuzzytime.requirement import Reference, TimeRequirement
+from fuzzytime.requirement import Constraint, Reference, TimeRequirement, Unit
 from fuzzytime.rulebook import OperationDuration, Resolution
 from fuzzytime.satisfaction import Either, SatisfactionFunction, Trapezoid
 
 BETWEEN = "between"
 """The preposition of two ends."""
+
+DUE = frozenset({"by", "before", "until"})
+"""Prepositions of deadlines."""
 
 
 def from_there_on(function: SatisfactionFunction, to: float, *, later: bool) -> SatisfactionFunction:
@@ -47,3 +51,39 @@ def within_its_ends(
     last = max(full_start, full_end - length)
     corners = (rise_start, full_start, last, fall_end)
     return replace(resolution, satisfaction=Trapezoid(*corners), notes=(*resolution.notes, WITHIN))
+
+
+def to_its_end(day: TimeRequirement, resolution: Resolution, others: Sequence[TimeRequirement]) -> Resolution:
+    """Let a day count in full to its end where another time says by when on it: "thursday, before bed".
+
+    Alone, its evening satisfies less.
+    """
+    function, first, end = resolution.satisfaction, day.earliest, day.latest
+    if day.grain is not Unit.DAY or day.constraint is not Constraint.BETWEEN or first is None or end is None:
+        return resolution
+    due = [
+        part.latest for part in others if part.constraint is Constraint.BEFORE and part.grain is not Unit.DAY
+    ]
+    if not isinstance(function, Trapezoid) or not any(
+        last is not None and first < last <= end for last in due
+    ):
+        return resolution
+    rise_start, full_start, _, _ = function.corners
+    return replace(resolution, satisfaction=Trapezoid(rise_start, full_start, end, end))
+
+
+def is_due_on_day(part: TimeRequirement) -> bool:
+    """Whether a time is a deadline on a day that is said elsewhere: "Friday:", then "by six"."""
+    return part.constraint is Constraint.BETWEEN and part.preposition in DUE and part.earliest is not None
+
+
+def due_then(resolution: Resolution, due: Resolution) -> Resolution:
+    """Let what is ``due`` on a day begin as that does, and end as a deadline."""
+    whole, deadline = resolution.satisfaction, due.satisfaction
+    if not isinstance(whole, Trapezoid) or not isinstance(deadline, Trapezoid):
+        return resolution
+    rise_start, full_start, _, _ = whole.corners
+    _, _, full_end, fall_end = deadline.corners
+    if full_start > full_end:
+        return resolution
+    return replace(resolution, satisfaction=Trapezoid(rise_start, full_start, full_end, fall_end))

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import islice
 
-from fuzzytime.interpreter.bounding import from_there_on, within_its_ends
+from fuzzytime.interpreter.bounding import due_then, from_there_on, is_due_on_day, within_its_ends
 from fuzzytime.interpreter.how_long import HowLong
 from fuzzytime.interpreter.in_other_words.lasting import with_lasting
 from fuzzytime.interpreter.in_other_words.retold import (
@@ -210,6 +210,15 @@ class Maker:
         )
 
     def _resolved(
+        self, requirement: TimeRequirement, operation: Operation | None, duration: OperationDuration
+    ) -> Resolution:
+        resolution = self._looked_up(requirement, operation, duration)
+        if not is_due_on_day(requirement):
+            return resolution
+        deadline = replace(requirement, constraint=Constraint.BEFORE, earliest=None)
+        return due_then(resolution, self._looked_up(deadline, operation, duration))
+
+    def _looked_up(
         self, requirement: TimeRequirement, operation: Operation | None, duration: OperationDuration
     ) -> Resolution:
         return self.rulebook.resolve(

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Self
 
+from fuzzytime.interpreter.bounding import to_its_end
 from fuzzytime.interpreter.horizon import passed
 from fuzzytime.interpreter.joining import both, either, is_day_of_another, with_alternatives
 from fuzzytime.requirement import TimeRequirement
@@ -28,7 +29,7 @@ class Offered:
     ) -> Self:
         """Give the resolutions of requirements, apart from days that are only those of another."""
         times = (
-            tuple(resolutions[place] for place in places)
+            tuple(to_its_end(requirements[place], resolutions[place], requirements) for place in places)
             for places in with_alternatives(requirements)
             if not is_day_of_another(requirements, places)
         )

@@ -48,6 +48,25 @@ def test_a_deadline_below_a_day_is_kept_as_late_as_one_on_its_own(line: str, exp
     assert starts(told(["Sunday", line])) == {"s2": expected}
 
 
+def test_a_deadline_below_a_day_satisfies_in_full_until_shortly_before_it() -> None:
+    made = told(["Sunday", "Send the report by 5 pm"])
+    sunday = made.instant(made.schedule.start_times[0])
+    four = (sunday.replace(hour=16, minute=0, second=0) - made.instant(0.0)).total_seconds()
+    assert float(made.skills[0].skill.satisfaction(four)) == 1.0
+
+
+def test_before_bed_is_late_on_a_day_that_is_named_above_as_well() -> None:
+    made = told(["Sunday", "Bins out before bed"])
+    assert starts(made)["s2"] >= "21:00"
+    assert made.schedule.satisfactions == (1.0,)
+
+
+def test_who_is_dropped_off_is_picked_up_shortly_before_that_is_due() -> None:
+    found = starts(told(["Drop Mia at nursery 8:45", "Pick Mia up by 5:45"]))
+    assert found["s1"] == "08:45"
+    assert "17:00" <= found["s2"] <= "17:45"
+
+
 def test_what_was_loaded_is_unloaded_where_the_way_leads() -> None:
     found = starts(told(["Load the van, 45 min", "Leave at 11:30", "Unload"]))
     assert found == {"s1": "07:00", "s2": "11:30", "s3": "11:31"}

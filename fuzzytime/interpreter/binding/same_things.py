@@ -3,9 +3,10 @@
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.interpreter.binding.steps import OWN_TIME, Step, is_anchored, is_asked
+from fuzzytime.interpreter.bounding import is_due_on_day
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.language import Lexicon, content_words, undoes
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 from fuzzytime.skills import Precedence
 
 LEAVES_OPEN = frozenset({Constraint.VAGUE, Constraint.BEFORE, Constraint.WHEN})
@@ -23,7 +24,7 @@ def of_things(skills: Sequence[Interpreted], lexicon: Lexicon) -> Iterator[Prece
 
     A time of its own says more than the order: "serve the soup at seven", "heat the soup". What is done once
     more by a deadline, or undoes it, is done shortly before that: "let the dog out at nine", "… again before
-    bed"; "open the vents first thing", "shut the vents before it gets dark".
+    bed"; "drop Mia at nursery", "pick Mia up by five".
     """
     worked_on: dict[str, list[tuple[frozenset[str], Step]]] = {}
     for position, one in enumerate(skills):
@@ -71,8 +72,14 @@ def _is_again(before: Step, step: Step, lexicon: Lexicon) -> bool:
     undone = undoes(other, one, lexicon)
     if not undone and (one.phrase, one.object) != (other.phrase, other.object):
         return False
-    said = step.interpreted.requirements
-    due = all(part.constraint is Constraint.BEFORE and part.anchor is None for part in said)
+    # "Friday", on a line of its own, says of no hour.
+    said = [part for part in step.interpreted.requirements if part.grain is not Unit.DAY]
+    due = all(_is_due(part) for part in said)
     latest = step.interpreted.skill.satisfaction.best.high
     first = before.interpreted.skill.satisfaction.best.low
     return bool(said) and due and (undone or before.at_moment) and first < latest
+
+
+def _is_due(part: TimeRequirement) -> bool:
+    """Whether a time says by when; on a day that a line above names, it says from when, too."""
+    return part.anchor is None and (part.constraint is Constraint.BEFORE or is_due_on_day(part))
