@@ -12,6 +12,7 @@ from fuzzytime.language.sentence.trees.named import is_several, names_person
 from fuzzytime.requirement import Edge
 
 OBJECTS = {"he": "him", "she": "her", "they": "them"}
+"""What somebody is called who has something done to them."""
 
 
 def stay_of(clause: Clause, anchors: Anchors) -> tuple[int, Edge] | None:

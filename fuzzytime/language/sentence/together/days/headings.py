@@ -31,6 +31,7 @@ from fuzzytime.language.sentence.together.days.titles import (
 TOMORROW = Relative(1)
 NEXT_DAY = "tomorrow"
 TONIGHT = "tonight"
+
 UP_SECONDS = 5 * 3600
 """Seconds of a day before which people are up at night, and not early."""
 
