@@ -156,7 +156,9 @@ class Wording:
         last = None
         for place in kept:
             node = self.tree.nodes[place]
-            text += ("" if last is None or last == node.start else " ") + node.text
+            # "Lunch with Ola at noon, the usual place": a time stood before the comma.
+            apart = last is not None and last != node.start and node.text != ","
+            text += " " * apart + node.text
             last = node.end
         return text.strip() or None
 
