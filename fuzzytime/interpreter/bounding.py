@@ -12,8 +12,8 @@ from fuzzytime.satisfaction import Either, SatisfactionFunction, Trapezoid
 BETWEEN = "between"
 """The preposition of two ends."""
 
-DUE = frozenset({"by", "before", "until"})
-"""Prepositions of deadlines."""
+DUE = frozenset({"by", "before", "until", "no later than"})
+"""Prepositions of deadlines, as the language names them all: "not after five" is "no later than" that."""
 
 
 def from_there_on(function: SatisfactionFunction, to: float, *, later: bool) -> SatisfactionFunction:

@@ -48,8 +48,9 @@ def test_a_deadline_below_a_day_is_kept_as_late_as_one_on_its_own(line: str, exp
     assert starts(told(["Sunday", line])) == {"s2": expected}
 
 
-def test_a_deadline_below_a_day_satisfies_in_full_until_shortly_before_it() -> None:
-    made = told(["Sunday", "Send the report by 5 pm"])
+@pytest.mark.parametrize("due", ["by 5 pm", "before 5 pm", "no later than 5 pm", "not after 5 pm"])
+def test_a_deadline_below_a_day_satisfies_in_full_until_shortly_before_it(due: str) -> None:
+    made = told(["Sunday", f"Send the report {due}"])
     sunday = made.instant(made.schedule.start_times[0])
     four = (sunday.replace(hour=16, minute=0, second=0) - made.instant(0.0)).total_seconds()
     assert float(made.skills[0].skill.satisfaction(four)) == 1.0

@@ -93,9 +93,10 @@ def _front(lines: list[str]) -> int:
     >>> _front(["---", "title: Saturday", "---", "feed the cat"]), _front(["---", "feed the cat", "---"])
     (3, 0)
     """
-    if lines[0].strip() != "---" or "---" not in map(str.strip, lines[1:]):
+    marks = [place for place, line in enumerate(lines) if line.strip() == "---"]
+    if len(marks) == 1 or marks[:1] != [0]:
         return 0
-    end = list(map(str.strip, lines)).index("---", 1)
+    end = marks[1]
     return end + 1 if all(FIELD.fullmatch(line) for line in lines[1:end]) else 0
 
 
@@ -152,7 +153,8 @@ def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
     wishes: list[SpokenWish] = []
     mistakes: list[Mistake] = []
     lines = source.text.split("\n")
-    lines[: _front(lines)] = [""] * _front(lines)
+    front = _front(lines)
+    lines[:front] = [""] * front
     marked = source.name.endswith(MARKDOWN) or any(line.startswith("## ") for line in lines)
     for number, (line, below) in enumerate(zip(lines, [*lines[1:], ""], strict=True), 1):
         words = said_in(without_cells(REMARK.sub("", line)), marked=marked)
