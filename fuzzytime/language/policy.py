@@ -45,6 +45,8 @@ class Policy:
         From when on people may be up on a day to come. A clock time that early is meant where it is usual.
     begun_hours
         How long ago the first lines may be of those that go through a day in its order.
+    under_way
+        A stretch between two clock times is the one that has begun while so many percent of it are left.
     hours_before
         What is due at a time of a day may begin on it at ``plausible_from``, or so many hours before.
     workday_from
@@ -81,6 +83,7 @@ class Policy:
     night_hours: int = 5
     ahead_from: time = time(6)
     begun_hours: int = 1
+    under_way: int = 25
     hours_before: int = 2
     workday_from: time = time(6)
     same_weekday: SameWeekday = SameWeekday.NEXT

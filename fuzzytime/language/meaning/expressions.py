@@ -145,10 +145,12 @@ class Range:
     """From one time to another.
 
     ``widest`` says that the words deny what lies outside: "not before eight or after ten" leaves the day.
+    ``within`` says that what is asked for is somewhere in it, and does not fill it: "between two and four".
     """
 
     first: "Time"
     last: "Time"
+    within: bool = field(default=False, kw_only=True, compare=False)
     widest: bool = field(default=False, kw_only=True)
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.at_times.prepositions import said_of
 from fuzzytime.language.english.calendar.feasts import feast_in
 from fuzzytime.language.english.from_now.counted import coming_deadline
-from fuzzytime.language.english.intervals.ranges import between
+from fuzzytime.language.english.intervals.ranges import range_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
@@ -258,7 +258,7 @@ def any_but(said: Said) -> Said | None:
 )
 def any_but_hours(first: Clock, last: Clock) -> Said | None:
     """Any time except 12 to 2."""
-    hours = between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
+    hours = range_of(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
     return None if hours is None else any_but(hours)
 
 

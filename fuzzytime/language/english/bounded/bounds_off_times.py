@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.english.bounded.bounds import deadline, release
-from fuzzytime.language.english.intervals.ranges import between
+from fuzzytime.language.english.intervals.ranges import between, range_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Offset, Said, Wall
@@ -83,4 +83,4 @@ def for_off(goal: Goal) -> Said | None:
 )
 def between_off(first: Goal, last: Goal) -> Said | None:
     """From just after three to just before five, between noon and shortly after one."""
-    return between(first, last)
+    return range_of(first, last)

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.english.clock_times.minutes_past import NOON_HOUR, moved
-from fuzzytime.language.english.intervals.ranges import sometime_from
+from fuzzytime.language.english.intervals.ranges import from_hour_to
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.joined.beside import joined, refined
@@ -30,13 +30,13 @@ def spoken_to_hour_on_day(day: Wall, minutes: float, hour: Wall) -> Said | None:
 # Of what goes on for hours, and only there, these are from when to when.
 
 
-grammar.rule("hours open", "<clock> to|till|til|until|- <clock>", weight=1.0)(sometime_from)
+grammar.rule("hours open", "<clock> to|till|til|until|- <clock>", weight=1.0)(from_hour_to)
 
 
 @grammar.rule("hours open", "<clock> to|till|til|until|- <clock> ,? on? <wall>", weight=1.0)
 def open_between_on(first: Clock, last: Clock, day: Wall) -> Said | None:
     """(work) ten to six tomorrow."""
-    hours = sometime_from(first, last)
+    hours = from_hour_to(first, last)
     return None if hours is None or day.days is None else refined(hours, day)
 
 

@@ -84,14 +84,26 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
     "said",
     "between the? <goal> and|to|-|through|thru|until|till the? <goal>",
     "between the hours of <goal> and|to <goal>",
+    weight=1.1,
+)
+def between(first: Goal, last: Goal) -> Said | None:
+    """Between 5 and 6 pm, between monday and friday."""
+    found = range_of(first, last)
+    if found is None or not isinstance(found.time, Range):
+        return found
+    return replace(found, time=replace(found.time, within=True))
+
+
+@grammar.rule(
+    "said",
     "from the? <goal> to|-|through|thru the? <goal>",
     "from the? <goal> right? through to|till|until the? <goal>",
     "starting|beginning at? the? <goal> ,? and? ending|finishing at? the? <goal>",
     weight=1.1,
 )
 @grammar.rule("said", "from the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
-def between(first: Goal, last: Goal) -> Said | None:
-    """Between 5 and 6 pm, from monday to friday."""
+def from_until(first: Goal, last: Goal) -> Said | None:
+    """From 5 to 6 pm, from monday to friday."""
     return range_of(first, last)
 
 
@@ -195,6 +207,11 @@ def pointed(first: Goal, _: str, last: Goal) -> Said | None:
 
 
 @grammar.rule("said", "@ <clock> -|to|till|until <clock>", weight=1.2)
+def from_hour_to(first: Clock, last: Clock) -> Said | None:
+    """(lunch) @12-1: the mark says that they are hours."""
+    return range_of(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
+
+
 @grammar.rule(
     "said",
     "anytime|sometime|whenever <clock> to|- <clock>",
@@ -202,7 +219,7 @@ def pointed(first: Goal, _: str, last: Goal) -> Said | None:
     weight=1.2,
 )
 def sometime_from(first: Clock, last: Clock) -> Said | None:
-    """Anytime 3 to 5; (lunch) @12-1: the mark says that they are hours."""
+    """Anytime 3 to 5."""
     return between(Goal(Wall(clock=first)), Goal(Wall(clock=last)))
 
 
@@ -213,13 +230,13 @@ def called_between(first: Clock, *last: Clock | str) -> Said | None:
     if not isinstance(end, Clock) or (first.bare and (first.grain, end.grain) == (Unit.MINUTE, Unit.HOUR)):
         # "2026-09" is a month.
         return None
-    return sometime_from(first, end)
+    return from_hour_to(first, end)
 
 
 @grammar.rule("called at", "<clock> to|till|til|until <clock>", weight=1.2)
 def called_from(first: Clock, last: Clock) -> Said | None:
     """(lunch) 12 to 1, (gym) six til seven; but ten to one is ten minutes before it."""
-    return None if first.bare and first.hour in TO_THE_HOUR else sometime_from(first, last)
+    return None if first.bare and first.hour in TO_THE_HOUR else from_hour_to(first, last)
 
 
 @grammar.rule("said", "on|for? <wall> ,? <integer> - <integer>", weight=0.9)

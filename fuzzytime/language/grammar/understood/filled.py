@@ -111,7 +111,7 @@ def _in_other_parts(members: Sequence[Phrase]) -> list[Phrase]:
 def _in_part(time: Time | Duration | Repeat, part: Part) -> Time:
     """Give a time of day, or hours, in another part of the day."""
     if isinstance(time, Range):
-        return Range(_in_part(time.first, part), _in_part(time.last, part))
+        return replace(time, first=_in_part(time.first, part), last=_in_part(time.last, part))
     wall = wall_of(time)
     return replace(wall, part=part, clock=None if wall.clock is None else replace(wall.clock, half=None))
 

@@ -185,9 +185,9 @@ def read_usual_hours(tables: Tables) -> Forms[Hours]:
 
 
 NAMES = (
-    "plausible", "soon_hours", "night", "ahead_from", "begun_hours", "hours_before", "workday_from",
-    "same_weekday", "midnight", "week_starts", "weekend", "date_order", "bare_pair_from", "planned_from",
-    "round_the_clock_hours", "kept_off", "ask",
+    "plausible", "soon_hours", "night", "ahead_from", "begun_hours", "under_way", "hours_before",
+    "workday_from", "same_weekday", "midnight", "week_starts", "weekend", "date_order", "bare_pair_from",
+    "planned_from", "round_the_clock_hours", "kept_off", "ask",
 )  # fmt: skip
 """What a policy says: all of it."""
 
@@ -213,6 +213,7 @@ def read_policy(tables: Tables) -> Policy:
         night_hours=night.whole("hours", 0, 12),
         ahead_from=_time(said, "ahead_from"),
         begun_hours=said.whole("begun_hours", 0, 12),
+        under_way=said.whole("under_way", 0, 100),
         hours_before=said.whole("hours_before", 0, 24),
         workday_from=_time(said, "workday_from"),
         same_weekday=said.choice("same_weekday", SameWeekday.NEXT),

@@ -35,7 +35,7 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
     # "Thursday", said on one at half past two at night, is no day to come.
     today = isinstance(wall.days, Fields) and moments[0].date() == here.now.date()
     ahead = (named and not today) or here.early
-    plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=ahead)]
+    plausible = [moment for moment in moments if is_plausible(here, moment, ahead=ahead)]
     chosen = (plausible or moments)[0]
     goes_on = here.since is not None and here.since.date() > here.now.date()
     if here.ends and not named and not here.usual and here.now.time() >= EARLY and not goes_on:
@@ -167,7 +167,7 @@ def _is_late(here: Standpoint, since: datetime, moments: Sequence[datetime]) -> 
     return any(since < moment <= since + CLOSE and moment.date() == since.date() for moment in moments)
 
 
-def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
+def is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     """Whether people are up, for as long as what is asked for is said to last.
 
     On a day to come that is named they may be up earlier for some things.
@@ -193,7 +193,7 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
 
 def is_unusual(here: Standpoint, moments: Sequence[datetime]) -> bool:
     """Whether people do what is asked for at none of some moments, as far as its usual hours are known."""
-    return here.usual and not any(_is_plausible(here, moment, ahead=True) for moment in moments)
+    return here.usual and not any(is_plausible(here, moment, ahead=True) for moment in moments)
 
 
 def _is_soon(here: Standpoint, moment: datetime) -> bool:
@@ -210,7 +210,7 @@ def _is_soon(here: Standpoint, moment: datetime) -> bool:
 def _leads(here: Standpoint, moment: datetime, clock: Clock) -> bool:
     """Whether a clock time follows on the same day, while people are up where its half is not said."""
     there = (midnight(moment.date()) + timedelta(seconds=seconds) for seconds in clock.candidates())
-    return any(m > moment and (not clock.is_open or _is_plausible(here, m, ahead=True)) for m in there)
+    return any(m > moment and (not clock.is_open or is_plausible(here, m, ahead=True)) for m in there)
 
 
 def same_day_after(here: Standpoint, clock: Clock) -> list[datetime]:
@@ -256,5 +256,5 @@ def before_due(here: Standpoint, clock: Clock) -> list[datetime]:
     moments = [day + timedelta(seconds=seconds) for day in days for seconds in clock.candidates()]
     last = max(moment for moment in moments if moment <= here.due)
     # "My shift starts at nine, leave at five" is behind it.
-    early = not here.ends and last != here.due and not _is_plausible(here, last, ahead=True)
+    early = not here.ends and last != here.due and not is_plausible(here, last, ahead=True)
     return [last] if last > here.now and here.due - last <= FOLLOWING and not early else []

@@ -1,13 +1,14 @@
 """From one time to another: ends that lend each other a day, a month, a half of the day."""
 
 from dataclasses import replace
-from datetime import datetime, timedelta
+from datetime import datetime, time, timedelta
 from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.days.nested import Share
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import HourMark, Range, Time, TimeWord, Wall, wall_of
+from fuzzytime.language.meaning.grounded.chosen_clocks import is_plausible
 from fuzzytime.language.meaning.grounded.standpoint import Standpoint
 from fuzzytime.language.meaning.instants import Instants, halved, midnight
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
@@ -34,7 +35,10 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
     """
     first, last = at_middle(said.first), at_middle(said.last)
     if isinstance(first, Wall) and isinstance(last, Wall) and first.clock and last.clock:
-        return _day_between(clock, first, last) if said.widest else _clock_range(clock, first, last)
+        if said.widest:
+            return _day_between(clock, first, last)
+        found = _clock_range(clock, first, last)
+        return _under_way(clock, first, last, found) if said.within else found
     if (
         isinstance(first, Wall)
         and isinstance(last, Wall)
@@ -215,6 +219,29 @@ def _clock_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
             end = _after(clock, start.start).wall(there)
         return replace(grounded, end=end.start)
     return replace(grounded, end=first_after(start.start, end_clock), zone=first.zone)
+
+
+def _under_way(clock: Standpoint, first: Wall, last: Wall, found: Instants) -> Instants:
+    """Give the stretch that has begun, while enough of it is left: "between eight and noon", said at nine."""
+    days = {wall.days for wall in (first, last)} - {None}
+    behind = clock.since is not None and clock.since > clock.now
+    if behind or clock.follows or clock.past or not days <= {Relative(0)}:
+        return found
+    halves = [choice - timedelta(days=1) for choice in found.choices or (found.start,)]
+    if first.clock and first.clock.is_open and last.clock and last.clock.is_open:
+        halves.append(found.start - timedelta(hours=NOON))
+    begun = max((start for start in halves if start < clock.now), default=found.start)
+    length = found.end - found.start
+    if clock.now.time() == time():
+        # The moment is given as a day.
+        return found
+    short = (begun + length - clock.now) * 100 < length * clock.policy.under_way
+    if short or (days and begun.date() != clock.now.date()):
+        return found
+    if not first.clock or (first.clock.is_open and not is_plausible(clock, begun, ahead=False)):
+        return found
+    choices = tuple(choice - found.start + begun for choice in found.choices)
+    return replace(found, start=begun, end=begun + length, choices=choices)
 
 
 def _day_between(clock: Standpoint, first: Wall, last: Wall) -> Instants:

@@ -145,7 +145,7 @@ def refined(said: Said, wall: Wall) -> Said | None:
         if first is not None and _is_weekday(time.first) and _is_weekday(last):
             # "Next week between wednesday and friday"
             last = joined(last, wall) or last
-            return replace(said, time=Range(first, last))
+            return replace(said, time=replace(time, first=first, last=last))
         # "First monday 1 pm to 3 pm of next month" is one of its days; two days are their own.
         period = wall.days is not None and wall.days.grain is not Unit.DAY and last.days is None
         if first is None or (time.first.days is not None and not period):
@@ -153,7 +153,7 @@ def refined(said: Said, wall: Wall) -> Said | None:
         if wall.part is not None and last.part is None and last.clock is not None:
             last = replace(last, part=wall.part)
             first = replace(first, part=None) if begins_before_part(first, last) else first
-        return replace(said, time=Range(first, last))
+        return replace(said, time=replace(time, first=first, last=last))
     return None
 
 
