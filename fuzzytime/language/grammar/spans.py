@@ -34,6 +34,7 @@ from fuzzytime.language.grammar.understood.typed_hours import (
     gone_by,
     lasting_on_day,
 )
+from fuzzytime.language.grammar.understood.waited import waited
 from fuzzytime.language.grammar.words import Word, quotes_in, words_of
 from fuzzytime.language.meaning.expressions import Phrase
 
@@ -155,7 +156,7 @@ def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
     found = [
         gone_by(clock_of_alarm(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found
     ]
-    found = [due_then(phrase, scanned.words, lexicon) for phrase in found]
+    found = [waited(due_then(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found]
     found = [appointed(moved_to(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found]
     for place in range(len(found) - 2, -1, -1):
         found[place] = in_half(found[place], found[place + 1], scanned.words, lexicon)

@@ -287,6 +287,7 @@ class BesideTimes(NamedTuple):
     all_through: Words
     awaited_in_a_stretch: Words
     sites: Words
+    in_parts: Words
     things_in_days: Words
     turnings: Words
     turning: Words

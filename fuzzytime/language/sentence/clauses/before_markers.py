@@ -46,7 +46,7 @@ class BeforeMarker:
     def bound(self, place: int) -> Phrase | None:
         """Give the length of time right before a marker that something must not be later than."""
         found = (phrase for phrase in self.phrases if phrase.end == place)
-        return next((p for p in found if _counts_within(p)), None)
+        return next((p for p in found if counts_within(p)), None)
 
     def closes(self, place: int) -> bool:
         """Whether a time right before "of" is the end of something: "for the last hour of roasting"."""
@@ -130,7 +130,7 @@ def _before_now(phrase: Phrase) -> Phrase | None:
     return phrase.at(last)
 
 
-def _counts_within(phrase: Phrase) -> bool:
+def counts_within(phrase: Phrase) -> bool:
     """Whether it is so long from what is named behind it: "within an hour of", "for the first hour of"."""
     first = isinstance(phrase.said.time, Coming) and phrase.said.time.direction > 0
     return first or phrase.said.preposition == "within"

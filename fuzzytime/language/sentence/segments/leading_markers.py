@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.expressions import Duration, Phrase
+from fuzzytime.language.sentence.clauses.before_markers import OF, counts_within
 from fuzzytime.requirement import Unit
 
 DAYS_APART = frozenset({"before", "after"})
@@ -13,6 +14,10 @@ DAYS_APART = frozenset({"before", "after"})
 
 LEAST = 3
 """Words of "the evening before", and of "and nobody calls"."""
+
+
+BOUNDS = frozenset({"preposition_before", "preposition_after"})
+"""Categories of what bounds a length of time that counts from an event."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,13 +36,24 @@ def marker_at(
 
     ``end`` is the character where what it leads is over.
     """
-    first = next((phrase.end for phrase in phrases if phrase.first == place), None)
-    first = _behind_day(words, place, lexicon) if first is None else first
+    before = next((phrase for phrase in phrases if phrase.first == place), None)
+    before = _bounded(words, phrases, place, lexicon) if before is None else before
+    first = _behind_day(words, place, lexicon) if before is None else before.end
     inside = any(phrase.first <= first < phrase.end for phrase in phrases)
     if first >= len(words) or words[first].start >= end or inside:
         return None
+    if before is not None and words[first].text == OF and counts_within(before):
+        # "Within ten minutes of landing"
+        return Marker("after", words[place].start, first + 1)
     form = longest_match(words, first, lexicon.clauses)
     return None if form is None else Marker(lexicon.clauses[form], words[place].start, first + len(form))
+
+
+def _bounded(words: Sequence[Word], phrases: Sequence[Phrase], place: int, lexicon: Lexicon) -> Phrase | None:
+    """Give the length of time behind a bound of a clause: "no later than an hour after waking"."""
+    bounds = [piece.end for piece in lexicon.pieces(words, place) if piece.category in BOUNDS]
+    lengths = (phrase for phrase in phrases if isinstance(phrase.said.time, Duration))
+    return next((phrase for phrase in lengths if phrase.first in bounds), None)
 
 
 def second_marker(

@@ -1,5 +1,6 @@
 """Dates in front of an entry that would be none alone: "11/3 dentist 9:30", "12th: plumber 8-10"."""
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -18,8 +19,14 @@ HEADS_ALONE = frozenset({"parts.half_alone", "nights_and_weekends.weekend_alone"
 STOPS = frozenset({",", ".", "!"})
 """Marks behind an entry or a sentence."""
 
+ENDS = frozenset({".", "!"})
+"""Marks behind a sentence."""
+
 HEADS = frozenset({":", "-"})
 """Marks behind a date in front of an entry."""
+
+COMPOUND = 2
+"""Words, at most, of what is done in a part of a day: "dog walk"."""
 
 FEW = 5
 """Up to here an ordinal with a mark behind it counts steps: "2nd: rinse"."""
@@ -30,6 +37,19 @@ def heads_list(words: Sequence[Word], start: int, end: int) -> bool:
     begins = not start or words[start - 1].text in LINE_STARTS | STOPS
     behind = [word.text for word in words[end : end + 1]]
     return begins and behind == [":"] and end + 1 < len(words)
+
+
+def is_activity_in_part(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
+    """Whether a part of a day and what is done in it are an entry: "evening walk", "early morning swim"."""
+    ends = LINE_STARTS | STOPS | lexicon.closed.joints_of_orders
+    behind = list(itertools.takewhile(lambda word: word.text not in ends, words[end:]))
+    noun = list(itertools.takewhile(lambda word: word.text not in lexicon.function_words, behind))
+    timed = any(
+        any(lexicon.pieces(words, end + place)) or word.is_digits for place, word in enumerate(behind)
+    )
+    known = lexicon.lasting | lexicon.happening | lexicon.taken | lexicon.beside.in_parts
+    opens = not start or words[start - 1].text in LINE_STARTS | ENDS
+    return opens and not timed and 0 < len(noun) <= COMPOUND and noun[-1].text in known
 
 
 def dates_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:

@@ -3,7 +3,7 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.judging.walls.bare_hours import BareHours
-from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS, LINE_STARTS
+from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS, LINE_STARTS, is_activity_in_part
 from fuzzytime.language.grammar.judging.walls.naming import Counts, Naming
 from fuzzytime.language.grammar.judging.walls.weak_walls import WeakWalls
 from fuzzytime.language.grammar.surroundings.compared import NEAR
@@ -57,7 +57,7 @@ class Walls(Standing):
         if wall.weak:
             return self.weak.accept(piece, said, wall)
         parted = wall.days is None and wall.clock is None and not self._ends_in_thing(piece)
-        if parted and self._is_of_noun(piece, said):
+        if parted and self._is_of_noun(piece, said) and not self._is_entry(piece, said):
             return False
         weekly = is_weekday(wall.days)
         led = self.texts[piece.end - 2 : piece.end - 1] == ["the"]
@@ -212,6 +212,11 @@ class Walls(Standing):
         # "The kettle for the night staff"
         owned = self.texts[piece.end - 2] in self.closed.noun_openers and piece.end - piece.start > 1
         return owned and piece.start > 0 and self.around.before(piece) not in self.beside.sentence_starts
+
+    def _is_entry(self, piece: Piece, said: Said) -> bool:
+        """Whether a part of the day and what is done in it are all that is said: "evening walk"."""
+        alone = said.preposition is None
+        return alone and is_activity_in_part(self.words, piece.start, piece.end, self.lexicon)
 
     def _names_noun(self, piece: Piece, said: Said) -> bool:
         """Whether it describes a noun behind one word: "to sunday school", "put on night light"."""
