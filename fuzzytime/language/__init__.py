@@ -27,7 +27,7 @@ from fuzzytime.language.meaning.required.decisions import HALF_OF_DAY_ADVICE
 from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
-from fuzzytime.language.sentence.references.meals import names_meal
+from fuzzytime.language.sentence.references.meals import hours_of_meal, names_meal
 from fuzzytime.language.sentence.references.mentions import comes, nouns_of, shares_thing, undoes, verb_forms
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelError, installed_model, model_files
@@ -59,6 +59,7 @@ __all__ = [
     "comes",
     "content_words",
     "find_times",
+    "hours_of_meal",
     "installed_model",
     "is_several",
     "model_files",

@@ -16,7 +16,7 @@ def test_a_line_without_a_time_comes_behind_the_one_above() -> None:
         "s1": "07:30",
         "s2": "07:35",
         "s3": "08:00",
-        "s4": "08:05",
+        "s4": "08:15",
         "s5": "09:15",
         "s6": "09:16",
     }

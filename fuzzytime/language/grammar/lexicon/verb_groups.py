@@ -66,6 +66,7 @@ class Doing(NamedTuple):
     requiring: Words
     covering: Words
     eating: Words
+    having: Words
     keeping: Words
     getting: Words
     becoming: Words

@@ -148,7 +148,11 @@ def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
     titled = marked and sketch.operation is None and any(p.said.is_day for p in phrases)
     if _says_more(draft, heard) and not titled:
         return None
+    part = phrases[0].said.wall.part if phrases else None
     if (not marked and not is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
+        return None
+    if not marked and part is not None and part.meal and not part.place:
+        # "Sunday lunch" is one.
         return None
     return Heading(name_of(draft), draft.text, draft.scanned, held(draft, phrases), clauses)
 

@@ -144,7 +144,9 @@ def happening_at(root: int, tree: Tree, phrases: Sequence[Phrase], names: Places
     lexicon = tree.lexicon
     node = tree.nodes[root]
     spans = any(phrase.said.constraint is Constraint.BETWEEN or is_window(phrase) for phrase in phrases)
-    words = [place for place in sorted(tree.below(root)) if not names.timed(place)]
+    # In "sunday lunch at the club", the lunch is in its time, too.
+    meal = {root} if node.lower in lexicon.happening else set()
+    words = [place for place in sorted(tree.below(root)) if place in meal or not names.timed(place)]
     named = names.said([place for place in words if names.has_content(place, words)])
     # "Kids at swimming four to five": somebody else is
     placed = any(not names.timed(place) for place in tree.children(root, "prep"))
@@ -166,12 +168,11 @@ def happening_at(root: int, tree: Tree, phrases: Sequence[Phrase], names: Places
 
 
 def meal_alone(text: str, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:
-    """Give the meal that a line among others is all about, whose hours are its time: "lunch"."""
-    words, part = words_of(text.rstrip(" .!")), phrases[0].said.wall.part if len(phrases) == 1 else None
-    if len(words) != 1 or part is None or not part.meal:
+    """Give the meal that a line among others is all about, whose hours are its time: "sunday lunch"."""
+    if len(phrases) != 1 or phrases[0].said.preposition is not None:
         return None
-    (meal,) = words
-    if meal.text not in lexicon.happening - lexicon.frames:
+    part, meal = phrases[0].said.wall.part, words_of(text.rstrip(" .!"))[-1]
+    if part is None or not part.meal or meal.text not in lexicon.happening - lexicon.frames:
         return None
     return Operation(verb=meal.text, lemma="be", span=(meal.start, meal.end), object=meal.text, stated=True)
 

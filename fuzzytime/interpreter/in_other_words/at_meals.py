@@ -1,0 +1,53 @@
+"""The hours of a meal, where a day alone is said for it: "dinner with Bob on sunday" is in the evening."""
+
+from dataclasses import replace
+from datetime import datetime, time, timedelta
+
+from fuzzytime.language import Instruction, Lexicon, Operation, hours_of_meal
+from fuzzytime.requirement import Constraint, TimeRequirement, Unit
+from fuzzytime.times import DAY, HOUR, instant_after, seconds_between
+
+MOMENT = 1.0
+"""Seconds: what begins at midnight is of the day behind it, wherever figures round to."""
+
+
+def at_its_meal(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Instruction:
+    """Put a meal into its hours on the day that is said for it, or on that of the instruction.
+
+    What says a time of day, or waits for something, says when by itself. Hours that are over are none.
+
+    Parameters
+    ----------
+    given
+        When the instruction was given.
+    """
+    hours = hours_of_meal(instruction.operation, lexicon)
+    bounds = [part for part in instruction.requirements if part.constraint is not Constraint.FOR]
+    if hours is None or len(bounds) > 1 or not all(map(_is_day, bounds)):
+        return instruction
+    said = next(iter(bounds), None) or _any_time(instruction.operation)
+    if said is None:
+        return instruction
+    day = instant_after(given, (said.earliest or 0.0) + MOMENT).date()
+    midnight = datetime.combine(day, time(), given.tzinfo)
+    earliest, latest = (seconds_between(given, midnight + timedelta(seconds=end)) for end in hours)
+    if latest <= 0:
+        return instruction
+    meal = replace(said, earliest=earliest, latest=latest, grain=Unit.HOUR)
+    others = tuple(part for part in instruction.requirements if part is not said)
+    return replace(instruction, requirements=(meal, *others))
+
+
+def _is_day(part: TimeRequirement) -> bool:
+    """Whether it leaves nothing open but when on its day."""
+    if part.constraint is not Constraint.BETWEEN or part.grain is not Unit.DAY or part.denied:
+        return False
+    bounded = part.earliest is not None and part.latest is not None and part.anchor is None
+    return bounded and not part.alternative and (part.latest or 0.0) - (part.earliest or 0.0) <= DAY + HOUR
+
+
+def _any_time(operation: Operation | None) -> TimeRequirement | None:
+    """Give what is asked of a meal without a time."""
+    if operation is None:
+        return None
+    return TimeRequirement(text=operation.name, span=operation.span, constraint=Constraint.BETWEEN)

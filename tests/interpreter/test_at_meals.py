@@ -1,0 +1,42 @@
+"""Meals for which a day is said, or nothing, are in their hours."""
+
+from datetime import datetime
+
+import pytest
+
+from interpreter.telling import listed, starts
+
+pytestmark = pytest.mark.model
+
+
+@pytest.mark.parametrize(
+    ("line", "start"),
+    [
+        ("dinner with Ann on friday", "18:12"),
+        ("have lunch with Bo tomorrow", "11:15"),
+        ("tea with gran tomorrow", "16:15"),
+        ("a late supper on saturday", "18:12"),
+        ("have lunch", "11:15"),
+        # What is done with a meal is no meal, nor is what it is of.
+        ("buy lunch tomorrow", "09:00"),
+        ("have a cup of tea tomorrow", "09:00"),
+        # A time of day says when by itself.
+        ("have dinner at three tomorrow", "15:00"),
+        ("have breakfast before nine on friday", "07:00"),
+    ],
+)
+def test_a_meal_is_in_its_hours(line: str, start: str) -> None:
+    assert list(starts(listed([line])).values()) == [start]
+
+
+def test_a_day_and_its_meal_head_no_lines() -> None:
+    assert list(starts(listed(["call mum at six", "sunday lunch", "feed the cat at seven"]))) == [
+        "s1",
+        "s2",
+        "s3",
+    ]
+
+
+def test_hours_that_are_over_are_not_waited_for() -> None:
+    made = listed(["have lunch"], now=datetime(2026, 3, 4, 15))  # noqa: DTZ001 - a wall clock
+    assert list(starts(made).values()) == ["15:00"]
