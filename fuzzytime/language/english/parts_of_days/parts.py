@@ -115,11 +115,12 @@ def all_day(days: Calendar) -> Wall | None:
     return Wall(days) if days.grain is Unit.DAY else None
 
 
-@grammar.rule("wall", "at|during|over the? <meal>")
+@grammar.rule("wall", "at|during|over the? <meal>", "at|during|over my|your|our|his|her|their <meal>")
+@grammar.rule("wall", "on my|your|our|his|her|their <meal>", "on|in the|my|your|our|his|her|their <meal> break", weight=0.3)
 @grammar.rule("wall", "all|right? through|throughout the? <meal>", weight=0.3)
 @grammar.rule("wall", "for <meal>", weight=0.1)
 def at_meal(found: Part) -> Wall | None:
-    """At lunch, during dinner, right through supper, (meet Sam) for lunch; "at school" is where."""
+    """At lunch, during our dinner, on my lunch break, (meet Sam) for lunch; "at school" is where."""
     return None if found.place else Wall(part=found)
 
 
