@@ -116,7 +116,12 @@ def all_day(days: Calendar) -> Wall | None:
 
 
 @grammar.rule("wall", "at|during|over the? <meal>", "at|during|over my|your|our|his|her|their <meal>")
-@grammar.rule("wall", "on my|your|our|his|her|their <meal>", "on|in the|my|your|our|his|her|their <meal> break", weight=0.3)
+@grammar.rule(
+    "wall",
+    "on my|your|our|his|her|their <meal>",
+    "on|in the|my|your|our|his|her|their <meal> break",
+    weight=0.3,
+)
 @grammar.rule("wall", "all|right? through|throughout the? <meal>", weight=0.3)
 @grammar.rule("wall", "for <meal>", weight=0.1)
 def at_meal(found: Part) -> Wall | None:

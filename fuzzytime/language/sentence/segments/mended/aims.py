@@ -22,8 +22,8 @@ def with_aim(tree: Tree, timed: AbstractSet[int]) -> Tree:
             continue
         if tree.nodes[thing].lower in lexicon.doing.labels | lexicon.appointing:
             return tree.changed(aim, relation="acl", head=thing)
-        if tree.nodes[root].lemma in lexicon.letting:
-            # "Leave it to soak"
+        if tree.nodes[root].lemma in lexicon.letting or tree.nodes[aim].lemma in lexicon.indicators:
+            # "Leave it to soak", "set the dishwasher to finish at five"
             return tree.changed(aim, relation="xcomp")
         setting = lexicon.doing.setting | lexicon.measure_verbs | lexicon.beside.switched
         said = [p for p in tree.below(aim) if p not in {to, aim} and tree.nodes[p].text[0].isalnum()]
