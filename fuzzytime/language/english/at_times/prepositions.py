@@ -75,7 +75,7 @@ def when_it_is(hedge: str | None, time: Wall | HourMark | SameTime) -> Said | No
 @grammar.rule(
     "word",
     "when|whenever|if|once you|ya|u|i|we get|have|find|got|'ve a|some|any|the? spare|free|quiet? <leisure>",
-    "when|whenever|if|once you've|i've|we've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
+    "when|whenever|if|once you've|i've|we've got|found|had? a|some|any|the? spare|free|quiet? <leisure>",
     "as soon as you've|i've|we've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
     "when|whenever|if|once there's|theres a|some|any? spare|free|quiet? <leisure>",
     "when|whenever|if|once there is a|some|any? spare|free|quiet? <leisure>",
