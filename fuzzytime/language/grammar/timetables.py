@@ -35,10 +35,6 @@ SHORT_HOUR = 2
 """Digits of an hour without minutes at most."""
 MINUTED = 3
 """Words of an hour with its minutes: "7:30"."""
-SURELY = 2
-"""Entries with minutes or a half of the day beside which a number alone is an hour of what lasts, too."""
-FIRST_HOUR = 7
-"""Hour from which those of a list go up."""
 LONGEST_STREET = 3
 """Words of the name of a street at most."""
 CALLED = 3
@@ -149,7 +145,7 @@ def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexico
         words[first].text in goes_on and length == 1
         for (first, _), length in zip(entries, lengths, strict=True)
     )
-    if lasting and exact + sum(has_time(text, lexicon) for text in named) < SURELY:
+    if lasting and exact + sum(has_time(text, lexicon) for text in named) < lexicon.policy.sure_hours:
         # "Shape it 6:30, bake 40"; but "dough out 6am, shape 6:30, bake 7", "swim 9, brunch 11, film 3.30"
         return False
     led = any(words[last - 1].text.startswith("0") for _, last in entries)
@@ -171,7 +167,8 @@ def _are_chores(entries: Sequence[Sequence[Word]], lexicon: Lexicon) -> bool:
     named = [entry[-2].text for entry in entries]
     numbers = [entry[-1] for entry in entries]
     hours = [lexicon.numbers.get(word.text, int(word.text) if word.is_digits else 0) for word in numbers]
-    since = [(hour - FIRST_HOUR) % HALF_DAY for hour in hours]
+    first = lexicon.policy.plausible_from.hour
+    since = [(hour - first) % HALF_DAY for hour in hours]
     ordered = entries[0][0].text in lexicon.chores and len(entries[0]) > SHORTEST
     # "Water beds 3, pots 4"
     ordered = ordered and not all(map(looks_plural, named))
