@@ -9,9 +9,6 @@ from fuzzytime.requirement import Unit
 BEFORE = 3
 """Words between a verb and the value of what it sets, at most."""
 
-FAR = 6
-"""Words between a verb and the code, or the year, that it is about, at most."""
-
 ALWAYS = ["24", "/", "7"]
 """What is always there: "call 24/7 support", where it says of what."""
 
