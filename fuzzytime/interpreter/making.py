@@ -213,7 +213,7 @@ class Maker:
         self, requirement: TimeRequirement, operation: Operation | None, duration: OperationDuration
     ) -> Resolution:
         resolution = self._looked_up(requirement, operation, duration)
-        if not is_due_on_day(requirement):
+        if not is_due_on_day(requirement, self.lexicon):
             return resolution
         deadline = replace(requirement, constraint=Constraint.BEFORE, earliest=None)
         return due_then(resolution, self._looked_up(deadline, operation, duration))

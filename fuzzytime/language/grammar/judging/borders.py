@@ -147,7 +147,8 @@ class Borders(Around):
         """Whether its last words begin another bound: "around noon but not before eleven"."""
         follower = self.around.follower(piece)
         begun = self.texts[piece.end - 2 : piece.end - 1] in (["not"], ["or"], ["and"])
-        if self.texts[piece.end - 1] not in {"before", "after"} or not begun or not follower[:1].isalnum():
+        counted = self.texts[piece.end - 1] in self.beside.before_or_after
+        if not counted or not begun or not follower[:1].isalnum():
             return False
         further = self.around.timely(piece.end) or self.measures.is_number(piece.end)
         # "In an hour and | before bed"

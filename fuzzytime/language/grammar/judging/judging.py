@@ -125,7 +125,7 @@ class Judge(Around):
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
             # "Ten minutes in, add the garlic", "hand them out ten minutes in and collect them"
             return self.around.follower(piece) in {"", ",", ".", "and"}
-        if self.texts[piece.end - 1] in {"before", "after"} and isinstance(time, (Offset, TimeWord)):
+        if self.texts[piece.end - 1] in self.beside.before_or_after and isinstance(time, (Offset, TimeWord)):
             return self._ends_order(piece, time)
         if isinstance(time, Range):
             return self.ranges.accept(piece, said, time)
@@ -225,7 +225,7 @@ class Judge(Around):
         """Whether it is so long before or after another time."""
         time = piece.value.time
         if isinstance(time, Wall) and time.clock is not None and time.clock.shift:
-            return bool({"before", "after"} & set(self.texts[piece.start : piece.end]))
+            return not self.beside.before_or_after.isdisjoint(self.texts[piece.start : piece.end])
         return isinstance(time, Offset) and time.anchor is not None
 
     def _appoints(self, piece: Piece) -> bool:

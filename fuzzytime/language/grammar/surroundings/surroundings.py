@@ -107,7 +107,11 @@ class Surroundings(BehindTimes):
         if given and before and any(piece.category == "hedge" for piece in self.pieces(place)):
             # "Wake max before noon"; but "cook it max ten minutes"
             return not self._is_counted(place + 1)
-        if before in {"and", ","} and place > 1 and any(p.category == "month" for p in self.pieces(place)):
+        if (
+            before in self.closed.joints_of_things
+            and place > 1
+            and any(p.category == "month" for p in self.pieces(place))
+        ):
             return self.names_person(place - 2)
         pronoun = before in self.closed.object_pronouns or before in self.closed.persons_addressed
         relative = before in self.lexicon.persons and not pronoun

@@ -258,7 +258,7 @@ class Anchors:
     def goes_on(self, operation: Operation) -> bool:
         """Whether what is told is what something with a time does then, told right before in its text."""
         before = self.operation_at(self.position - 1) if self.position > self.first else None
-        beginning = self.lexicon.doing.beginning | {"be"}
+        beginning = self.lexicon.doing.beginning_or_being
         begins = before is not None and before.stated and before.lemma in beginning
         return begins and before is not None and before.object == operation.object
 

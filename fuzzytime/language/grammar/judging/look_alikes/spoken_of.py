@@ -4,13 +4,6 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.meaning.expressions import Said, Wall
 
-TOPICAL = frozenset({"about", "of"})
-"""Prepositions before what is spoken of."""
-
-
-RECKONED = frozenset({("what", "is"), ("what's",), ("how", "much", "is"), ("how", "long", "is")})
-"""Beginnings of questions that a number answers."""
-
 FAR = 4
 """Words of a question before the word that is asked about, at most."""
 
@@ -19,9 +12,6 @@ FARTHEST = 6
 
 LONGEST_HAVING = 3
 """Words of what has units of time, with its preposition: "of the week"."""
-
-OF_UNITS = frozenset({"of", "in"})
-"""Prepositions between units and what has so many: "the days of the week", "minutes in a day"."""
 
 
 def is_spoken_of(piece: Piece, around: Surroundings) -> bool:
@@ -52,8 +42,8 @@ def _is_spelt(piece: Piece, around: Surroundings) -> bool:
 def _is_topic(piece: Piece, around: Surroundings) -> bool:
     """Whether it is what is spoken of: "ask Ann about friday", "a story of midnight"."""
     kinds, texts = around.lexicon.no_times, around.texts
-    joint = piece.start - (texts[piece.start] not in TOPICAL)
-    if joint < 1 or texts[joint] not in TOPICAL:
+    joint = piece.start - (texts[piece.start] not in kinds.topical)
+    if joint < 1 or texts[joint] not in kinds.topical:
         return False
     if texts[joint - 1] in kinds.works:
         return True
@@ -117,10 +107,10 @@ def _is_said_how(piece: Piece, around: Surroundings) -> bool:
 
 def _has_units(piece: Piece, around: Surroundings) -> bool:
     """Whether it is what has units of time: "the days of the week", "how many minutes are in a day"."""
-    texts, first = around.texts, piece.start
-    while first and texts[first] not in OF_UNITS and piece.end - first < LONGEST_HAVING:
+    texts, first, inside = around.texts, piece.start, around.lexicon.no_times.inside_units
+    while first and texts[first] not in inside and piece.end - first < LONGEST_HAVING:
         first -= 1
-    if texts[first] not in OF_UNITS:
+    if texts[first] not in inside:
         return False
     if texts[first] == "of":
         units = first > 1 and texts[first - 1].endswith("s") and around.is_unit(first - 1)
@@ -132,15 +122,15 @@ def _has_units(piece: Piece, around: Surroundings) -> bool:
 
 def _is_reckoned(piece: Piece, around: Surroundings) -> bool:
     """Whether it is asked what it comes to: "what is 3 hours in minutes", "what is half of 10"."""
-    led = tuple(around.texts[: piece.start])
-    asked = led in RECKONED
+    led, kinds = " ".join(around.texts[: piece.start]), around.lexicon.no_times
     units = around.follower(piece) == "in" and around.is_unit(piece.end + 1)
     share = around.texts[piece.start : piece.end].count("of") == 1
-    return asked and (units or share or led[-2:] == ("long", "is"))
+    return led in kinds.asking_how_long or (led in kinds.asking_how_much and (units or share))
 
 
 def is_converted(place: int, around: Surroundings) -> bool:
     """Whether a unit at a place is one of two: "convert 3 hours to minutes", "what is 1 hour in seconds"."""
     before = around.texts[place - 1] if place else ""
-    asked = any(tuple(around.texts[: len(form)]) == form for form in RECKONED)
+    said = " ".join((*around.texts, ""))
+    asked = any(said.startswith(f"{opening} ") for opening in around.lexicon.no_times.asking_how_much)
     return "convert" in around.texts[:place] or (asked and before == "in")

@@ -64,7 +64,7 @@ class Naming(Standing):
     def _is_beside_event(self, piece: Piece, wall: Wall) -> bool:
         """Whether it counts from what is named behind it, or is not: "the day before the flight"."""
         last, behind = self.texts[piece.end - 1], self.around.follower(piece)
-        counted = last in {"before", "after"} and self.texts[piece.end - 2] not in {
+        counted = last in self.beside.before_or_after and self.texts[piece.end - 2] not in {
             "or",
             "and",
             "not",
@@ -103,7 +103,7 @@ class Naming(Standing):
         if wall.clock is not None and self.texts[piece.end - 1] in self.lexicon.ordinals:
             # "Spray the first coat at noon, the second an hour later"
             begin = piece.end - 2
-        joined = begin > 0 and self.texts[begin - 1] in {"and", ","}
+        joined = begin > 0 and self.texts[begin - 1] in self.lexicon.closed.joints_of_things
         joined = joined and self.texts[begin] == "the"
         return joined and any(text in self.lexicon.ordinals for text in self.texts[:begin])
 

@@ -57,7 +57,7 @@ def _particles_behind_clauses(one: Waiting, part: Part) -> list[int]:
         timed = place + SHORTEST_GAP + again
         says_when = timed in starts or longest_match(words, timed, lexicon.clauses) is not None
         carried = lemma in lexicon.particles.get(turned, ()) or turned in lexicon.beside.switched
-        other = words[place].text in {"and", "&"} and carried
+        other = words[place].text in lexicon.closed.additive_conjunctions and carried
         # "At six turn it on, and off again at seven"
         apart = words[place - 1].text == ","
         turns = (again or apart) and words[place - 1 - apart].text in lexicon.particles
@@ -181,7 +181,8 @@ def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int]:
         if then is None or not _is_ordering(then) or len(between) <= SHORTEST_GAP:
             continue
         named = part.at((between[1].start, between[-1].end))
-        opened = between[0].text in {"and", ","} and between[1].text in part.lexicon.closed.noun_openers
+        closed = part.lexicon.closed
+        opened = between[0].text in closed.joints_of_things and between[1].text in closed.noun_openers
         if opened and all(_is_of_thing(part, p, ()) for p in named):
             found.append(between[1].start)
     return found
@@ -224,7 +225,7 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     # But "the shop is open at nine and closed at six" says two things of one.
     tags = [part.tree.nodes[p].tag for p in nodes]
     says_how = NAMES.isdisjoint(tags) and any(tag in DESCRIBING for tag in tags)
-    listed = happening and not says_how and between[0].text in {",", "and"}
+    listed = happening and not says_how and between[0].text in part.lexicon.closed.joints_of_things
     if listed and not happens:
         # "Story at seven, lights out by half past": one word says what becomes of the thing.
         return all(tag == "RP" for tag in others[1:])
