@@ -129,7 +129,7 @@ def _denied(scanned: Scanned, phrase: Phrase) -> Remark | None:
     """Give what to say of a time that is denied alone in front: "not now, …", "rather than at six, …"."""
     texts = [word.text for word in scanned.words]
     # "Instead of today" may have its "of" in the time.
-    fronts = {" ".join(texts[:end]) for end in (phrase.first, phrase.first + 1)}
+    fronts = {" ".join(texts[: phrase.first + inside]) for inside in (0, 1) if phrase.first}
     led = not fronts.isdisjoint(scanned.lexicon.beside.in_place_of)
     alone = led and texts[phrase.end : phrase.end + 1] in ([","], ["."], [";"])
     if not alone or phrase.end + 1 >= len(texts) or texts[phrase.end + 1] == "but":
