@@ -13,10 +13,8 @@ NEXT = "then"
 """Word between entries, alone or behind a mark."""
 JOINTS = frozenset({":", "."})
 """Marks between hour and minute."""
-TO = frozenset({"to", "till", "til", "until"})
-"""Words between two numbers from when to when."""
-STRETCHES = JOINTS | TO | {"-", "=", ">", "→", "⇒"}
-"""What may stand in two numbers from when to when."""
+STRETCHES = JOINTS | {"-", "=", ">", "→", "⇒"}
+"""Marks that may stand in two numbers from when to when."""
 HALF_DAY = 12
 """Hours that a number alone may name in a list."""
 QUARTERS = frozenset({"00", "15", "30", "45"})
@@ -108,10 +106,9 @@ def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon)
 
 def _beside_stretch(entry: Sequence[Word], lexicon: Lexicon) -> Word | None:
     """Give the word beside two numbers in front of an entry, or at its end."""
+    inside = STRETCHES | lexicon.beside.until_hours | lexicon.numbers.keys()
     for words in (entry, entry[::-1]):
-        numbers = list(
-            takewhile(lambda word: word.is_digits or word.text in STRETCHES | lexicon.numbers.keys(), words)
-        )
+        numbers = list(takewhile(lambda word: word.is_digits or word.text in inside, words))
         # "Thu 12th: plumber 8-10" begins with no stretch.
         if LONE < len(numbers) < len(words):
             return words[len(numbers)]

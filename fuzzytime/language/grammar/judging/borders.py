@@ -23,9 +23,6 @@ LONGEST_WISH = 4
 BINDING = frozenset({"preposition_at", "preposition_before", "preposition_after", "hedge"})
 """Categories of words that bind a time behind them, and are other words before anything else."""
 
-EXTREMES = frozenset({"latest", "earliest"})
-"""The ends of "at the latest" and "at the earliest"."""
-
 OFFERED_DAYS = frozenset({"offered_days.either_day", "offered_days.another_day"})
 """The rules of days side by side, of which each will do."""
 
@@ -166,7 +163,8 @@ class Borders(Around):
         article = not {*self.texts[place : place + 1]}.isdisjoint(self.beside.of_lengths)
         if not (self.around.timely(place) or self.measures.is_number(place) or article):
             return False
-        if self.texts[piece.end - 1] in EXTREMES and "," in self.texts[piece.end - LONGEST_WISH : piece.end]:
+        ends = self.texts[piece.end - 1] in self.beside.the_very_ends
+        if ends and "," in self.texts[piece.end - LONGEST_WISH : piece.end]:
             # "Before they come at seven, at the latest | an hour before"
             return True
         starts = range(max(piece.start + 1, piece.end - LONGEST_WISH), piece.end)

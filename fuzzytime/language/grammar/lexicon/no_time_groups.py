@@ -39,6 +39,9 @@ class NoTimes(NamedTuple):
     beginning_titles: Words
     of_years: Words
     topical: Words
+    notable: Words
+    binding_days: Words
+    before_places: Words
     inside_units: Words
     asking_how_long: Words
     asking_how_much: Words

@@ -36,6 +36,7 @@ class ClosedClasses(NamedTuple):
     universal_determiners: Words
     general_ordinals: Words
     indefinite_determiners: Words
+    one_of_hundreds: Words
     singular_determiners: Words
     of_what_is_given: Words
     behind_verbs: Words
@@ -250,6 +251,11 @@ class BesideTimes(NamedTuple):
     marking_order: Words
     no_event: Words
     before_or_after: Words
+    from_that: Words
+    or_more: Words
+    until_hours: Words
+    the_very_ends: Words
+    wished_for: Words
     in_place_of: Words
     all_of_a_day: Words
     starts: Words

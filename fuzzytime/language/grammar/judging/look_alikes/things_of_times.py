@@ -20,9 +20,6 @@ ENDS = frozenset({".", ",", "!", "?", ";"})
 LED = 4
 """Words to the preposition before a day that is described: "on the first dry day"."""
 
-BOUND = frozenset({"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"})
-"""Prepositions that make a day of what is named behind them."""
-
 
 def is_of_thing(piece: Piece, around: Surroundings) -> bool:
     """Whether what looks like a time names a thing, is a part of one, or says whose or which it is."""
@@ -66,8 +63,8 @@ def _is_decade(piece: Piece, around: Surroundings) -> bool:
     tens = around.words[number].is_digits and around.texts[number].endswith("0")
     aged = last in kinds.around_ages and before in around.closed.noun_openers
     aged = aged or (tens and last in around.closed.possessives)
-    years = around.follower(piece) in kinds.of_decades or (last == "the" and before in BOUND | {"from"})
-    return aged or (tens and years)
+    bound = last == "the" and before in kinds.binding_days | {"from"}
+    return aged or (tens and (bound or around.follower(piece) in kinds.of_decades))
 
 
 def _is_cited(piece: Piece, around: Surroundings) -> bool:
@@ -160,7 +157,7 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
         return True
     before = around.before(piece)
     led = around.texts[max(0, piece.start - LED) : piece.start - 1]
-    apart = bool(led) and BOUND.isdisjoint(led)
+    apart = bool(led) and around.lexicon.no_times.binding_days.isdisjoint(led)
     if piece.category == "unit" and before.isalpha() and (around.texts[piece.start].endswith("s") or apart):
         # "Visiting hours", "it's trash day"; but "on boss day"
         known = before in around.lexicon.function_words or before in around.lexicon.entries
@@ -168,7 +165,7 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
             return True
     named = around.before(piece) in around.closed.of_units
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""
-    bound = behind in BOUND
+    bound = behind in around.lexicon.no_times.binding_days
     return piece.category == "unit" and named and not bound
 
 

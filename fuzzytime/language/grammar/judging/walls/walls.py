@@ -24,9 +24,6 @@ APART = frozenset({"-", "–", "—", ",", "("})
 BOUND = 2
 """Words of a preposition and the one that it binds: "to christmas"."""
 
-LEADING = frozenset({"to", "on", "at", "by"})
-"""Prepositions of a place, or of a verb, that stand before a noun, too: "to christmas island"."""
-
 
 class Walls(Standing):
     """What stands around days and clock times, and whether it makes one doubtful."""
@@ -217,7 +214,7 @@ class Walls(Standing):
         """Whether it describes a noun behind one word: "to sunday school", "put on night light"."""
         place, named = piece.end - BOUND, self.around.follower(piece)
         bound = self.texts[place] if piece.start in {place, place + 1} and place > 0 else None
-        if bound not in LEADING or self.around.may_end(piece):
+        if bound not in self.lexicon.no_times.before_places or self.around.may_end(piece):
             return False
         if bound in {"at", "by"}:
             # "By night bus", "at night market"; but "call mum at noon, dad at one"
