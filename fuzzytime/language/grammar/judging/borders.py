@@ -268,8 +268,8 @@ class Borders(Around):
         if (
             dated
             and piece.start > 1
-            and self.texts[piece.start] == "the"
+            and self.texts[piece.start] in self.closed.the
             and self.texts[piece.start + 2 : piece.start + 3] == ["of"]
         ):
             return False
-        return self.around.is_object(piece.start + (self.texts[piece.start] == "the"))
+        return self.around.is_object(piece.start + (self.texts[piece.start] in self.closed.the))

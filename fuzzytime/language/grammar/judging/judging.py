@@ -182,14 +182,16 @@ class Judge(Around):
     def _is_past(self, piece: Piece, said: Said) -> bool:
         """Whether it is the time just gone: "what was said in the last hour"; not "in the last hour of X"."""
         if said.preposition == LAST:
-            return said.lasting is None and piece.start > 0 and self.around.follower(piece) != "of"
+            return (
+                said.lasting is None and piece.start > 0 and self.around.follower(piece) not in self.closed.of
+            )
         return isinstance(said.time, Coming) and said.time.direction < 0
 
     def _counts_from_thing(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
         """Whether it counts from one of some things: "sow the second row ten days after the first"."""
         if isinstance(time, Ending) and self.texts[piece.end - 1] in self.lexicon.ordinals:
             # "At the beginning of second period", "of the second lesson"
-            return self.texts[piece.end - 2] != "the" or not self.around.may_end(piece)
+            return self.texts[piece.end - 2] not in self.closed.the or not self.around.may_end(piece)
         wall = time.anchor if isinstance(time, Offset) else time
         days = wall.days if isinstance(wall, Wall) and wall.clock is None else None
         days = days.anchor if isinstance(days, CountedDay) else days

@@ -14,6 +14,7 @@ class ClosedClasses(NamedTuple):
 
     endings_of_manner: Words
     indefinite_articles: Words
+    the: Words
     articles: Words
     of_titles: Words
     inside_names_of_things: Words
@@ -138,6 +139,8 @@ class ClosedClasses(NamedTuple):
     end_of_an_aside: Words
     end_of_a_gap: Words
     before_connectives: Words
+    of: Words
+    to: Words
     prepositions_of_recipients: Words
     prepositions_of_company: Words
     prepositions_of_nouns: Words

@@ -166,7 +166,7 @@ class Measures(Compared):
             return False
         if _is_near_hour(said):
             # "Bake the bread around six"; but "pick about five", "dim it to about six"
-            amount = place + 1 == piece.start or self.texts[piece.start - 1] == "to"
+            amount = place + 1 == piece.start or self.texts[piece.start - 1] in self.closed.to
             return (amount and text in lexicon.measure_verbs) or self._has_amount(place)
         if not (_is_bound_to_hour(said) or self.is_fraction(piece)):
             return text in lexicon.measure_verbs | lexicon.measure_nouns | lexicon.amount_nouns

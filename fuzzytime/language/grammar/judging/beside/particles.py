@@ -24,7 +24,7 @@ class Particles(Around):
         if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
             return True
-        if self.texts[piece.end - 1] == "ahead" and self.around.follower(piece) == "of":
+        if self.texts[piece.end - 1] == "ahead" and self.around.follower(piece) in self.closed.of:
             # "Ten minutes ahead of the call"
             return True
         if rest[-1:] == ["back"] and self.lexicon.rescheduling & set(self.texts[: piece.start]):

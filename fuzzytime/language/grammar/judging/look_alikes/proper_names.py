@@ -50,7 +50,7 @@ def is_called_like_day(piece: Piece, around: Surroundings) -> bool:
     opener, noun = ("", "", *texts[piece.end : piece.end + 2])[-2:]
     somebody = noun in around.lexicon.persons | around.lexicon.animals
     ends = not "".join(texts[piece.end + 2 : piece.end + 3]).isalnum()
-    told = opener == "the" and somebody and ends and len(texts) > piece.end + 1
+    told = opener in around.closed.the and somebody and ends and len(texts) > piece.end + 1
     given = texts[verb] in around.lexicon.no_times.handing and opener in {"his", "her", "its"}
     return told or given
 

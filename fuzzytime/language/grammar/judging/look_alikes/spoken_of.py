@@ -51,11 +51,11 @@ def _is_topic(piece: Piece, around: Surroundings) -> bool:
     clocked, dated = wall.clock is not None, wall.days is not None
     verbs = kinds.speaking | (kinds.sending if dated and texts[joint] == "about" else frozenset())
     first = next((p for p in range(joint - 1, max(-1, joint - FARTHEST - 1), -1) if texts[p] in verbs), None)
-    if first is None or clocked or not (around.opens(first) or texts[first - 1] == "to"):
+    if first is None or clocked or not (around.opens(first) or texts[first - 1] in around.closed.to):
         return False
     # "Ring mum tonight about sunday", "talk to Ann about friday"; but "ask Ann to come about friday"
     parting = around.closed.coordinators | {"to"}
-    between = texts[first + 1 + (texts[first + 1] == "to") : joint]
+    between = texts[first + 1 + (texts[first + 1] in around.closed.to) : joint]
     return parting.isdisjoint(between) and all(text.isalpha() for text in between)
 
 
@@ -84,7 +84,7 @@ def _is_translated(piece: Piece, around: Surroundings) -> bool:
         return False
     known = around.texts[joint - 1] in around.lexicon.no_times.words_for
     # "Find the word for tomorrow" may be when.
-    sure = around.texts[joint] == "of" or not around.is_day_from_now(joint + 1)
+    sure = around.texts[joint] in around.closed.of or not around.is_day_from_now(joint + 1)
     led = not around.closed.articles.isdisjoint(around.texts[max(0, joint - 3) : joint - 1])
     return around.texts[joint] in {"for", "of"} and known and led and (sure or "what" in around.texts)
 
@@ -112,10 +112,10 @@ def _has_units(piece: Piece, around: Surroundings) -> bool:
         first -= 1
     if texts[first] not in inside:
         return False
-    if texts[first] == "of":
+    if texts[first] in around.closed.of:
         units = first > 1 and texts[first - 1].endswith("s") and around.is_unit(first - 1)
         units = units or texts[first - 1] in around.lexicon.no_times.of_years
-        return units and first > 1 and texts[first - 2] == "the"
+        return units and first > 1 and texts[first - 2] in around.closed.the
     counted = texts[:2] == ["how", "many"] and first > len(("how", "many")) and around.is_unit(2)
     return counted and texts[first - 1] in {"are", "there", texts[2]}
 

@@ -25,7 +25,7 @@ def is_of_thing(piece: Piece, around: Surroundings) -> bool:
     """Whether what looks like a time names a thing, is a part of one, or says whose or which it is."""
     return (
         around.is_object(piece.start)
-        or (around.before(piece) == "to" and around.names_place(piece))
+        or (around.before(piece) in around.closed.to and around.names_place(piece))
         or _is_noun(piece, around)
         or is_of_street(piece, around)
         or is_typed_name(piece, around)
@@ -63,13 +63,13 @@ def _is_decade(piece: Piece, around: Surroundings) -> bool:
     tens = around.words[number].is_digits and around.texts[number].endswith("0")
     aged = last in kinds.around_ages and before in around.closed.noun_openers
     aged = aged or (tens and last in around.closed.possessives)
-    bound = last == "the" and before in kinds.binding_days | {"from"}
+    bound = last in around.closed.the and before in kinds.binding_days | {"from"}
     return aged or (tens and (bound or around.follower(piece) in kinds.of_decades))
 
 
 def _is_cited(piece: Piece, around: Surroundings) -> bool:
     """Whether a typed clock time is a verse, or which of some things is meant: "the 9:15"."""
-    led = around.cites(piece.start) or around.before(piece) == "the"
+    led = around.cites(piece.start) or around.before(piece) in around.closed.the
     mixed = not around.beside.mixing.isdisjoint(around.texts[: piece.start])
     # As in "build the model at 1:72".
     minutes = around.texts[piece.end - 1]
@@ -86,7 +86,9 @@ def _is_rate(piece: Piece, around: Surroundings) -> bool:
 def _is_share(piece: Piece, around: Surroundings) -> bool:
     """Whether it is a part of a thing: "three quarters of the flour", "at the end of the film"."""
     unit = piece.value.unit if isinstance(piece.value, UnitWord) else None
-    return around.follower(piece) == "of" and (unit is Unit.QUARTER or piece.category == "unfinished")
+    return around.follower(piece) in around.closed.of and (
+        unit is Unit.QUARTER or piece.category == "unfinished"
+    )
 
 
 def _is_title(piece: Piece, around: Surroundings) -> bool:
@@ -173,7 +175,7 @@ def is_from_the_past(piece: Piece, around: Surroundings) -> bool:
     """Whether it says of which time a thing is that was: "the report of last week at nine"."""
     days = piece.value.wall.days
     stretch = isinstance(days, Stretch) and days.count < 0
-    if stretch and around.follower(piece) == "of":
+    if stretch and around.follower(piece) in around.closed.of:
         # "Keep the last 3 days of logs"
         return True
     last = isinstance(days, Deictic) and days.which is Which.LAST
