@@ -5,15 +5,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.interpreter.interpretation import WITHIN
+from fuzzytime.language import Lexicon
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement, Unit
 from fuzzytime.rulebook import OperationDuration, Resolution
 from fuzzytime.satisfaction import Either, SatisfactionFunction, Trapezoid
 
 BETWEEN = "between"
 """The preposition of two ends."""
-
-DUE = frozenset({"by", "before", "until", "no later than"})
-"""Prepositions of deadlines, as the language names them all: "not after five" is "no later than" that."""
 
 
 def from_there_on(function: SatisfactionFunction, to: float, *, later: bool) -> SatisfactionFunction:
@@ -58,32 +56,34 @@ def to_its_end(day: TimeRequirement, resolution: Resolution, others: Sequence[Ti
 
     Alone, its evening satisfies less.
     """
-    function, first, end = resolution.satisfaction, day.earliest, day.latest
+    first, end = day.earliest, day.latest
     if day.grain is not Unit.DAY or day.constraint is not Constraint.BETWEEN or first is None or end is None:
         return resolution
-    due = [
+    due = (
         part.latest for part in others if part.constraint is Constraint.BEFORE and part.grain is not Unit.DAY
-    ]
-    if not isinstance(function, Trapezoid) or not any(
-        last is not None and first < last <= end for last in due
-    ):
-        return resolution
-    rise_start, full_start, _, _ = function.corners
-    return replace(resolution, satisfaction=Trapezoid(rise_start, full_start, end, end))
+    )
+    bounded = any(last is not None and first < last <= end for last in due)
+    return _ending(resolution, end, end) if bounded else resolution
 
 
-def is_due_on_day(part: TimeRequirement) -> bool:
+def is_due_on_day(part: TimeRequirement, lexicon: Lexicon) -> bool:
     """Whether a time is a deadline on a day that is said elsewhere: "Friday:", then "by six"."""
-    return part.constraint is Constraint.BETWEEN and part.preposition in DUE and part.earliest is not None
+    due = part.constraint is Constraint.BETWEEN and part.preposition in lexicon.deadlines
+    return due and part.earliest is not None
 
 
 def due_then(resolution: Resolution, due: Resolution) -> Resolution:
     """Let what is ``due`` on a day begin as that does, and end as a deadline."""
-    whole, deadline = resolution.satisfaction, due.satisfaction
-    if not isinstance(whole, Trapezoid) or not isinstance(deadline, Trapezoid):
+    deadline = due.satisfaction
+    return _ending(resolution, *deadline.corners[2:]) if isinstance(deadline, Trapezoid) else resolution
+
+
+def _ending(resolution: Resolution, full_end: float, fall_end: float) -> Resolution:
+    """Let ψ begin as it does, and end there; as it was where it begins behind that."""
+    function = resolution.satisfaction
+    if not isinstance(function, Trapezoid):
         return resolution
-    rise_start, full_start, _, _ = whole.corners
-    _, _, full_end, fall_end = deadline.corners
+    rise_start, full_start, _, _ = function.corners
     if full_start > full_end:
         return resolution
     return replace(resolution, satisfaction=Trapezoid(rise_start, full_start, full_end, fall_end))

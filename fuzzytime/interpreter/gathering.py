@@ -211,7 +211,8 @@ class Gathering:
     def _make(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
         """Make an instruction's skills, and give their places."""
         given = instruction, self.links.instructions, self.skills
-        inside, behind = going_on(*given), behind_of(*given) or each_turn_of(*given)
+        inside = going_on(*given, self.maker.lexicon)
+        behind = behind_of(*given) or each_turn_of(*given)
         made = self._skills_of(wish, reading, instruction, inside or behind, of_each(*given))
         if inside is not None and made:
             self.problems.append(ending_with(wish, instruction, inside))

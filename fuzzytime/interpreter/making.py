@@ -20,14 +20,14 @@ from fuzzytime.interpreter.in_other_words.waits import with_waits, without_readi
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.offered import Offered
-from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
+from fuzzytime.interpreter.request import WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.turns.behind import Behind
 from fuzzytime.interpreter.turns.each_turn import EachTurn
 from fuzzytime.interpreter.turns.inside import GoingOn
 from fuzzytime.interpreter.turns.of_each import OfEach
-from fuzzytime.interpreter.turns.waking_hours import far_ahead, on_their_days, within_hours
+from fuzzytime.interpreter.turns.planned import planned_until, planned_windows
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
-from fuzzytime.requirement import Constraint, Recurrence, Reference, TimeRequirement, Window
+from fuzzytime.requirement import Constraint, Recurrence, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import SatisfactionFunction
 from fuzzytime.scheduling import THRESHOLD
@@ -106,31 +106,12 @@ class Maker:
         recurrence = repeated.recurrence.spaced(self.how_long.of(wish, instruction).hands_on)
         if isinstance(inside, EachTurn) or (inside is not None and recurrence.interval is not None):
             rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
-            times = inside.times(repeated, recurrence, self._until(wish, recurrence))
+            times = inside.times(repeated, recurrence, planned_until(self.request, wish, recurrence))
             return [
                 self._interpreted(wish, reading, instruction, (*time, *rest))
                 for time in islice(times, MAX_OCCURRENCES)
             ]
         return self._occurrences(wish, reading, instruction, repeated, recurrence, once)
-
-    def _until(self, wish: SpokenWish, recurrence: Recurrence) -> float:
-        """Give up to when a repetition is planned, in seconds from when the wish was said."""
-        ahead = WITHOUT_END if recurrence.endless else MAX_HORIZON
-        return (self.request.horizon or ahead) - seconds_between(self.request.now, wish.given)
-
-    def _windows(self, wish: SpokenWish, recurrence: Recurrence) -> tuple[Window, ...]:
-        """Give when the occurrences of a repetition are that are planned."""
-        until = self._until(wish, recurrence)
-        coming = recurrence.windows(until)
-        if self.request.horizon is not None:
-            # What may be done at any time of a day has none of it left where the day begins at the end.
-            coming = tuple(window for window in coming if window[0] < until or window[0] == window[1])
-        windows = on_their_days(coming, wish.given)
-        if self.request.horizon is None:
-            passed = seconds_between(self.request.now, wish.given)
-            windows = windows if len(windows) > 1 else far_ahead(recurrence, MAX_HORIZON - passed)
-            windows = within_hours(windows, recurrence, wish.given, -passed, self.lexicon.policy)
-        return windows[:MAX_OCCURRENCES]
 
     def _occurrences(
         self,
@@ -151,7 +132,8 @@ class Maker:
             time = occurrence(repeated, start, start if whole else end)
             return self._interpreted(wish, reading, once_done, (time, *once))
 
-        made = [occurring(start, end) for start, end in self._windows(wish, recurrence)]
+        windows = planned_windows(self.request, wish, recurrence, self.lexicon.policy)
+        made = [occurring(start, end) for start, end in windows[:MAX_OCCURRENCES]]
         made = [one for one in made if self._is_near(one)] or made[:1]
         # "Every hour but not at noon" leaves noon out; what none can satisfy is one loss, not a hundred.
         left = [one for one in made if not one.reason]
@@ -215,7 +197,7 @@ class Maker:
         self, requirement: TimeRequirement, operation: Operation | None, duration: OperationDuration
     ) -> Resolution:
         resolution = self._looked_up(requirement, operation, duration)
-        if not is_due_on_day(requirement):
+        if not is_due_on_day(requirement, self.lexicon):
             return resolution
         deadline = replace(requirement, constraint=Constraint.BEFORE, earliest=None)
         return due_then(resolution, self._looked_up(deadline, operation, duration))

@@ -25,7 +25,7 @@ from fuzzytime.language.instruction import (
 )
 from fuzzytime.language.meaning.required.decisions import HALF_OF_DAY_ADVICE
 from fuzzytime.language.own_words import with_words
-from fuzzytime.language.policy import Policy
+from fuzzytime.language.policy import Policy, Steps
 from fuzzytime.language.reader import Language
 from fuzzytime.language.sentence.references.meals import hours_of_meal, names_meal
 from fuzzytime.language.sentence.references.mentions import comes, nouns_of, shares_thing, undoes, verb_forms
@@ -50,6 +50,7 @@ __all__ = [
     "Reading",
     "Remark",
     "RemarkKind",
+    "Steps",
     "StrictReading",
     "Times",
     "Token",

@@ -163,6 +163,12 @@ def find_times(
     return replace(times, remarks=(*times.remarks, *left)) if left else times
 
 
+def one_time(text: str, now: datetime, lexicon: Lexicon) -> TimeRequirement | None:
+    """Give the time that a text is, whole; None where it is none, or several."""
+    found = find_times(text, now, lexicon).requirements
+    return found[0] if len(found) == 1 and found[0].span == (0, len(text)) else None
+
+
 def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
     """Ground phrases; those that name no time become remarks."""
     found: list[tuple[Phrase, Grounded]] = []

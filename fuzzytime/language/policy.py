@@ -30,6 +30,32 @@ class Midnight(StrEnum):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Steps:
+    """When lines that lean on each other are steps in the order said.
+
+    Parameters
+    ----------
+    lines
+        Lines that ask for something, at least, behind the first.
+    leaning
+        One line of so many leans, at least, behind the first.
+    same
+        One of so many leans, is about a thing that was named above ("drain the potatoes"), or says how long.
+    least
+        So many lean where one of ``same`` is about a thing that any order above named: "fry the mushrooms",
+        "set them aside", "return the mushrooms to the pan".
+    timed
+        Less than one of so many says when, by itself: else the times say the order.
+    """
+
+    lines: int = 4
+    leaning: int = 3
+    same: int = 2
+    least: int = 2
+    timed: int = 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Policy:
     """Decisions for what is ambiguous.
 
@@ -69,6 +95,10 @@ class Policy:
     round_the_clock_hours
         What is done every so many hours or more, and has no end, goes on at night: a shorter repetition ends
         with the hours between ``plausible_from`` and ``plausible_to`` in which it begins, or with the night.
+    steps
+        When lines that lean on each other are steps in the order said.
+    sure_hours
+        Entries of a list that are surely at an hour, beside which a number alone is one of what lasts, too.
     kept_off
         Minutes on either side of a clock time at which something is not to be done.
     ask
@@ -95,6 +125,8 @@ class Policy:
     bare_pair_from: int = 8
     planned_from: int = 2020
     round_the_clock_hours: int = 4
+    steps: Steps = Steps()
+    sure_hours: int = 2
     kept_off: int = 30
     ask: bool = True
 

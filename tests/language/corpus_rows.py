@@ -11,8 +11,9 @@ from typing import Any
 import yaml
 
 from fuzzytime.language import Times
-from fuzzytime.language.grammar.chart import Action, Grammar, Pattern
+from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.patterns import Action, Pattern
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.requirement import Constraint
 from fuzzytime.times import seconds_between

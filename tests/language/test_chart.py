@@ -2,7 +2,8 @@
 
 import pytest
 
-from fuzzytime.language.grammar.chart import LONGEST, Grammar, Piece, literal, unfolded
+from fuzzytime.language.grammar.chart import LONGEST, Grammar, Piece
+from fuzzytime.language.grammar.patterns import literal, unfolded
 from fuzzytime.language.grammar.words import words_of
 
 

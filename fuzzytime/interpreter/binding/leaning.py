@@ -11,24 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from fuzzytime.interpreter.binding.steps import is_anchored
-from fuzzytime.language import Instruction, Lexicon, Reading, RemarkKind, content_words
+from fuzzytime.language import Instruction, Lexicon, Reading, RemarkKind, Steps, content_words
 from fuzzytime.requirement import Constraint, TimeRequirement
-
-FEWEST = 4
-"""Lines that ask for something, at least, behind the first."""
-
-LEANING = 3
-"""One line of so many leans, at least, behind the first."""
-
-ABOUT_THE_SAME = 2
-"""One of so many leans, is about a thing that was named above ("drain the potatoes"), or says how long."""
-
-FEWEST_LEANING = 2
-"""So many lean where one of two is about a thing that any order above named: of "fry the mushrooms", "set
-them aside", "return the mushrooms to the pan"."""
-
-TIMED = 3
-"""Less than one of so many says when, by itself: else the times say the order."""
 
 NO_TIME = frozenset({Constraint.FOR, Constraint.WHEN})
 """What says how long something takes, or what it waits for."""
@@ -96,16 +80,15 @@ class _Lines:
         delayed = part.constraint is Constraint.AFTER and part.unit is not None
         return not delayed and not (inside and part.constraint is Constraint.EVERY)
 
-    @property
-    def are_steps(self) -> bool:
+    def are_steps(self, least: Steps) -> bool:
         """Whether enough of them lean on each other."""
         following = self.count - 1
-        some = LEANING * self.leaning >= following and ABOUT_THE_SAME * self.same >= following
-        most = self.leaning >= FEWEST_LEANING and ABOUT_THE_SAME * self.linked >= following
+        some = least.leaning * self.leaning >= following and least.same * self.same >= following
+        most = self.leaning >= least.least and least.same * self.linked >= following
         # "Serve at seven" bounds them all.
-        untimed = TIMED * (self.timed - self.last_timed) < self.read
+        untimed = least.timed * (self.timed - self.last_timed) < self.read
         # What is needed is told above a recipe alone.
-        enough = following >= FEWEST and (some or most)
+        enough = following >= least.lines and (some or most)
         return untimed and (enough or (self.needing and following > 1))
 
 
@@ -114,7 +97,7 @@ def lean_on_each_other(readings: Sequence[Reading], lexicon: Lexicon) -> bool:
     lines = _Lines()
     for reading in readings:
         lines.add(reading, lexicon)
-    return lines.are_steps
+    return lines.are_steps(lexicon.policy.steps)
 
 
 def _is_asked(instruction: Instruction) -> bool:

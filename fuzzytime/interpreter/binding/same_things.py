@@ -74,12 +74,13 @@ def _is_again(before: Step, step: Step, lexicon: Lexicon) -> bool:
         return False
     # "Friday", on a line of its own, says of no hour.
     said = [part for part in step.interpreted.requirements if part.grain is not Unit.DAY]
-    due = all(_is_due(part) for part in said)
+    due = all(_is_due(part, lexicon) for part in said)
     latest = step.interpreted.skill.satisfaction.best.high
     first = before.interpreted.skill.satisfaction.best.low
     return bool(said) and due and (undone or before.at_moment) and first < latest
 
 
-def _is_due(part: TimeRequirement) -> bool:
+def _is_due(part: TimeRequirement, lexicon: Lexicon) -> bool:
     """Whether a time says by when; on a day that a line above names, it says from when, too."""
-    return part.anchor is None and (part.constraint is Constraint.BEFORE or is_due_on_day(part))
+    due = part.constraint is Constraint.BEFORE or is_due_on_day(part, lexicon)
+    return part.anchor is None and due

@@ -6,11 +6,8 @@ from dataclasses import dataclass
 
 from fuzzytime.interpreter.in_other_words.retold import turn
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.language import Instruction, shares_thing
+from fuzzytime.language import Instruction, Lexicon, shares_thing
 from fuzzytime.requirement import Constraint, Edge, Recurrence, TimeRequirement
-
-BACK = frozenset({"it", "them"})
-"""Words for what was said before."""
 
 TWICE = 2
 """How many times an interval must fit into what goes on, for a repetition to be about that."""
@@ -44,7 +41,7 @@ class GoingOn:
 
 
 def going_on(
-    instruction: Instruction, before: Sequence[range], skills: Sequence[Interpreted]
+    instruction: Instruction, before: Sequence[range], skills: Sequence[Interpreted], lexicon: Lexicon
 ) -> GoingOn | None:
     """Give what goes on while an instruction is repeated; None where it is repeated without that.
 
@@ -72,7 +69,7 @@ def going_on(
         if len(made) == 1 and _goes_on(made[0], least):
             one = made[0]
             begins = _begins_behind(repeated.recurrence, interval, one)
-            if begins and (named is not None or _is_about(instruction, one)):
+            if begins and (named is not None or _is_about(instruction, one, lexicon)):
                 return GoingOn(target, one.skill.time_until_done, one.skill.name)
     return None
 
@@ -116,7 +113,7 @@ def _goes_on(one: Interpreted, least: float) -> bool:
     return itself and one.skill.time_until_done >= least
 
 
-def _is_about(instruction: Instruction, one: Interpreted) -> bool:
+def _is_about(instruction: Instruction, one: Interpreted, lexicon: Lexicon) -> bool:
     operation, other = instruction.operation, one.operation
     if operation is None or other is None:
         return False
@@ -124,5 +121,5 @@ def _is_about(instruction: Instruction, one: Interpreted) -> bool:
         # "Mash for an hour, stirring every ten minutes"
         return True
     # "Check on it"
-    named = not BACK.isdisjoint((operation.place or "").lower().split())
+    named = not lexicon.closed.it_or_them.isdisjoint((operation.place or "").lower().split())
     return named or shares_thing(operation, other)

@@ -5,8 +5,8 @@ from datetime import datetime
 
 from fuzzytime.language.about_wishes.about import AboutKind
 from fuzzytime.language.about_wishes.other_words.rewording import is_thing, reworded
-from fuzzytime.language.about_wishes.said import one_time
 from fuzzytime.language.about_wishes.things import continuing
+from fuzzytime.language.finding import one_time
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation, Reading

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from functools import cached_property
 
-from fuzzytime.language.finding import find_times
+from fuzzytime.language.finding import find_times, one_time
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS
@@ -36,12 +36,6 @@ ASKING = ("what", "when", "why", "lasting", "supposing")
 FOR = "for "
 AT = "at "
 FROM = "from "
-
-
-def one_time(text: str, now: datetime, lexicon: Lexicon) -> TimeRequirement | None:
-    """Give the time that a text is, whole; None where it is none, or several."""
-    found = find_times(text, now, lexicon).requirements
-    return found[0] if len(found) == 1 and found[0].span == (0, len(text)) else None
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ what stands around it, so that numbers and names are no times. From the ground:
 ``words``
     A text cut into words; what is quoted in it.
 ``chart``
-    Applies the rules of a grammar.
+    Applies the rules of a grammar; ``patterns`` are what these are written in.
 ``lexicon``
     What words mean, as ``word_tables`` say, and which are meant (``typed_words``); ``numerals`` are numbers,
     ``timetables`` lists of hours.

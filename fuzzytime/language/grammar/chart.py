@@ -1,68 +1,21 @@
-"""Rules of a grammar, and the chart that applies them: the same machinery for every language.
-
-A rule says which pieces, side by side, make a larger piece, and what it means:
-
-    @grammar.rule("clock", "half past? <hour>")
-    def half_past(hour: Hour) -> Clock: ...
-
-In a pattern ``<name>`` is a piece of that category, given to the function; other words stand for
-themselves; ``a|b`` is a choice, and ``?`` after an element makes it optional (an optional piece that is
-absent is given as None). A function may answer None: then the words do not make that piece ("the 31st of
-April").
+"""The rules of a grammar, and the chart that applies them: the same machinery for every language.
 
 The chart is filled from the last word to the first; so, when a rule meets a piece, everything that can follow
 it is already there. For one category and stretch of words only the reading with the highest weight is kept,
 which bounds the work: no input makes it explode.
 """
 
-import itertools
-import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 from typing import Any, NamedTuple, TypeVar
 
+from fuzzytime.language.grammar.patterns import Action, Pattern, Rule, literal, literals_in
 from fuzzytime.language.grammar.words import Word, joins
 
 LONGEST = 28
 """Words that one piece may span at most: longer ones are not said."""
 
-Action = Callable[..., Any]
-_Action = TypeVar("_Action", bound=Callable[..., Any])
-
-_PART = re.compile(r"(?:<[^>]*>|[^\s<])+")
-_BETWEEN_LITERALS = re.compile(r"(?:<[^>]*>|[\s|?])+")
-_Element = tuple[bool, list[str | None]]
-"""A part of a pattern: whether it is an argument, and what it may be; None where it may be absent."""
-
-
-class Rule(NamedTuple):
-    """One way to make a piece: a pattern unfolded to a plain row of symbols.
-
-    ``slots`` gives, for each argument of the action, the position of its symbol, or None.
-    """
-
-    name: str
-    category: str
-    symbols: tuple[str, ...]
-    slots: tuple[int | None, ...]
-    action: Action
-    weight: float
-
-
-class Pattern(NamedTuple):
-    """One pattern of a rule, as it is written."""
-
-    name: str
-    category: str
-    text: str
-    action: Action
-    weight: float
-
-    def rules(self) -> Iterator[Rule]:
-        """Give the plain rows that it stands for."""
-        for symbols, slots in unfolded(self.text):
-            yield Rule(self.name, self.category, symbols, slots, self.action, self.weight)
+_Action = TypeVar("_Action", bound=Action)
 
 
 class Piece(NamedTuple):
@@ -78,11 +31,6 @@ class Piece(NamedTuple):
 
 Cell = dict[str, dict[int, Piece]]
 """What starts at one word: by category, then by end."""
-
-
-def literal(word: str) -> str:
-    """Give the symbol of a word that stands for itself."""
-    return f"'{word}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,10 +63,9 @@ class _Index:
         self._patterns: dict[str, list[Pattern]] = {}
         self._beginnings: dict[str, _Beginning] = {}
         for pattern in patterns:
-            for first in _firsts(_elements(pattern.text)):
+            for first in pattern.firsts():
                 self._patterns.setdefault(first, []).append(pattern)
-        texts = "\n".join(pattern.text for pattern in patterns)
-        self.literals = frozenset(_BETWEEN_LITERALS.split(texts)) - {""}
+        self.literals = literals_in(patterns)
 
     def beginning(self, first: str) -> _Beginning:
         """Give the rules that begin with a symbol."""
@@ -279,45 +226,3 @@ def _make(rule: Rule, found: tuple[Piece, ...], weight: float, cell: Cell, agend
     value = rule.action(*[None if slot is None else found[slot].value for slot in rule.slots])
     if value is not None:
         agenda.append(Piece(rule.category, found[0].start, end, value, weight, rule.name))
-
-
-@cache
-def unfolded(pattern: str) -> tuple[tuple[tuple[str, ...], tuple[int | None, ...]], ...]:
-    """Give the plain rows of symbols that a pattern stands for, and where their arguments are.
-
-    >>> unfolded("half past? <hour>")
-    ((("'half", "'past", 'hour'), (2,)), (("'half", 'hour'), (1,)))
-    """
-    elements = list(_elements(pattern))
-    rows = []
-    for row in itertools.product(*[choices for _, choices in elements]):
-        symbols: list[str] = []
-        slots: list[int | None] = []
-        for symbol, (wanted, _) in zip(row, elements, strict=True):
-            if wanted:
-                slots.append(None if symbol is None else len(symbols))
-            if symbol is not None:
-                symbols.append(symbol)
-        if symbols:
-            rows.append((tuple(symbols), tuple(slots)))
-    return tuple(rows)
-
-
-def _elements(pattern: str) -> Iterator[_Element]:
-    """Give the parts of a pattern as they are wanted: often nobody asks beyond the first."""
-    for found in _PART.finditer(pattern):
-        part = found[0]
-        names = part.rstrip("?").split("|")
-        wanted = part.startswith("<")
-        choices: list[str | None] = [name[1:-1] if wanted else literal(name) for name in names]
-        yield wanted, [*choices, None] if part.endswith("?") else choices
-
-
-def _firsts(elements: Iterable[_Element]) -> list[str]:
-    """Give the symbols that a row of a pattern may begin with, each once."""
-    firsts: dict[str, None] = {}
-    for _, choices in elements:
-        firsts |= dict.fromkeys(symbol for symbol in choices if symbol is not None)
-        if None not in choices:
-            break
-    return list(firsts)

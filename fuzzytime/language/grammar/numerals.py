@@ -74,9 +74,6 @@ DATE_WORDS = 4
 OPENING = frozenset("([{@:;,<>=~")
 """Marks right behind which a typed date may begin: "(2026-03-28)", "due:2026-03-28"."""
 
-ONES = frozenset({"a", "one"})
-"""Words before a hundred or a thousand: one of it."""
-
 DATES = frozenset({"n-n-n", "n/n", "n.n"})
 """Shapes whose first two numbers are month and day, in the order of the policy."""
 
@@ -192,7 +189,7 @@ def _typed_together(words: Sequence[Word], start: int) -> tuple[str, dict[int, i
 
 def _spoken(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piece]:
     first = words[start].text
-    if not (first in lexicon.numbers or first in lexicon.ordinals or first in ONES):
+    if not (first in lexicon.numbers or first in lexicon.ordinals or first in lexicon.closed.one_of_hundreds):
         return
     scan = _Scan(words, lexicon)
     for end, value in scan.cardinals(start):
@@ -235,7 +232,7 @@ class _Scan:
         """Give ends and values: "one hundred and thirty", "a hundred"."""
         heads = list(self.below_hundred(start))
         yield from heads
-        if self.text(start) in ONES:
+        if self.text(start) in self.lexicon.closed.one_of_hundreds:
             heads.append((start + 1, 1))
         for end, value in heads:
             place = self.after(end)

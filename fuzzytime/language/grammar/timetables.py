@@ -13,10 +13,8 @@ NEXT = "then"
 """Word between entries, alone or behind a mark."""
 JOINTS = frozenset({":", "."})
 """Marks between hour and minute."""
-TO = frozenset({"to", "till", "til", "until"})
-"""Words between two numbers from when to when."""
-STRETCHES = JOINTS | TO | {"-", "=", ">", "→", "⇒"}
-"""What may stand in two numbers from when to when."""
+STRETCHES = JOINTS | {"-", "=", ">", "→", "⇒"}
+"""Marks that may stand in two numbers from when to when."""
 HALF_DAY = 12
 """Hours that a number alone may name in a list."""
 QUARTERS = frozenset({"00", "15", "30", "45"})
@@ -35,10 +33,6 @@ SHORT_HOUR = 2
 """Digits of an hour without minutes at most."""
 MINUTED = 3
 """Words of an hour with its minutes: "7:30"."""
-SURELY = 2
-"""Entries with minutes or a half of the day beside which a number alone is an hour of what lasts, too."""
-FIRST_HOUR = 7
-"""Hour from which those of a list go up."""
 LONGEST_STREET = 3
 """Words of the name of a street at most."""
 CALLED = 3
@@ -112,10 +106,9 @@ def holds_stretch(words: Sequence[Word], start: int, end: int, lexicon: Lexicon)
 
 def _beside_stretch(entry: Sequence[Word], lexicon: Lexicon) -> Word | None:
     """Give the word beside two numbers in front of an entry, or at its end."""
+    inside = STRETCHES | lexicon.beside.until_hours | lexicon.numbers.keys()
     for words in (entry, entry[::-1]):
-        numbers = list(
-            takewhile(lambda word: word.is_digits or word.text in STRETCHES | lexicon.numbers.keys(), words)
-        )
+        numbers = list(takewhile(lambda word: word.is_digits or word.text in inside, words))
         # "Thu 12th: plumber 8-10" begins with no stretch.
         if LONE < len(numbers) < len(words):
             return words[len(numbers)]
@@ -149,7 +142,7 @@ def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexico
         words[first].text in goes_on and length == 1
         for (first, _), length in zip(entries, lengths, strict=True)
     )
-    if lasting and exact + sum(has_time(text, lexicon) for text in named) < SURELY:
+    if lasting and exact + sum(has_time(text, lexicon) for text in named) < lexicon.policy.sure_hours:
         # "Shape it 6:30, bake 40"; but "dough out 6am, shape 6:30, bake 7", "swim 9, brunch 11, film 3.30"
         return False
     led = any(words[last - 1].text.startswith("0") for _, last in entries)
@@ -171,7 +164,8 @@ def _are_chores(entries: Sequence[Sequence[Word]], lexicon: Lexicon) -> bool:
     named = [entry[-2].text for entry in entries]
     numbers = [entry[-1] for entry in entries]
     hours = [lexicon.numbers.get(word.text, int(word.text) if word.is_digits else 0) for word in numbers]
-    since = [(hour - FIRST_HOUR) % HALF_DAY for hour in hours]
+    first = lexicon.policy.plausible_from.hour
+    since = [(hour - first) % HALF_DAY for hour in hours]
     ordered = entries[0][0].text in lexicon.chores and len(entries[0]) > SHORTEST
     # "Water beds 3, pots 4"
     ordered = ordered and not all(map(looks_plural, named))

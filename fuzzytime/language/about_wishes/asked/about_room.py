@@ -6,16 +6,17 @@ from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.asked.about_the_plan import helping, named_by
 from fuzzytime.language.about_wishes.lengths import one_alone
 from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.meaning.expressions import Edge
 from fuzzytime.requirement import Constraint
 
-BETWEEN = "between"
-BY = ("by", "before")
-BESIDE = {**dict.fromkeys((*BY, "until", "till"), "before"), "at": "", "after": "after", BETWEEN: BETWEEN}
+BEFORE, AFTER, BETWEEN = "before", "after", "between"
+"""How what there is room for is beside something else: ``joint`` of what is asked."""
+
 NONE = frozenset[str]()
 ROOM = About(kind=AboutKind.ROOM, certain=True)
 
-OF, OWNED = "of", "'s "
-"""What stands between a thing and its length: "a run of ten minutes", "an hour's swim"."""
+OWNED = "'s "
+"""What stands between a length and its thing, beside words: "an hour's swim", "an hour of yoga"."""
 
 
 def asked_room(said: Said) -> About | None:
@@ -41,10 +42,11 @@ def _apart(said: Said) -> About | None:
     what = said.after("what")
     gap = what is not None and any((form,) in said.table("gaps") for form in what.forms)
     rest = said.after("lasting") or (what if gap else None)
-    place = next((n for n, form in enumerate(rest.forms) if form in {BETWEEN, "after"}), 0) if rest else 0
-    if rest is None or (place == 0 and rest.forms[:1] not in {(BETWEEN,), ("after",)}):
+    ways = enumerate(() if rest is None else [way_beside(rest, n) for n in range(len(rest.words))])
+    place, way = next(((n, way) for n, way in ways if way in {BETWEEN, AFTER}), (0, None))
+    if rest is None or way is None:
         return None
-    beside, way = rest.behind(place + 1), rest.forms[place]
+    beside = rest.behind(place + 1)
     names, others = ends_between(beside) if way == BETWEEN else (beside.names, NONE)
     told = rest.until(place).is_in("having left") or gap
     joint = next((n for n, form in enumerate(beside.forms) if (form,) in said.table("being")), 0)
@@ -88,7 +90,7 @@ def _with_length(room: About, said: Said) -> About:
     length = Said(owner, said.now, said.lexicon).length()
     if length is None or (mark and length.rest.words):
         return room
-    thing = owned if mark else length.rest.text.removesuffix(f" {OF}")
+    thing = owned if mark else length.rest.without_end(said.table("length of")).text
     return replace(room, thing=thing, by=length.seconds)
 
 
@@ -106,12 +108,12 @@ def asked_gap(said: Said) -> About | None:
     room = replace(ROOM, thing=thing, time=time, text=time) if thing and time else room
     front = Said(asks.text if room is None else room.thing, said.now, said.lexicon).without("gaps")[0]
     length = front.length() or one_alone(front)
-    small = ("speaker", "filling", "having left", "next of all")
+    small = ("speaker", "filling", "having left", "next of all", "length of")
     others = (front if length is None else length.rest).without(*small)[0]
     # "When's my break before lunch?" is of what is planned, and "give me a break for an hour" a wish.
     named = said.forms[place] in said.lexicon.taken and when is not None
     known = length is None or not said.opens_with("when")
-    if others.names - {OF} or (room is None and length is None) or (named and known):
+    if others.names or (room is None and length is None) or (named and known):
         return None
     by = None if length is None else length.seconds
     return replace(room or ROOM, thing="", by=by, upcoming=when is not None)
@@ -132,7 +134,7 @@ def _length_left(said: Said) -> About | None:
 def _beside_what(said: Said) -> About | None:
     """Read beside what there is to be room for a thing: "a walk before the call", "lunch at two"."""
     for place in range(len(said.words) - 1, 0, -1):
-        way = BESIDE.get(said.forms[place])
+        way = way_beside(said, place)
         if way is None:
             continue
         behind, rest = said.behind(place), said.behind(place + 1)
@@ -146,6 +148,20 @@ def _beside_what(said: Said) -> About | None:
                 ROOM, thing=thing, text=behind.text, time=time, names=names, others=others, joint=way
             )
     return None
+
+
+def way_beside(said: Said, place: int) -> str | None:
+    """Give how a word puts something beside what stands behind it, empty for at the same time; or None."""
+    closed, word = said.lexicon.closed, said.forms[place]
+    if word in closed.prepositions_of_two_ends:
+        return BETWEEN
+    told = said.lexicon.preposition(word)
+    if told is None or word not in closed.prepositions_of_time | closed.prepositions_of_points:
+        return None
+    if told.name in said.lexicon.deadlines:
+        return BEFORE
+    # What is "from" or "since" something may go on beside it.
+    return AFTER if told.edge is Edge.END else "" if told.constraint is Constraint.AT else None
 
 
 def ends_between(said: Said) -> tuple[frozenset[str], frozenset[str]]:

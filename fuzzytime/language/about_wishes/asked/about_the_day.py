@@ -4,21 +4,20 @@ from dataclasses import replace
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.asked.about_room import (
-    BESIDE,
+    AFTER,
+    BEFORE,
     BETWEEN,
-    BY,
     NONE,
     ROOM,
     asked_gap,
     asked_room,
     ends_between,
+    way_beside,
 )
 from fuzzytime.language.about_wishes.asked.about_the_plan import helping
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.requirement import Constraint
-
-THE = ("the", "my", "our", "that", "this", "his", "her", "their")
 
 
 def asked(said: Said) -> About | None:
@@ -78,7 +77,8 @@ def _free(said: Said) -> About | None:
         known = not rest.words or bool(time)
         if (beside := rest.beside()) is not None and (names := beside[1].names):
             # "Have I got time before the call?"
-            way = BESIDE.get(rest.forms[0], "after")
+            way = way_beside(rest, 0)
+            way = AFTER if way is None else way
             return replace(ROOM, names=names, joint=way, text=rest.text, time=time)
         nouns = asks.table("gaps") - asks.table("at leisure")
         if time and not time.startswith("at ") and any((word,) in nouns for word in asks.forms):
@@ -103,9 +103,9 @@ def _of_somebody(said: Said) -> Said | None:
 
 def _over_by(said: Said) -> About | None:
     """Read whether all is over by a time: "will I be home by five?"."""
-    place = next(
-        (n for n in range(2, len(said.words)) if said.forms[n] in BY and said.behind(n).one_time()), 0
-    )
+    points = said.lexicon.closed.prepositions_of_points
+    due = (n for n in range(2, len(said.words)) if said.forms[n] in points and way_beside(said, n) == BEFORE)
+    place = next((n for n in due if said.behind(n).one_time()), 0)
     if not place or said.forms[0] not in helping(said):
         return None
     rest, found = said.until(place).behind(1).without("finished", "present", "speaker", "everything")
@@ -140,10 +140,10 @@ def _during(said: Said) -> About | None:
     rest = said.after("holding") or said.after("busy") or _doing(said)
     what = said.after("what") if rest is None else None
     # "What's between lunch and the call?"
-    rest = what if what is not None and what.forms[:1] == (BETWEEN,) else rest
+    rest = what if what is not None and what.words and way_beside(what, 0) == BETWEEN else rest
     if rest is None or not rest.words:
         return None
-    names, others = ends_between(rest.behind(1)) if rest.forms[0] == BETWEEN else (NONE, NONE)
+    names, others = ends_between(rest.behind(1)) if way_beside(rest, 0) == BETWEEN else (NONE, NONE)
     if names:
         time = rest.text if rest.one_time() is not None else ""
         between = About(kind=AboutKind.DURING, time=time, names=names, others=others, certain=True)
@@ -178,7 +178,7 @@ def _beside(said: Said) -> About | None:
     beside = rest.beside()
     if beside is None or not beside[1].names:
         return None
-    way = "before" if rest.forms[0] == "before" else "after"
+    way = BEFORE if way_beside(rest, 0) == BEFORE else AFTER
     thing = beside[1].text
     return About(kind=AboutKind.BESIDE, names=beside[1].names, thing=thing, joint=way, certain=True)
 
@@ -192,7 +192,7 @@ def _about(said: Said) -> About | None:
     if rest is None or not rest.names or rest.has_time:
         return None
     # "What about calling Ann?" is a suggestion.
-    certain = rest.forms[0] in THE or said.forms[:2] != ("what", "about")
+    certain = rest.forms[0] in said.lexicon.closed.definite_determiners or said.forms[:2] != ("what", "about")
     return About(kind=AboutKind.WHEN, names=rest.names, certain=certain)
 
 

@@ -23,7 +23,7 @@ def _supposed(said: Said) -> About | None:
     rest = said.after("supposing")
     if rest is None or not rest.words:
         return None
-    if rest.forms[0] in {"i", "we"}:
+    if rest.forms[0] in said.lexicon.closed.first_person:
         rest = rest.behind(1)
     return About(kind=AboutKind.SUPPOSE, text=rest.text, certain=True) if rest.words else None
 
@@ -46,7 +46,7 @@ def _in_front(said: Said) -> Said:
     joints = (
         n
         for n in range(1, len(said.words))
-        if said.forms[n] in {"after", "before"} and said.behind(n + 1).names
+        if said.forms[n] in said.lexicon.beside.before_or_after and said.behind(n + 1).names
     )
     place = next(joints, len(said.words))
     return said.until(place) if said.until(place).names else said

@@ -1,7 +1,8 @@
 """What is not to be once, or on some days: "skip tomorrow's"; and what is kept free: "keep friday free"."""
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
-from fuzzytime.language.about_wishes.said import AT, CLOCKED, FOR, Said, one_time
+from fuzzytime.language.about_wishes.said import AT, CLOCKED, FOR, Said
+from fuzzytime.language.finding import one_time
 from fuzzytime.requirement import Constraint
 
 OF = ("'s", "’s", "'", "’")

@@ -4,8 +4,8 @@ import re
 from datetime import datetime, timedelta
 from itertools import product
 
-from fuzzytime.language.about_wishes.said import CLOCKED, one_time
-from fuzzytime.language.finding import find_times
+from fuzzytime.language.about_wishes.said import CLOCKED
+from fuzzytime.language.finding import find_times, one_time
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
 from fuzzytime.requirement import Constraint, TimeRequirement

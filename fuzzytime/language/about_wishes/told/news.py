@@ -240,7 +240,7 @@ def _blank(contracted: re.Match[str]) -> str:
 def _verbs(happening: Operation, lexicon: Lexicon) -> frozenset[str]:
     """Give the words for what something that happens does."""
     arriving = lexicon.doing.arriving
-    beginning = lexicon.doing.beginning - arriving | {"be"}
+    beginning = lexicon.doing.beginning_or_being - arriving
     alike = arriving if happening.lemma in arriving else frozenset[str]()
     if happening.lemma in beginning:
         # "The meeting starts at four", which was at three

@@ -11,8 +11,9 @@ from functools import cached_property
 
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS, counted, in_full
-from fuzzytime.language.about_wishes.said import Said, one_time
+from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.about_wishes.told.awaited import written_out
+from fuzzytime.language.finding import one_time
 from fuzzytime.requirement import Constraint
 
 KINDS = (

@@ -1,7 +1,8 @@
 """Until when something goes on, or can be done: "practice ends at six", "the pool shuts at five"."""
 
-from fuzzytime.language.about_wishes.said import Said, one_time
+from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.about_wishes.told.awaited import written_out
+from fuzzytime.language.finding import one_time
 from fuzzytime.requirement import Constraint
 
 LONGEST_NAME = 6

@@ -6,8 +6,9 @@ from dataclasses import replace
 from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.lengths import DIRECTIONS
-from fuzzytime.language.about_wishes.said import CLOCKED, FOR, Said, one_time
+from fuzzytime.language.about_wishes.said import CLOCKED, FOR, Said
 from fuzzytime.language.about_wishes.told.awaited import written_out
+from fuzzytime.language.finding import one_time
 from fuzzytime.requirement import Constraint
 
 SMALL = ("being", "anew")

@@ -23,9 +23,6 @@ LONGEST_WISH = 4
 BINDING = frozenset({"preposition_at", "preposition_before", "preposition_after", "hedge"})
 """Categories of words that bind a time behind them, and are other words before anything else."""
 
-EXTREMES = frozenset({"latest", "earliest"})
-"""The ends of "at the latest" and "at the earliest"."""
-
 OFFERED_DAYS = frozenset({"offered_days.either_day", "offered_days.another_day"})
 """The rules of days side by side, of which each will do."""
 
@@ -147,7 +144,8 @@ class Borders(Around):
         """Whether its last words begin another bound: "around noon but not before eleven"."""
         follower = self.around.follower(piece)
         begun = self.texts[piece.end - 2 : piece.end - 1] in (["not"], ["or"], ["and"])
-        if self.texts[piece.end - 1] not in {"before", "after"} or not begun or not follower[:1].isalnum():
+        counted = self.texts[piece.end - 1] in self.beside.before_or_after
+        if not counted or not begun or not follower[:1].isalnum():
             return False
         further = self.around.timely(piece.end) or self.measures.is_number(piece.end)
         # "In an hour and | before bed"
@@ -165,7 +163,8 @@ class Borders(Around):
         article = not {*self.texts[place : place + 1]}.isdisjoint(self.beside.of_lengths)
         if not (self.around.timely(place) or self.measures.is_number(place) or article):
             return False
-        if self.texts[piece.end - 1] in EXTREMES and "," in self.texts[piece.end - LONGEST_WISH : piece.end]:
+        ends = self.texts[piece.end - 1] in self.beside.the_very_ends
+        if ends and "," in self.texts[piece.end - LONGEST_WISH : piece.end]:
             # "Before they come at seven, at the latest | an hour before"
             return True
         starts = range(max(piece.start + 1, piece.end - LONGEST_WISH), piece.end)
@@ -269,8 +268,8 @@ class Borders(Around):
         if (
             dated
             and piece.start > 1
-            and self.texts[piece.start] == "the"
+            and self.texts[piece.start] in self.closed.the
             and self.texts[piece.start + 2 : piece.start + 3] == ["of"]
         ):
             return False
-        return self.around.is_object(piece.start + (self.texts[piece.start] == "the"))
+        return self.around.is_object(piece.start + (self.texts[piece.start] in self.closed.the))

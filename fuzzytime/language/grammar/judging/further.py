@@ -12,9 +12,6 @@ from fuzzytime.language.meaning.calendar import Fields, is_day_of_month
 from fuzzytime.language.meaning.expressions import HourMark, Range, Said, Wall, wall_of
 from fuzzytime.language.meaning.joined.beside import joined
 
-JOINTS = frozenset({"and", "&", "or", ",", "then"})
-"""What joins times of the same thing."""
-
 ENDS = frozenset({"", ".", "!", ";", ","})
 """What may stand behind a number that is then: "at nine then five", not "at nine, then five eggs"."""
 
@@ -89,7 +86,7 @@ class Further(Standing):
 
     def _numbered_days(self, place: int, cells: Sequence[Cell], chosen: Sequence[Piece]) -> Iterator[Piece]:
         """Give a day of the month that is a word alone, at the hour behind it: "and fifteenth at six"."""
-        more = self.lexicon.ordinals.keys() | JOINTS | {"last"}
+        more = self.lexicon.ordinals.keys() | self.closed.joints_of_times | {"last"}
         behind = next((at for at in range(place, len(self.texts)) if self.texts[at] not in more), place)
         # "On the second, fourth and last friday"
         days = () if self.around.is_weekday(behind) else cells[place].get("month day", {}).values()
@@ -109,22 +106,23 @@ class Further(Standing):
             return False
         if joint == "then":
             return self.around.follower(piece) in ENDS
-        return _is_whole(piece) or joint != "," or self.around.follower(piece) in {",", "and", "or", "&"}
+        listed = joint != "," or self.around.follower(piece) in self.closed.coordinators
+        return listed or _is_whole(piece)
 
     def _joined(self, place: int) -> tuple[str, int]:
         """Give what joins a further time at a place, and where that begins: "or" of "at nine, or | ten"."""
-        joint = ""
+        joint, joints = "", self.closed.joints_of_times
         for text in self.texts[place:]:
             again = joint and text in self.beside.again
-            if not again and (text not in JOINTS or (joint and joint != "," and text != "then")):
+            if not again and (text not in joints or (joint and joint != "," and text != "then")):
                 break
-            joint, place = text if text in JOINTS else joint, place + 1
+            joint, place = text if text in joints else joint, place + 1
         return joint, place
 
     def before(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
         """Give the typed day of a month in front of another: "the play 25th & 26th at seven"."""
         place = piece.start - 1
-        joined = place > 2 and self.texts[place] in JOINTS - {"then"} and _is_dated(piece)
+        joined = place > 2 and self.texts[place] in self.closed.coordinators and _is_dated(piece)
         typed = joined and self.texts[place - 1] in self.beside.ordinal_endings
         if not typed or self.texts[place - 3] in self.closed.noun_openers:
             # "Hang the 2nd & 3rd at six"

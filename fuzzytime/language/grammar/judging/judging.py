@@ -125,7 +125,7 @@ class Judge(Around):
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
             # "Ten minutes in, add the garlic", "hand them out ten minutes in and collect them"
             return self.around.follower(piece) in {"", ",", ".", "and"}
-        if self.texts[piece.end - 1] in {"before", "after"} and isinstance(time, (Offset, TimeWord)):
+        if self.texts[piece.end - 1] in self.beside.before_or_after and isinstance(time, (Offset, TimeWord)):
             return self._ends_order(piece, time)
         if isinstance(time, Range):
             return self.ranges.accept(piece, said, time)
@@ -182,14 +182,16 @@ class Judge(Around):
     def _is_past(self, piece: Piece, said: Said) -> bool:
         """Whether it is the time just gone: "what was said in the last hour"; not "in the last hour of X"."""
         if said.preposition == LAST:
-            return said.lasting is None and piece.start > 0 and self.around.follower(piece) != "of"
+            return (
+                said.lasting is None and piece.start > 0 and self.around.follower(piece) not in self.closed.of
+            )
         return isinstance(said.time, Coming) and said.time.direction < 0
 
     def _counts_from_thing(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
         """Whether it counts from one of some things: "sow the second row ten days after the first"."""
         if isinstance(time, Ending) and self.texts[piece.end - 1] in self.lexicon.ordinals:
             # "At the beginning of second period", "of the second lesson"
-            return self.texts[piece.end - 2] != "the" or not self.around.may_end(piece)
+            return self.texts[piece.end - 2] not in self.closed.the or not self.around.may_end(piece)
         wall = time.anchor if isinstance(time, Offset) else time
         days = wall.days if isinstance(wall, Wall) and wall.clock is None else None
         days = days.anchor if isinstance(days, CountedDay) else days
@@ -225,7 +227,7 @@ class Judge(Around):
         """Whether it is so long before or after another time."""
         time = piece.value.time
         if isinstance(time, Wall) and time.clock is not None and time.clock.shift:
-            return bool({"before", "after"} & set(self.texts[piece.start : piece.end]))
+            return not self.beside.before_or_after.isdisjoint(self.texts[piece.start : piece.end])
         return isinstance(time, Offset) and time.anchor is not None
 
     def _appoints(self, piece: Piece) -> bool:

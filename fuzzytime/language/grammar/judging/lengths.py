@@ -37,7 +37,7 @@ class Lengths(Standing):
             # "Confirm it 24 hours in advance": of what, is not said.
             return False
         quarter = any(unit is Unit.QUARTER for _, unit in last.terms)
-        if quarter and (said.preposition is None or self.around.follower(piece) == "of"):
+        if quarter and (said.preposition is None or self.around.follower(piece) in self.closed.of):
             # A quarter of what, is not said: hardly of a year.
             return False
         if last.bare_end and (self.measures.divided(piece) or self._is_counting(piece)):

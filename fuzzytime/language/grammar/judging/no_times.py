@@ -75,8 +75,8 @@ class NoTime(Standing):
 
     def _is_told_of(self, piece: Piece) -> bool:
         """Whether it is a feast that something is of: "a copy of Twelfth Night"."""
-        joint = piece.start - (self.texts[piece.start] != "of")
-        if joint < 1 or self.texts[joint] != "of" or joint + 1 >= len(self.texts):
+        joint = piece.start - (self.texts[piece.start] not in self.closed.of)
+        if joint < 1 or self.texts[joint] not in self.closed.of or joint + 1 >= len(self.texts):
             return False
         feast = any(one.category == "feast" for one in self.around.pieces(joint + 1))
         thing = self.texts[joint - 1]
@@ -107,7 +107,7 @@ class NoTime(Standing):
             led -= 1
             return self.texts[led] in self.closed.noun_openers
         *_, before = ("", *self.texts[:led])
-        return self.texts[led] == "the" and before != "on"
+        return self.texts[led] in self.closed.the and before != "on"
 
     def _is_age(self, piece: Piece) -> bool:
         """Whether it begins with how old somebody is then: "she turns nine on friday"."""
@@ -130,7 +130,7 @@ class NoTime(Standing):
             return False
         if self.texts[piece.end - 1] != "m" or time.unit is not Unit.MINUTE or len(time.terms) > 1:
             return False
-        if self.around.follower(piece) == "of":
+        if self.around.follower(piece) in self.closed.of:
             return True
         for place in range(piece.start - 1, max(-1, piece.start - 1 - FAR), -1):
             if self.texts[place] in self.closed.joints_of_orders:
@@ -143,11 +143,11 @@ class NoTime(Standing):
     def _is_reckoned(self, piece: Piece) -> bool:
         """Whether numbers are reckoned with: "subtract 3 from 10", "round 4.45 to 4.5", "add up to 6"."""
         kinds, first = self.lexicon.no_times, piece.start
-        rounded = self.texts[first] in kinds.reckoning and self.around.follower(piece) == "to"
+        rounded = self.texts[first] in kinds.reckoning and self.around.follower(piece) in self.closed.to
         if not (rounded or piece.value.preposition in {"by", "from", "to", "until"}):
             return False
         inside = {"up", "down", "off"} | (
-            self.closed.it_or_them if self.texts[first] == "to" else frozenset()
+            self.closed.it_or_them if self.texts[first] in self.closed.to else frozenset()
         )
         while first and self.texts[first] not in kinds.reckoning:
             first -= 1

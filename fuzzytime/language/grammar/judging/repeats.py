@@ -10,7 +10,7 @@ class Repeats(Standing):
     def accept(self, piece: Piece) -> bool:
         """Whether what is repeated is a time here."""
         if (
-            self.around.follower(piece) in {"before", "after"}
+            self.around.follower(piece) in self.beside.before_or_after
             and self.texts[piece.end - 2] in self.closed.singular_determiners
         ):
             # "Gate 22 an hour before take-off"
@@ -46,7 +46,7 @@ class Repeats(Standing):
         each, last = self.texts[piece.start], self.texts[piece.end - 1]
         spelt = last in self.lexicon.ordinals and piece.end - piece.start == len((each, last))
         typed = last in self.beside.ordinal_endings and not self.around.may_end(piece)
-        return each in {"every", "each"} and bool(piece.value.time.walls) and (spelt or typed)
+        return each in self.closed.distributives and bool(piece.value.time.walls) and (spelt or typed)
 
     def is_number_for(self, piece: Piece) -> bool:
         """Whether a number alone stands before a repetition: "cook for six on sundays" names people."""

@@ -69,7 +69,7 @@ class Standing(Around):
         reminding = self.lexicon.doing.recalling & {*self.texts[max(0, piece.start - 2) : piece.start - 1]}
         return (
             bool(reminding)
-            and self.around.follower(piece) == "to"
+            and self.around.follower(piece) in self.closed.to
             and not self.measures.is_number(piece.end + 1)
         )
 

@@ -199,7 +199,7 @@ def says_of_thing(piece: Piece, around: Surroundings) -> bool:
     if piece.category != "unit" or piece.end - piece.start > 1:
         return False
     if around.belongs(piece.start - 1):
-        return around.texts[piece.start - 1] == "the" and around.may_end(piece)
+        return around.texts[piece.start - 1] in around.closed.the and around.may_end(piece)
     before, unit, thing = around.before(piece), around.texts[piece.start], around.follower(piece)
     counted = before.isdigit() or before in around.lexicon.numbers
     single = isinstance(piece.value, UnitWord) and unit == piece.value.unit.value

@@ -79,6 +79,8 @@ class Lexicon:
         Verbs that need no object: those that take none, and those of what is done and names no thing.
     called_by_number
         What a number right behind is the name of: "room 12", "season 2".
+    deadlines
+        Prepositions of deadlines, as requirements carry them.
     """
 
     entries: Mapping[str, tuple[Entry, ...]]
@@ -176,6 +178,7 @@ class Lexicon:
     people: frozenset[str] = field(init=False)
     needing_nothing: frozenset[str] = field(init=False)
     called_by_number: frozenset[str] = field(init=False)
+    deadlines: frozenset[str] = field(init=False)
 
     def __post_init__(self) -> None:
         alone = self.chores | self.ordering | self.alone | self.causing - self.wanting
@@ -185,6 +188,9 @@ class Lexicon:
         object.__setattr__(self, "needing_nothing", self.intransitive | self.doing.naming_nothing)
         numbered = self.measure_nouns | self.machines | self.no_times.numbered
         object.__setattr__(self, "called_by_number", numbered)
+        said = (entry for entries in self.entries.values() for entry in entries)
+        deadlines = frozenset(entry.value.name for entry in said if entry.category == "preposition_before")
+        object.__setattr__(self, "deadlines", deadlines)
 
     def pieces(self, words: Sequence[Word], start: int) -> Iterator[Piece]:
         """Give what the tables say of the words from one place on."""
@@ -203,6 +209,11 @@ class Lexicon:
         """Whether a word alone has a meaning of one of some categories: "friday" is a "weekday"."""
         entries = self.entries.get(text, ())
         return any(entry.category in categories and len(entry.words) == 1 for entry in entries)
+
+    def preposition(self, text: str) -> Preposition | None:
+        """Give the preposition of times that a word alone is: "till" is "until"; None where it is none."""
+        entries = (entry for entry in self.entries.get(text, ()) if len(entry.words) == 1)
+        return next((entry.value for entry in entries if isinstance(entry.value, Preposition)), None)
 
 
 def _ends_sentence(words: Sequence[Word], end: int) -> bool:

@@ -38,6 +38,13 @@ class NoTimes(NamedTuple):
     copies: Words
     beginning_titles: Words
     of_years: Words
+    topical: Words
+    notable: Words
+    binding_days: Words
+    before_places: Words
+    inside_units: Words
+    asking_how_long: Words
+    asking_how_much: Words
     aging: Words
     numbered: Words
     numbered_in_two: Words

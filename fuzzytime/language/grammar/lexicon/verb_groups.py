@@ -16,6 +16,7 @@ class Doing(NamedTuple):
     being_there: Words
     getting_there: Words
     beginning: Words
+    beginning_or_being: Words
     ending: Words
     at_levels: Words
     to_levels: Words

@@ -13,12 +13,16 @@ class ClosedClasses(NamedTuple):
     """Determiners, pronouns, auxiliaries, conjunctions, prepositions and adverbs: ``closed_classes``."""
 
     endings_of_manner: Words
+    indefinite_articles: Words
+    the: Words
     articles: Words
     of_titles: Words
+    inside_names_of_things: Words
     inside_titles: Words
     first_person_possessives: Words
     sure_possessives: Words
     possessives: Words
+    definite_determiners: Words
     owning_alone: Words
     noun_openers: Words
     sure_noun_openers: Words
@@ -33,11 +37,13 @@ class ClosedClasses(NamedTuple):
     universal_determiners: Words
     general_ordinals: Words
     indefinite_determiners: Words
+    one_of_hundreds: Words
     singular_determiners: Words
     of_what_is_given: Words
     behind_verbs: Words
     first_person: Words
     first_and_second_person: Words
+    asked_to_act: Words
     second_person: Words
     third_person_singular: Words
     sure_persons: Words
@@ -56,6 +62,7 @@ class ClosedClasses(NamedTuple):
     condition_openers: Words
     singular_anaphors: Words
     it_or_them: Words
+    subjects_as_objects: Words
     plural_person: Words
     plural_anaphors: Words
     anaphors: Words
@@ -84,6 +91,7 @@ class ClosedClasses(NamedTuple):
     tentative_modals: Words
     predicting_modals: Words
     obligation: Words
+    having_or_needing: Words
     verbs_of_obligation: Words
     modals_before_lengths: Words
     conditional_inversion: Words
@@ -97,6 +105,14 @@ class ClosedClasses(NamedTuple):
     limiting: Words
     coordinators: Words
     coordinators_of_days: Words
+    additive_conjunctions: Words
+    joints_of_things: Words
+    joints_of_steps: Words
+    joints_of_entries: Words
+    joints_of_times: Words
+    conjunctions_of_clauses: Words
+    conjunctions_of_times: Words
+    conjunctions: Words
     range_joints: Words
     range_joints_or_and: Words
     subordinators_of_purpose: Words
@@ -123,6 +139,8 @@ class ClosedClasses(NamedTuple):
     end_of_an_aside: Words
     end_of_a_gap: Words
     before_connectives: Words
+    of: Words
+    to: Words
     prepositions_of_recipients: Words
     prepositions_of_company: Words
     prepositions_of_nouns: Words
@@ -136,6 +154,7 @@ class ClosedClasses(NamedTuple):
     prepositions_of_length: Words
     prepositions_of_way: Words
     prepositions_of_points: Words
+    prepositions_of_two_ends: Words
     particles_of_shifts: Words
     rates: Words
     back_home: Words
@@ -234,6 +253,14 @@ class BesideTimes(NamedTuple):
     states: Words
     marking_order: Words
     no_event: Words
+    before_or_after: Words
+    from_that: Words
+    or_more: Words
+    until_hours: Words
+    the_very_ends: Words
+    wished_for: Words
+    in_place_of: Words
+    all_of_a_day: Words
     starts: Words
     ends: Words
     the_end: Words

@@ -149,7 +149,7 @@ class BehindTimes(LookedUp):
         # A hedge behind the number ends it.
         ends = range(piece.start if hedged else piece.end - 1, piece.end)
         # "On friday the thirteenth add a film night"
-        dated = self.texts[piece.end - 2] == "the" and self.is_weekday(piece.end - 3)
+        dated = self.texts[piece.end - 2] in self.closed.the and self.is_weekday(piece.end - 3)
         return dated or any(map(self.is_number, ends))
 
     def _is_done_to(self, place: int) -> bool:

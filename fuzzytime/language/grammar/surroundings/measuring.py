@@ -15,9 +15,6 @@ OF_TIME = frozenset({"by", "between"})
 CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
-OR_MORE = (["or", "more"], ["or", "less"], ["or", "fewer"])
-"""What stands behind a number that may be larger, or smaller."""
-
 SUM_DIGITS = 3
 """Digits of what is paid, at least, that is no hour."""
 
@@ -91,7 +88,7 @@ class Measures(Compared):
         """Whether it is so many or more: "bring ten or more", "groups of six or less"."""
         first = piece.start + (piece.value.preposition == "of")
         more = self.texts[max(first, piece.end - 2) : piece.end]
-        return more in OR_MORE and all(map(self.is_number, range(first, piece.end - 2)))
+        return " ".join(more) in self.beside.or_more and all(map(self.is_number, range(first, piece.end - 2)))
 
     def _switches(self, piece: Piece) -> bool:
         """Whether something is turned on or off, which is no amount: "turn off the lights around six"."""
@@ -169,7 +166,7 @@ class Measures(Compared):
             return False
         if _is_near_hour(said):
             # "Bake the bread around six"; but "pick about five", "dim it to about six"
-            amount = place + 1 == piece.start or self.texts[piece.start - 1] == "to"
+            amount = place + 1 == piece.start or self.texts[piece.start - 1] in self.closed.to
             return (amount and text in lexicon.measure_verbs) or self._has_amount(place)
         if not (_is_bound_to_hour(said) or self.is_fraction(piece)):
             return text in lexicon.measure_verbs | lexicon.measure_nouns | lexicon.amount_nouns

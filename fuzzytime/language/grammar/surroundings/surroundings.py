@@ -25,7 +25,7 @@ class Surroundings(BehindTimes):
 
     def plays(self, place: int) -> bool:
         """Whether a verb at a place has a title behind it, as "play", or "listen to" with both its words."""
-        if self.texts[place] == "to" and place:
+        if self.texts[place] in self.closed.to and place:
             return self.texts[place - 1] in self.lexicon.no_times.listening and self.opens(place - 1)
         return self.texts[place] in self.lexicon.playing and self.opens(place)
 
@@ -57,7 +57,7 @@ class Surroundings(BehindTimes):
 
     def is_object(self, place: int) -> bool:
         """Whether a part of the day is what something is done to: "film the sunrise"."""
-        before = self.texts[place - 2] if place > 1 and self.texts[place - 1] == "the" else ""
+        before = self.texts[place - 2] if place > 1 and self.texts[place - 1] in self.closed.the else ""
         acted = before[:1].isalpha() and before not in self.lexicon.function_words | self.beside.spending
         # "Pack the bags the evening before the trip"
         led = self.texts[place + 1 : place + 2] in (["before"], ["after"])
@@ -107,7 +107,11 @@ class Surroundings(BehindTimes):
         if given and before and any(piece.category == "hedge" for piece in self.pieces(place)):
             # "Wake max before noon"; but "cook it max ten minutes"
             return not self._is_counted(place + 1)
-        if before in {"and", ","} and place > 1 and any(p.category == "month" for p in self.pieces(place)):
+        if (
+            before in self.closed.joints_of_things
+            and place > 1
+            and any(p.category == "month" for p in self.pieces(place))
+        ):
             return self.names_person(place - 2)
         pronoun = before in self.closed.object_pronouns or before in self.closed.persons_addressed
         relative = before in self.lexicon.persons and not pronoun

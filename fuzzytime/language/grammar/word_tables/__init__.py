@@ -219,7 +219,7 @@ _ROWS = {
         "in its place of", "going", "one", "clock", "parting", "asking for help", "asking for the list",
         "asking to clear", "quitting", "telling", "denied", "moving", "waiting", "able to", "wanting",
         "being over", "going on for", "helping", "beside verbs", "whom", "told openers",
-        "pausing", "bringing back", "at hand", "out of use",
+        "pausing", "length of", "bringing back", "at hand", "out of use",
     ),
     "measures": ("verbs", "nouns", "changing", "dividing", "reading", "counting", "rating", "amounts"),
 }  # fmt: skip

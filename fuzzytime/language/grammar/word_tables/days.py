@@ -12,7 +12,7 @@ from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.days.relations import Relative, Which
 from fuzzytime.language.meaning.expressions import Edge, Ending, UnitWord
 from fuzzytime.language.meaning.times_of_day import Half, Part
-from fuzzytime.language.policy import DateOrder, Hours, Midnight, Policy, SameWeekday
+from fuzzytime.language.policy import DateOrder, Hours, Midnight, Policy, SameWeekday, Steps
 from fuzzytime.requirement import Unit
 from fuzzytime.times import parse_clock, parse_zone
 
@@ -187,9 +187,12 @@ def read_usual_hours(tables: Tables) -> Forms[Hours]:
 NAMES = (
     "plausible", "soon_hours", "night", "ahead_from", "begun_hours", "under_way", "hours_before",
     "workday_from", "same_weekday", "midnight", "week_starts", "weekend", "date_order", "bare_pair_from",
-    "planned_from", "round_the_clock_hours", "kept_off", "ask",
+    "planned_from", "round_the_clock_hours", "steps", "sure_hours", "kept_off", "ask",
 )  # fmt: skip
 """What a policy says: all of it."""
+
+STEPS = ("lines", "leaning", "same", "least", "timed")
+"""What it says of lines that lean on each other."""
 
 
 def read_policy(tables: Tables) -> Policy:
@@ -201,7 +204,9 @@ def read_policy(tables: Tables) -> Policy:
     plausible = said.part("plausible", "from", "to")
     night = said.part("night", "from", "to", "hours")
     weekend = said.part("weekend", "from", "days")
-    if not (plausible.has("from", "to") and night.has("from", "to", "hours") and weekend.has("from", "days")):
+    steps = said.part("steps", *STEPS)
+    parts = plausible.has("from", "to") and night.has("from", "to", "hours") and weekend.has("from", "days")
+    if not (parts and steps.has(*STEPS)):
         return Policy()
     weekdays = numbered(tables, "weekdays")
     return Policy(
@@ -225,6 +230,8 @@ def read_policy(tables: Tables) -> Policy:
         planned_from=said.whole("planned_from", 1, 9999),
         bare_pair_from=said.whole("bare_pair_from", 0, 24),
         round_the_clock_hours=said.whole("round_the_clock_hours", 1, 24),
+        steps=Steps(**{name: steps.whole(name, 1, 100) for name in STEPS}),
+        sure_hours=said.whole("sure_hours", 0, 100),
         kept_off=said.whole("kept_off", 0, 720),
         ask=said.flag("ask"),
     )

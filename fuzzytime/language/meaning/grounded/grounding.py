@@ -6,7 +6,7 @@ from dataclasses import replace
 from datetime import date, datetime, time, timedelta
 from itertools import islice
 
-from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, is_weekday, moved
+from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, is_weekday
 from fuzzytime.language.meaning.days.nested import thirds
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import (
@@ -30,7 +30,7 @@ from fuzzytime.language.meaning.grounded.chosen_clocks import (
     same_day_after,
     within_window,
 )
-from fuzzytime.language.meaning.grounded.counted_from import day_counted_from
+from fuzzytime.language.meaning.grounded.counted_from import day_alike, day_counted_from
 from fuzzytime.language.meaning.grounded.dated_weekdays import nearest
 from fuzzytime.language.meaning.grounded.part_instants import part_alone, part_on, part_within
 from fuzzytime.language.meaning.grounded.range_instants import range_instants
@@ -90,7 +90,7 @@ class Grounding(Standpoint):
             whole = self.wall(said.of)
             return Instants(max(self.now, whole.start), whole.end, Unit.SECOND)
         if isinstance(said, SameTime):
-            day = self._same_day(said.days)
+            day = day_alike(self, said.days.grain, next(self.days(said.days)).first)
             # "Call mum at six. Same time tomorrow, call dad": at six, too.
             here = self.now if self.since is None else self.since
             moment = datetime.combine(day, here.time())
@@ -104,17 +104,6 @@ class Grounding(Standpoint):
                 moment = before if before > self.now else moment
             return Instants(moment, moment, Unit.MINUTE)
         return Instants(self.now, self.now, Unit.SECOND)
-
-    def _same_day(self, calendar: Calendar) -> date:
-        """Give the day of a period that is in it what today is in its own: "this time next year"."""
-        first = next(self.days(calendar)).first
-        if calendar.grain is Unit.WEEK:
-            return first + timedelta(days=(self.now.weekday() - first.weekday()) % 7)
-        if calendar.grain not in {Unit.MONTH, Unit.YEAR}:
-            return first
-        months = 12 * (first.year - self.now.year)
-        months += first.month - self.now.month if calendar.grain is Unit.MONTH else 0
-        return moved(self.now.date(), Unit.MONTH, months)
 
     # -- days -------------------------------------------------------------------------------------------
 

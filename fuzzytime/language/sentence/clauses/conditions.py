@@ -11,9 +11,6 @@ from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJ
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Condition
 
-WISHING = (["if", "you", "could"], ["if", "you", "would"])
-"""What asks for something where nothing else is said."""
-
 LONGEST_STATE = 3
 """Words that say how something is, at most: "until light and fluffy"."""
 
@@ -35,7 +32,7 @@ ANY_DETERMINERS = DETERMINERS | {"PDT", "WDT"}
 def is_wish(tree: Tree, words: Sequence[Word]) -> bool:
     """Whether words ask for what they say, and are no condition: "if you could post it by noon"."""
     texts = [word.text for word in words]
-    asked = texts[:3] in WISHING and "," not in texts
+    asked = " ".join(texts[:3]) in tree.lexicon.beside.wished_for and "," not in texts
     return asked and tree.nodes[tree.root].start >= words[0].start
 
 

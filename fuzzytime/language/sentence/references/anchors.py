@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.references.likeness import best_of
 from fuzzytime.language.sentence.references.mentions import (
     Mentions,
     comes,
+    comes_back,
     comes_by_name,
     is_done_with,
     owners_in,
@@ -140,7 +141,7 @@ class Anchors:
         subject = None if clause.condition is None else clause.condition.subject
         if subject in self.lexicon.closed.first_and_second_person:
             here = [(self.first + place, one) for place, one in enumerate(self.own) if one is not None]
-            back = (place for place, one in (*here, *self.just_before()) if _comes_back(one, self.lexicon))
+            back = (place for place, one in (*here, *self.just_before()) if comes_back(one, self.lexicon))
             known = next(back, None)
             if known is not None:
                 return known
@@ -258,7 +259,7 @@ class Anchors:
     def goes_on(self, operation: Operation) -> bool:
         """Whether what is told is what something with a time does then, told right before in its text."""
         before = self.operation_at(self.position - 1) if self.position > self.first else None
-        beginning = self.lexicon.doing.beginning | {"be"}
+        beginning = self.lexicon.doing.beginning_or_being
         begins = before is not None and before.stated and before.lemma in beginning
         return begins and before is not None and before.object == operation.object
 
@@ -295,14 +296,4 @@ def only_counted(requirement: TimeRequirement, anchor: Anchor, constraint: Const
     """Give a requirement that counts from another instruction alone."""
     return replace(
         requirement, constraint=constraint, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None
-    )
-
-
-def _comes_back(operation: Operation, lexicon: Lexicon) -> bool:
-    """Whether somebody who speaks is said to be back then: "we'll be home by six"."""
-    said = {operation.particle, operation.place, operation.complement, operation.object}
-    return (
-        operation.stated
-        and operation.lemma in {"be", "get", "come"}
-        and not lexicon.closed.back_home.isdisjoint(said)
     )

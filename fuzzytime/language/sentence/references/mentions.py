@@ -40,6 +40,16 @@ def comes_by_name(happening: Operation, lexicon: Lexicon) -> bool:
     return happening.stated and happening.lemma == "be" and comes_so and not elsewhere
 
 
+def comes_back(operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether somebody who speaks is said to be back then: "we'll be home by six"."""
+    said = {operation.particle, operation.place, operation.complement, operation.object}
+    return (
+        operation.stated
+        and operation.lemma in {"be", "get", "come"}
+        and not lexicon.closed.back_home.isdisjoint(said)
+    )
+
+
 def waits_for(operation: Operation, happening: Operation, lexicon: Lexicon) -> bool:
     """Whether something can be done only when what comes is there: "the truck arrives at ten. Unload it"."""
     return comes(happening, lexicon) and not operation.stated and shares_thing(happening, operation)

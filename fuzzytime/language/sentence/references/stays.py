@@ -11,9 +11,6 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.named import is_several, names_person
 from fuzzytime.requirement import Edge
 
-OBJECTS = {"he": "him", "she": "her", "they": "them"}
-"""What somebody is called who has something done to them."""
-
 
 def stay_of(clause: Clause, anchors: Anchors) -> tuple[int, Edge] | None:
     """Give what tells where somebody is, and the end of it that a clause is about; None for neither."""
@@ -76,8 +73,9 @@ def _is_called(thing: str, subject: str, anchors: Anchors) -> bool:
     lexicon = anchors.lexicon
     if subject not in lexicon.closed.third_person:
         return not content_words(subject).isdisjoint(content_words(thing))
+    own = dict(pair.split() for pair in lexicon.closed.subjects_as_objects).get(subject)
     if thing in lexicon.closed.third_person_objects:
-        return OBJECTS.get(subject) == thing
-    other = {"he": "her", "she": "him"}.get(subject, "")
-    others = lexicon.called.get(other, frozenset())
-    return names_person(thing, lexicon) and others.isdisjoint(thing.lower().split())
+        return own == thing
+    others = (words for other, words in lexicon.called.items() if own in lexicon.called and other != own)
+    said = thing.lower().split()
+    return names_person(thing, lexicon) and all(words.isdisjoint(said) for words in others)

@@ -135,7 +135,11 @@ def _due_too(part: Part, start: int) -> str | None:
     """Give who must do this, too: "Tim has to wash the car and feed the dog"; None for nobody."""
     action = action_of(part.tree)
     place = next(part.at((start, start + 1)), None)
-    if action is None or place is None or part.tree.nodes[place - 1].lower not in {"and", "&"}:
+    if (
+        action is None
+        or place is None
+        or part.tree.nodes[place - 1].lower not in part.lexicon.closed.additive_conjunctions
+    ):
         return None
     node = part.tree.nodes[place]
     joined = node.relation == "conj" and node.head == action.place and node.tag == "VB"
@@ -218,7 +222,7 @@ def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
         said = [word.text for word in words[new.first : new.end]]
         forms = (form.split() for form in part.lexicon.beside.thereafter)
         behind = next((form for form in forms if said[-len(form) :] == form), None)
-        if behind is not None and between and between <= {"and", ",", "but", "&"}:
+        if behind is not None and between and between <= {*part.lexicon.closed.conjunctions_of_clauses, ","}:
             joint = (words[new.end - len(behind)].start, new.span[1])
             return old.span[1], Segment((new.span[0], last), "then", joint, one.segment.addressee)
     return None
@@ -240,7 +244,7 @@ def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
         return []
     before, last = words[verbs[0] - 1 : verbs[0]], words[verbs[-1]]
     apart = last.text in part.lexicon.needing_nothing and words[places[-1] + 1].text != "be"
-    if apart and before and before[0].text in {",", "and"}:
+    if apart and before and before[0].text in part.lexicon.closed.joints_of_things:
         # "Clean the bath, hoover and get the bins in by six"; but "…, shower, and be downstairs by six"
         return []
     ends = [words[place].end for place in verbs]

@@ -62,7 +62,7 @@ def second_marker(
     """Give the marker of a further clause in front, behind the comma of the one before it."""
     if place >= end:
         return None
-    place += words[place].text in {"and", "but", "or"}
+    place += words[place].text in lexicon.closed.conjunctions
     marker = marker_at(words, phrases, place, words[end].start, lexicon)
     return marker if marker is not None and marker.end < end else None
 
@@ -84,7 +84,11 @@ def _behind_day(words: Sequence[Word], place: int, lexicon: Lexicon) -> int:
 def goes_on_behind(words: Sequence[Word], comma: int, following: int, lexicon: Lexicon) -> bool:
     """Whether another thing that must be so stands between two commas: ", and the oil shimmers,"."""
     said = [word.text for word in words[comma + 1 : following]]
-    return len(said) >= LEAST and said[0] in {"and", "or"} and said[1] in lexicon.closed.condition_openers
+    return (
+        len(said) >= LEAST
+        and said[0] in lexicon.closed.conjunctions_of_times
+        and said[1] in lexicon.closed.condition_openers
+    )
 
 
 def is_dated_behind(

@@ -8,6 +8,9 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 
+CAN_YOU = 2
+"""Words that ask somebody: "can you"."""
+
 
 def behind_opening(
     words: Sequence[Word], start: int, end: int, times: AbstractSet[int], lexicon: Lexicon
@@ -98,13 +101,11 @@ def openings_inside(words: Sequence[Word], times: AbstractSet[int], lexicon: Lex
             continue
         form = longest_match(words, place, lexicon.questions["suggesting"])
         form = (words[place].text,) if form is None and words[place].text in addresses else form
-        pair = (words[place].text, words[place + 1].text)
-        if form is None and pair[0] in lexicon.closed.requesting_modals and pair[1] == "you":
-            # "The library closes at six, can you take these back"
-            form = pair
-        if form is None and place - 1 in times and _is_only_then(words, place, times, lexicon):
-            form = pair
-        end = place + len(form or ())
+        # "The library closes at six, can you take these back"
+        form = form or _can_you(words, place, lexicon)
+        if not form and place - 1 in times and _is_only_then(words, place, times, lexicon):
+            form = words[place].text, words[place + 1].text
+        end = place + len(form)
         if form and end < len(words) and words[end].is_letters | (words[end].text == ","):
             yield words[place].start, words[end - 1].end
 
@@ -156,13 +157,18 @@ def _holds_clause(words: Sequence[Word], places: Sequence[int], lexicon: Lexicon
 
 def _request_at(words: Sequence[Word], place: int, lexicon: Lexicon) -> tuple[str, ...]:
     """Give the words at a place that ask somebody for what is behind them: "can you", "do you mind"."""
-    pair = words[place].text, words[place + 1].text
-    if pair[0] in lexicon.closed.requesting_modals and pair[1] == "you":
-        return pair
+    asked = _can_you(words, place, lexicon)
     form = longest_match(words, place, lexicon.questions["suggesting"]) or ()
-    if len(form) > len(pair) and form[0] != "if":
+    if not asked and len(form) > CAN_YOU and form[0] != "if":
         return form
-    return longest_match(words, place, lexicon.questions["obliging"]) or ()
+    return asked or longest_match(words, place, lexicon.questions["obliging"]) or ()
+
+
+def _can_you(words: Sequence[Word], place: int, lexicon: Lexicon) -> tuple[str, ...]:
+    """Give the words at a place that ask "can you"; none where they do not."""
+    modal, *whom = (word.text for word in words[place : place + CAN_YOU])
+    asks = modal in lexicon.closed.requesting_modals and not lexicon.closed.second_person.isdisjoint(whom)
+    return (modal, *whom) if asks else ()
 
 
 def _is_only_then(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> bool:
@@ -194,13 +200,10 @@ def _is_somewhere(words: Sequence[Word], place: int, times: AbstractSet[int], le
 
 def _asked_before(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> int | None:
     """Give the time behind which somebody is asked to do something: "can you by seven feed the cat"."""
-    first, *behind = (word.text for word in words[place : place + 3])
-    time = place + 2 + (behind[1:] == ["please"])
-    return (
-        time
-        if first in lexicon.closed.requesting_modals and behind[:1] == ["you"] and time in times
-        else None
-    )
+    asked = _can_you(words, place, lexicon)
+    time = place + len(asked)
+    time += time < len(words) and words[time].text == "please"
+    return time if asked and time in times else None
 
 
 def _counts(word: Word, lexicon: Lexicon) -> bool:

@@ -41,7 +41,8 @@ def is_order_between_times(tree: Tree, place: int, timed: set[int]) -> bool:
     if objects and not (led and node.lower in tree.lexicon.chores):
         return False
     # "Tape the edges today, sand tomorrow, paint on saturday"
-    joints = {"and", "&", ","} if objects else {"and", "&"}
+    closed = tree.lexicon.closed
+    joints = closed.joints_of_things if objects else closed.additive_conjunctions
     joined = tree.nodes[place - 1].lower in joints and place - 2 in timed
     bare = node.may_act and node.lower == node.lemma and tree.nodes[root].is_verb
     ends = place + 1 in timed or any((word.lower,) in tree.lexicon.clauses for word in behind)
@@ -56,7 +57,7 @@ def is_led_by_time(tree: Tree, place: int, timed: set[int]) -> bool:
     first = place
     while first and first - 1 in timed:
         first -= 1
-    led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
+    led = 1 < first < place and tree.nodes[first - 1].lower in {*closed.joints_of_things, ";"}
     # "On the 6th and 8th feed the hens": two times of one order.
     led = led and not timed.issuperset(range(first - 1))
     addressing = node.lower in tree.lexicon.addressing

@@ -14,10 +14,10 @@ from fuzzytime.language.sentence.segments.fronts import Front, fronts_of
 from fuzzytime.language.sentence.segments.further.calls import addressed, called_first, called_next
 from fuzzytime.language.sentence.segments.further.entries_in_a_row import entries_of
 from fuzzytime.language.sentence.segments.further.orders_behind_joints import orders_behind_joints
+from fuzzytime.language.sentence.segments.further.own_verbs import with_own_verbs
 from fuzzytime.language.sentence.segments.further.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.further.same_doers import done_next
 from fuzzytime.language.sentence.segments.further.told_beside import told_beside
-from fuzzytime.language.sentence.segments.further.verbs_left_out import with_own_verbs
 from fuzzytime.language.sentence.segments.mended.parsing import trees_of, uncapitalised
 from fuzzytime.language.sentence.segments.segment import Segment, segments_of
 from fuzzytime.language.sentence.segments.told.reasons import reason_in_front

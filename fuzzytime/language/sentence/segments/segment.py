@@ -39,8 +39,6 @@ DASHES = frozenset({"-", "–", "—"})
 NOT = "not"
 """Behind a dash it takes back what was said: "scrub the tub - not now, in an hour"."""
 
-THINGS = frozenset({"it", "them"})
-
 SHORTEST = 3
 """Words of an order, at least, behind which a dash begins another: "Anna - feed the cat" calls somebody."""
 
@@ -177,7 +175,7 @@ def _parts_orders(words: Sequence[Word], begun: Sequence[int], place: int, lexic
         return False
     said, following = words[behind].text, words[behind + 1].text
     denies = said in lexicon.closed.negators_as_typed and said != NOT
-    if denies or (said in lexicon.letting and following in THINGS):
+    if denies or (said in lexicon.letting and following in lexicon.closed.it_or_them):
         return True
     return not any(lexicon.pieces(words, behind)) and _acts(words, behind, lexicon)
 
@@ -186,7 +184,7 @@ def _acts(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     """Whether a word at a place does something to what stands behind it, and behind its particle."""
     inside = words[place].text in lexicon.function_words | lexicon.places or not words[place].is_letters
     behind = place + 1 + (words[place + 1].text in lexicon.particles)
-    things = lexicon.closed.noun_openers | THINGS
+    things = lexicon.closed.noun_openers | lexicon.closed.it_or_them
     return not inside and behind < len(words) and words[behind].text in things
 
 

@@ -10,7 +10,7 @@ from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, Sai
 from fuzzytime.language.meaning.phrases import is_at_clock
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
-from fuzzytime.language.sentence.segments.further.same_doers import JOINTS, tells_more
+from fuzzytime.language.sentence.segments.further.same_doers import are_joints, tells_more
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.its_times.own_times import own_times
 from fuzzytime.language.sentence.sketches.its_times.referred import referred
@@ -149,8 +149,8 @@ STOP = ";"
 
 def are_steps(first: Sketch, second: Sketch, text: str, apart: str) -> bool:
     """Whether two sketches are steps that a text joins, and that its stops tell ``apart``: "maths, break"."""
-    joint = text_between(first, second, text).strip().lower()
-    return joint in JOINTS and text_between(first, second, apart).strip() == STOP
+    joined = are_joints(text_between(first, second, text), first.lexicon)
+    return joined and text_between(first, second, apart).strip() == STOP
 
 
 def sketch_of(draft: Draft, part: Part) -> Sketch:

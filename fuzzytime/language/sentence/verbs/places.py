@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fuzzytime.english import WHITHER
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.wording import Wording
-from fuzzytime.language.sentence.verbs.meant.actions import is_numbered_place
+from fuzzytime.language.sentence.verbs.meant.complements import is_numbered_place
 
 HOW = ("RB", "JJ", "IN")
 """How tags of words begin that say how: "quite slowly", "at least twice"."""

@@ -126,7 +126,7 @@ class Cuts(Standing):
             self.texts[piece.end - 1] in {"eve", "close"} or self.texts[piece.end - 2 : piece.end] == LAST_DAY
         )
         owned = self.texts[piece.start : piece.end] == LAST_DAY and self.around.is_owned(piece)
-        if owned or (named and self.around.follower(piece) == "of"):
+        if owned or (named and self.around.follower(piece) in self.closed.of):
             # "On the eve of departure", "by close of school", "on the last day of the lease", "my last day"
             return True
         if self.around.ends_in_order(piece):

@@ -10,9 +10,6 @@ from fuzzytime.language.meaning.expressions import Duration, Offset, Wall
 HOURS = 12
 """Numbers up to it may be hours."""
 
-FROM_THAT = {("before", "that"), ("after", "that")}
-"""Words that make a length a distance from what was said."""
-
 
 class Particles(Around):
     """The first words of readings, and the verbs before them."""
@@ -27,7 +24,7 @@ class Particles(Around):
         if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
             return True
-        if self.texts[piece.end - 1] == "ahead" and self.around.follower(piece) == "of":
+        if self.texts[piece.end - 1] == "ahead" and self.around.follower(piece) in self.closed.of:
             # "Ten minutes ahead of the call"
             return True
         if rest[-1:] == ["back"] and self.lexicon.rescheduling & set(self.texts[: piece.start]):
@@ -132,7 +129,7 @@ class Particles(Around):
             return False
         if piece.value.preposition == "in" and self._is_counted(self.texts[piece.start : piece.end]):
             return True
-        if tuple(self.texts[piece.end : piece.end + 2]) in FROM_THAT:
+        if " ".join(self.texts[piece.end : piece.end + 2]) in self.beside.from_that:
             return True
         # "Check in 24 hours before the flight", "clock in five minutes early"
         time = piece.value.time
@@ -141,7 +138,7 @@ class Particles(Around):
 
     def _is_counted(self, words: Sequence[str]) -> bool:
         """Whether its last words make a length a distance: "an hour beforehand"; not "an hour or later"."""
-        if tuple(words[-2:]) in FROM_THAT:
+        if " ".join(words[-2:]) in self.beside.from_that:
             return True
         bound = words[-2] in {"or", "and"} or "not" in words
         return words[-1] in {"earlier", "later", "beforehand"} and not bound

@@ -47,7 +47,7 @@ def _takes_title(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     work = words[place].text in kinds.works and before in lexicon.closed.sure_noun_openers
     return (
         work
-        or (words[place].text == "of" and before in kinds.copies)
+        or (words[place].text in lexicon.closed.of and before in kinds.copies)
         or words[place].text in lexicon.playing | lexicon.no_times.titled
     )
 
@@ -57,7 +57,7 @@ def _goes_on(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     behind = place
     while behind < len(words) and words[behind].text in lexicon.closed.inside_titles:
         behind += 1
-    bound = words[place].text != "of" and lexicon.means(words[place].text, *BINDING)
+    bound = words[place].text not in lexicon.closed.of and lexicon.means(words[place].text, *BINDING)
     if bound and behind < len(words) and lexicon.means(words[behind].text, *CAPITAL_ANYWAY):
         # "Read The Hobbit on Friday", "watch The Crown at Christmas"
         return False

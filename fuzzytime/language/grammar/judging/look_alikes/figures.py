@@ -9,9 +9,6 @@ from fuzzytime.requirement import Unit
 BEFORE = 3
 """Words between a verb and the value of what it sets, at most."""
 
-FAR = 6
-"""Words between a verb and the code, or the year, that it is about, at most."""
-
 ALWAYS = ["24", "/", "7"]
 """What is always there: "call 24/7 support", where it says of what."""
 
@@ -124,8 +121,8 @@ class Figures(Standing):
 
     def _is_share(self, piece: Piece) -> bool:
         """Whether it is so many of so many: "3 out of 4", "page 2 of 4 | tomorrow"."""
-        of = piece.start - (self.texts[piece.start] != "of")
-        if of > 0 and self.texts[of] == "of" and self.measures.is_number(of + 1):
+        of = piece.start - (self.texts[piece.start] not in self.closed.of)
+        if of > 0 and self.texts[of] in self.closed.of and self.measures.is_number(of + 1):
             return self.texts[of - 1] == "out" or self.measures.is_number(of - 1)
         numbers = map(self.measures.is_number, (piece.end - 1, piece.end + len(OUT_OF)))
         return self.texts[piece.end :][: len(OUT_OF)] == OUT_OF and all(numbers)

@@ -5,9 +5,6 @@ from itertools import takewhile
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 
-NOTABLE = frozenset({"about", "with", "by", "of", "as"})
-"""Prepositions before who is spoken of: "read about Wednesday Addams"."""
-
 NEXT_TO = ("next", "to")
 """Words before somebody who is beside another."""
 
@@ -23,7 +20,7 @@ def has_surname(piece: Piece, around: Surroundings) -> bool:
 
     Persons whose word is no name may be asked on that day: "call Wednesday Mum".
     """
-    place = piece.start + (around.texts[piece.start] in NOTABLE)
+    place = piece.start + (around.texts[piece.start] in around.lexicon.no_times.notable)
     if place + 1 != piece.end or not around.is_weekday(place) or not around.words[place].capital:
         return False
     name = around.words[piece.end : piece.end + 1]
@@ -35,7 +32,7 @@ def has_surname(piece: Piece, around: Surroundings) -> bool:
     before = around.texts[place - 1] if place else ""
     acted = place > 0 and around.opens(place - 1) and before.isalpha()
     acted = acted and before not in around.lexicon.function_words and not around.words[place - 1].capital
-    return small and (acted or before in NOTABLE)
+    return small and (acted or before in around.lexicon.no_times.notable)
 
 
 def is_called_like_day(piece: Piece, around: Surroundings) -> bool:
@@ -53,7 +50,7 @@ def is_called_like_day(piece: Piece, around: Surroundings) -> bool:
     opener, noun = ("", "", *texts[piece.end : piece.end + 2])[-2:]
     somebody = noun in around.lexicon.persons | around.lexicon.animals
     ends = not "".join(texts[piece.end + 2 : piece.end + 3]).isalnum()
-    told = opener == "the" and somebody and ends and len(texts) > piece.end + 1
+    told = opener in around.closed.the and somebody and ends and len(texts) > piece.end + 1
     given = texts[verb] in around.lexicon.no_times.handing and opener in {"his", "her", "its"}
     return told or given
 

@@ -4,13 +4,6 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.meaning.expressions import Said, Wall
 
-TOPICAL = frozenset({"about", "of"})
-"""Prepositions before what is spoken of."""
-
-
-RECKONED = frozenset({("what", "is"), ("what's",), ("how", "much", "is"), ("how", "long", "is")})
-"""Beginnings of questions that a number answers."""
-
 FAR = 4
 """Words of a question before the word that is asked about, at most."""
 
@@ -19,9 +12,6 @@ FARTHEST = 6
 
 LONGEST_HAVING = 3
 """Words of what has units of time, with its preposition: "of the week"."""
-
-OF_UNITS = frozenset({"of", "in"})
-"""Prepositions between units and what has so many: "the days of the week", "minutes in a day"."""
 
 
 def is_spoken_of(piece: Piece, around: Surroundings) -> bool:
@@ -52,8 +42,8 @@ def _is_spelt(piece: Piece, around: Surroundings) -> bool:
 def _is_topic(piece: Piece, around: Surroundings) -> bool:
     """Whether it is what is spoken of: "ask Ann about friday", "a story of midnight"."""
     kinds, texts = around.lexicon.no_times, around.texts
-    joint = piece.start - (texts[piece.start] not in TOPICAL)
-    if joint < 1 or texts[joint] not in TOPICAL:
+    joint = piece.start - (texts[piece.start] not in kinds.topical)
+    if joint < 1 or texts[joint] not in kinds.topical:
         return False
     if texts[joint - 1] in kinds.works:
         return True
@@ -61,11 +51,11 @@ def _is_topic(piece: Piece, around: Surroundings) -> bool:
     clocked, dated = wall.clock is not None, wall.days is not None
     verbs = kinds.speaking | (kinds.sending if dated and texts[joint] == "about" else frozenset())
     first = next((p for p in range(joint - 1, max(-1, joint - FARTHEST - 1), -1) if texts[p] in verbs), None)
-    if first is None or clocked or not (around.opens(first) or texts[first - 1] == "to"):
+    if first is None or clocked or not (around.opens(first) or texts[first - 1] in around.closed.to):
         return False
     # "Ring mum tonight about sunday", "talk to Ann about friday"; but "ask Ann to come about friday"
     parting = around.closed.coordinators | {"to"}
-    between = texts[first + 1 + (texts[first + 1] == "to") : joint]
+    between = texts[first + 1 + (texts[first + 1] in around.closed.to) : joint]
     return parting.isdisjoint(between) and all(text.isalpha() for text in between)
 
 
@@ -94,7 +84,7 @@ def _is_translated(piece: Piece, around: Surroundings) -> bool:
         return False
     known = around.texts[joint - 1] in around.lexicon.no_times.words_for
     # "Find the word for tomorrow" may be when.
-    sure = around.texts[joint] == "of" or not around.is_day_from_now(joint + 1)
+    sure = around.texts[joint] in around.closed.of or not around.is_day_from_now(joint + 1)
     led = not around.closed.articles.isdisjoint(around.texts[max(0, joint - 3) : joint - 1])
     return around.texts[joint] in {"for", "of"} and known and led and (sure or "what" in around.texts)
 
@@ -117,30 +107,30 @@ def _is_said_how(piece: Piece, around: Surroundings) -> bool:
 
 def _has_units(piece: Piece, around: Surroundings) -> bool:
     """Whether it is what has units of time: "the days of the week", "how many minutes are in a day"."""
-    texts, first = around.texts, piece.start
-    while first and texts[first] not in OF_UNITS and piece.end - first < LONGEST_HAVING:
+    texts, first, inside = around.texts, piece.start, around.lexicon.no_times.inside_units
+    while first and texts[first] not in inside and piece.end - first < LONGEST_HAVING:
         first -= 1
-    if texts[first] not in OF_UNITS:
+    if texts[first] not in inside:
         return False
-    if texts[first] == "of":
+    if texts[first] in around.closed.of:
         units = first > 1 and texts[first - 1].endswith("s") and around.is_unit(first - 1)
         units = units or texts[first - 1] in around.lexicon.no_times.of_years
-        return units and first > 1 and texts[first - 2] == "the"
+        return units and first > 1 and texts[first - 2] in around.closed.the
     counted = texts[:2] == ["how", "many"] and first > len(("how", "many")) and around.is_unit(2)
     return counted and texts[first - 1] in {"are", "there", texts[2]}
 
 
 def _is_reckoned(piece: Piece, around: Surroundings) -> bool:
     """Whether it is asked what it comes to: "what is 3 hours in minutes", "what is half of 10"."""
-    led = tuple(around.texts[: piece.start])
-    asked = led in RECKONED
+    led, kinds = " ".join(around.texts[: piece.start]), around.lexicon.no_times
     units = around.follower(piece) == "in" and around.is_unit(piece.end + 1)
     share = around.texts[piece.start : piece.end].count("of") == 1
-    return asked and (units or share or led[-2:] == ("long", "is"))
+    return led in kinds.asking_how_long or (led in kinds.asking_how_much and (units or share))
 
 
 def is_converted(place: int, around: Surroundings) -> bool:
     """Whether a unit at a place is one of two: "convert 3 hours to minutes", "what is 1 hour in seconds"."""
     before = around.texts[place - 1] if place else ""
-    asked = any(tuple(around.texts[: len(form)]) == form for form in RECKONED)
+    said = " ".join((*around.texts, ""))
+    asked = any(said.startswith(f"{opening} ") for opening in around.lexicon.no_times.asking_how_much)
     return "convert" in around.texts[:place] or (asked and before == "in")

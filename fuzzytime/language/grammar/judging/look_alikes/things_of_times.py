@@ -20,15 +20,12 @@ ENDS = frozenset({".", ",", "!", "?", ";"})
 LED = 4
 """Words to the preposition before a day that is described: "on the first dry day"."""
 
-BOUND = frozenset({"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"})
-"""Prepositions that make a day of what is named behind them."""
-
 
 def is_of_thing(piece: Piece, around: Surroundings) -> bool:
     """Whether what looks like a time names a thing, is a part of one, or says whose or which it is."""
     return (
         around.is_object(piece.start)
-        or (around.before(piece) == "to" and around.names_place(piece))
+        or (around.before(piece) in around.closed.to and around.names_place(piece))
         or _is_noun(piece, around)
         or is_of_street(piece, around)
         or is_typed_name(piece, around)
@@ -66,13 +63,13 @@ def _is_decade(piece: Piece, around: Surroundings) -> bool:
     tens = around.words[number].is_digits and around.texts[number].endswith("0")
     aged = last in kinds.around_ages and before in around.closed.noun_openers
     aged = aged or (tens and last in around.closed.possessives)
-    years = around.follower(piece) in kinds.of_decades or (last == "the" and before in BOUND | {"from"})
-    return aged or (tens and years)
+    bound = last in around.closed.the and before in kinds.binding_days | {"from"}
+    return aged or (tens and (bound or around.follower(piece) in kinds.of_decades))
 
 
 def _is_cited(piece: Piece, around: Surroundings) -> bool:
     """Whether a typed clock time is a verse, or which of some things is meant: "the 9:15"."""
-    led = around.cites(piece.start) or around.before(piece) == "the"
+    led = around.cites(piece.start) or around.before(piece) in around.closed.the
     mixed = not around.beside.mixing.isdisjoint(around.texts[: piece.start])
     # As in "build the model at 1:72".
     minutes = around.texts[piece.end - 1]
@@ -89,7 +86,9 @@ def _is_rate(piece: Piece, around: Surroundings) -> bool:
 def _is_share(piece: Piece, around: Surroundings) -> bool:
     """Whether it is a part of a thing: "three quarters of the flour", "at the end of the film"."""
     unit = piece.value.unit if isinstance(piece.value, UnitWord) else None
-    return around.follower(piece) == "of" and (unit is Unit.QUARTER or piece.category == "unfinished")
+    return around.follower(piece) in around.closed.of and (
+        unit is Unit.QUARTER or piece.category == "unfinished"
+    )
 
 
 def _is_title(piece: Piece, around: Surroundings) -> bool:
@@ -160,7 +159,7 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
         return True
     before = around.before(piece)
     led = around.texts[max(0, piece.start - LED) : piece.start - 1]
-    apart = bool(led) and BOUND.isdisjoint(led)
+    apart = bool(led) and around.lexicon.no_times.binding_days.isdisjoint(led)
     if piece.category == "unit" and before.isalpha() and (around.texts[piece.start].endswith("s") or apart):
         # "Visiting hours", "it's trash day"; but "on boss day"
         known = before in around.lexicon.function_words or before in around.lexicon.entries
@@ -168,7 +167,7 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
             return True
     named = around.before(piece) in around.closed.of_units
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""
-    bound = behind in BOUND
+    bound = behind in around.lexicon.no_times.binding_days
     return piece.category == "unit" and named and not bound
 
 
@@ -176,7 +175,7 @@ def is_from_the_past(piece: Piece, around: Surroundings) -> bool:
     """Whether it says of which time a thing is that was: "the report of last week at nine"."""
     days = piece.value.wall.days
     stretch = isinstance(days, Stretch) and days.count < 0
-    if stretch and around.follower(piece) == "of":
+    if stretch and around.follower(piece) in around.closed.of:
         # "Keep the last 3 days of logs"
         return True
     last = isinstance(days, Deictic) and days.which is Which.LAST

@@ -43,7 +43,7 @@ class BareHours(Standing):
         ends = marked or self.around.may_end(piece) or self._leads_to_distance(piece)
         if not ends or self.around.is_unit(piece.end):
             return False
-        if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
+        if self.around.follower(piece) in self.closed.to and self.measures.is_number(piece.end + 1):
             # "At three to one"
             return False
         *before, led = ["", *self.texts[: max(0, piece.start - 1)]]

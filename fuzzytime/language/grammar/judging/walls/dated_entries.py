@@ -60,7 +60,7 @@ def dates_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -
     """
     if (start and words[start - 1].text not in LINE_STARTS) or end >= len(words):
         return False
-    if not words[start + (words[start].text == "the")].is_digits:
+    if not words[start + (words[start].text in lexicon.closed.the)].is_digits:
         return False
     typed = any(word.text == "/" for word in words[start:end])
     numbers = [int(word.text) for word in words[start:end] if word.is_digits]

@@ -64,7 +64,7 @@ class Naming(Standing):
     def _is_beside_event(self, piece: Piece, wall: Wall) -> bool:
         """Whether it counts from what is named behind it, or is not: "the day before the flight"."""
         last, behind = self.texts[piece.end - 1], self.around.follower(piece)
-        counted = last in {"before", "after"} and self.texts[piece.end - 2] not in {
+        counted = last in self.beside.before_or_after and self.texts[piece.end - 2] not in {
             "or",
             "and",
             "not",
@@ -77,7 +77,7 @@ class Naming(Standing):
         # "Bring the lambs in the night before the sale"
         brought = piece.start > 0 and bound in self.lexicon.particles
         bare = bound == "on" or brought or bound not in self.lexicon.function_words
-        inner = article == "the" and bare
+        inner = article in self.closed.the and bare
         led = inner or "the" in {self.texts[piece.start], self.around.before(piece)}
         return wall.part is not None and behind in {"before", "after"} and led
 
@@ -97,14 +97,14 @@ class Naming(Standing):
 
     def _is_next_in_row(self, piece: Piece, wall: Wall) -> bool:
         """Whether an ordinal counts things and no days: "the first piece at nine and the second at ten"."""
-        days, begin = wall.days, piece.start - (self.around.before(piece) == "the")
+        days, begin = wall.days, piece.start - (self.around.before(piece) in self.closed.the)
         if not isinstance(days, Fields) or days != Fields(day=days.day):
             return False
         if wall.clock is not None and self.texts[piece.end - 1] in self.lexicon.ordinals:
             # "Spray the first coat at noon, the second an hour later"
             begin = piece.end - 2
-        joined = begin > 0 and self.texts[begin - 1] in {"and", ","}
-        joined = joined and self.texts[begin] == "the"
+        joined = begin > 0 and self.texts[begin - 1] in self.lexicon.closed.joints_of_things
+        joined = joined and self.texts[begin] in self.closed.the
         return joined and any(text in self.lexicon.ordinals for text in self.texts[:begin])
 
     def _is_called(self, piece: Piece, said: Said, wall: Wall) -> bool:
@@ -114,7 +114,7 @@ class Naming(Standing):
             return True
         if wall.days is not None or wall.clock is None:
             return False
-        if said.preposition is None and self.around.before(piece) == "the":
+        if said.preposition is None and self.around.before(piece) in self.closed.the:
             # As in "Cancel the 7:42".
             return True
         met = self.is_met(piece.start) or self.around.before(piece) in self.lexicon.doing.meeting
@@ -124,7 +124,9 @@ class Naming(Standing):
         # As in "Book me on the 7:42", "on the nine thirty".
         pair = wall.clock.pair and said.preposition != "on"
         minutes = wall.clock.grain is Unit.MINUTE and not pair
-        return minutes and said.preposition in {"on", "for"} and self.texts[piece.start + 1] == "the"
+        return (
+            minutes and said.preposition in {"on", "for"} and self.texts[piece.start + 1] in self.closed.the
+        )
 
     def _is_at_clock(self, place: int) -> bool:
         """Whether "at" and a clock time stand at a place."""

@@ -24,9 +24,6 @@ APART = frozenset({"-", "–", "—", ",", "("})
 BOUND = 2
 """Words of a preposition and the one that it binds: "to christmas"."""
 
-LEADING = frozenset({"to", "on", "at", "by"})
-"""Prepositions of a place, or of a verb, that stand before a noun, too: "to christmas island"."""
-
 
 class Walls(Standing):
     """What stands around days and clock times, and whether it makes one doubtful."""
@@ -64,7 +61,7 @@ class Walls(Standing):
         # "The sun", "in the sun": a weekday never stands with "in".
         words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "a", "in"}]
         if self._doubtful_feast(piece, said, wall) is not None:
-            ends = self.around.may_end(piece) and self.around.follower(piece) != "of"
+            ends = self.around.may_end(piece) and self.around.follower(piece) not in self.closed.of
             return said.preposition not in {None, "to"} and ends
         alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         # "Check the baby in the night"
@@ -83,7 +80,7 @@ class Walls(Standing):
     def _goes_to_number(self, piece: Piece, wall: Wall) -> bool:
         """Whether "to" is before a number alone, and a day behind it: "set the heating to 20 tomorrow"."""
         hour = wall.clock is not None and wall.clock.grain is Unit.HOUR and wall.clock.half is None
-        place = piece.start + (self.texts[piece.start] == "to")
+        place = piece.start + (self.texts[piece.start] in self.closed.to)
         behind = self.texts[place + 1 : place + 2]
         alone = self.measures.is_number(place) and self.beside.of_clocks.isdisjoint(behind)
         return hour and not wall.bare and alone and self.texts[place - 1 : place] == ["to"]
@@ -168,8 +165,8 @@ class Walls(Standing):
         if said.preposition == "of" and counted:
             # "Within a minute of the first", "within an hour of the fall"
             return True
-        first = piece.start + (self.texts[piece.start] == "to")
-        led = first > 0 and self.texts[first - 1] == "to"
+        first = piece.start + (self.texts[piece.start] in self.closed.to)
+        led = first > 0 and self.texts[first - 1] in self.closed.to
         share = self.measures.is_fraction(piece) and self.measures.measured(piece)
         if share or (led and self._is_ratio(first) and not self.given.puts_off(piece)):
             # "Raise the seat by 3/4", "fill the tub to 3/4 at eight"
@@ -222,7 +219,7 @@ class Walls(Standing):
         """Whether it describes a noun behind one word: "to sunday school", "put on night light"."""
         place, named = piece.end - BOUND, self.around.follower(piece)
         bound = self.texts[place] if piece.start in {place, place + 1} and place > 0 else None
-        if bound not in LEADING or self.around.may_end(piece):
+        if bound not in self.lexicon.no_times.before_places or self.around.may_end(piece):
             return False
         if bound in {"at", "by"}:
             # "By night bus", "at night market"; but "call mum at noon, dad at one"
@@ -250,7 +247,11 @@ class Walls(Standing):
     def _is_of_event(self, piece: Piece, wall: Wall) -> bool:
         """Whether it is of a day that an event says: "the morning of the party"."""
         part = wall.part is not None and wall.days is None and wall.clock is None
-        return part and self.texts[piece.end - 2] == "the" and self.around.follower(piece) == "of"
+        return (
+            part
+            and self.texts[piece.end - 2] in self.closed.the
+            and self.around.follower(piece) in self.closed.of
+        )
 
     def _is_listed(self, piece: Piece) -> bool:
         """Whether another day of the week stands beside it: "on mon, wed and fri"."""
@@ -263,7 +264,9 @@ class Walls(Standing):
 
     def _is_unbound(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it names a period that no preposition makes a time: "check the year on the coin"."""
-        return said.preposition is None and wall.days in PRESENT and self.texts[piece.start] == "the"
+        return (
+            said.preposition is None and wall.days in PRESENT and self.texts[piece.start] in self.closed.the
+        )
 
     def _is_thing(self, piece: Piece, wall: Wall) -> bool:
         """Whether it is served, described, wished: "with tea", "the first thing you see", "good morning"."""

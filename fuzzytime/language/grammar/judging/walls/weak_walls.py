@@ -28,7 +28,7 @@ class WeakWalls(Standing):
             return False
         if said.preposition == "of" and numbered:
             # "The corner of 5th and Main", "remind me of the 2 for 1 offer"
-            return self.texts[piece.start + 1] == "the" and not self.words[piece.end - 1].is_digits
+            return self.texts[piece.start + 1] in self.closed.the and not self.words[piece.end - 1].is_digits
         if said.preposition == "to" and self.given.gets_month(piece, wall):
             # "Move the wedding to June"
             return self.around.may_end(piece)
@@ -65,7 +65,10 @@ class WeakWalls(Standing):
         Or begins it: "the 9th, call mum".
         """
         before, place = self.around.before(piece), piece.start - 1
-        typed = self.texts[piece.start] == "the" and self.texts[piece.end - 1] in self.beside.ordinal_endings
+        typed = (
+            self.texts[piece.start] in self.closed.the
+            and self.texts[piece.end - 1] in self.beside.ordinal_endings
+        )
         comma = self.around.follower(piece) == ","
         order, thing, *_ = (*self.texts[piece.end + comma :], "", "")
         if typed and piece.start == 0 and order in self.lexicon.orders:
@@ -80,7 +83,7 @@ class WeakWalls(Standing):
         if before in self.closed.object_pronouns | self.lexicon.persons or self.words[place].capital:
             # "Call Bob the 9th", "remind me the 9th to call him", but "show Bob the 9th"
             called = self.texts[place - 1] in self.lexicon.addressing
-            return called and (ends or self.around.follower(piece) == "to")
+            return called and (ends or self.around.follower(piece) in self.closed.to)
         return ends and before not in self.lexicon.function_words | self.lexicon.called_by_number
 
     def _begins_at_meal(self, piece: Piece, said: Said, wall: Wall) -> bool:
@@ -92,7 +95,7 @@ class WeakWalls(Standing):
 
     def _is_left_out(self, piece: Piece) -> bool:
         """Whether it is left out of days: "every monday except the 16th"; but "every page but the first"."""
-        place = piece.start - 1 - (self.around.before(piece) == "the")
+        place = piece.start - 1 - (self.around.before(piece) in self.closed.the)
         leaving = self.beside.leaving_out | self.beside.leaving_out_of_all
         if place < 0 or self.texts[place] not in leaving:
             return False

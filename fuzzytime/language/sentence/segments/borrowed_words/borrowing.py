@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.borrowed_words.frames import (
     acts_too,
@@ -23,7 +24,8 @@ from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
 from fuzzytime.language.sentence.trees.tags import PAST
 from fuzzytime.language.sentence.trees.tree import Tree
 
-JOINTS = frozenset({"and", "&", ",", ";", "but"})
+STOPS = frozenset({",", ";"})
+"""Marks that join as conjunctions do."""
 
 Kind = Callable[[Wish], list[Stretch] | None]
 
@@ -88,18 +90,22 @@ def wishes_behind(source: Source, parts: Mapping[int, Part]) -> Iterator[Part]:
         timed = timed or (
             part.segment.verbless and any((node.lower,) in part.lexicon.clauses for node in part.tree.nodes)
         )
-        borrowed = (
-            None if ordered is None or not timed or not _joins(said) else _behind(source, ordered, part)
-        )
+        goes_on = timed and _joins(said, part.lexicon)
+        borrowed = _behind(source, ordered, part) if ordered is not None and goes_on else None
         if borrowed is None:
             ordered = part
         else:
             yield replace(part, segment=replace(part.segment, borrowed=borrowed, verbless=False))
 
 
-def _joins(said: str) -> bool:
+def _joins(said: str, lexicon: Lexicon) -> bool:
     """Whether what stands between two parts lets the second be as the first is: ", and then"."""
-    return bool(said.strip()) and ENDS.isdisjoint(said) and JOINTS.union({"then"}).issuperset(said.split())
+    joints = _joints(lexicon) | lexicon.closed.joints_of_steps
+    return bool(said.strip()) and ENDS.isdisjoint(said) and joints.issuperset(said.split())
+
+
+def _joints(lexicon: Lexicon) -> frozenset[str]:
+    return lexicon.closed.conjunctions_of_clauses | STOPS
 
 
 def _behind(source: Source, ordered: Part, part: Part) -> tuple[Borrowed, ...] | None:
@@ -119,11 +125,12 @@ def _behind(source: Source, ordered: Part, part: Part) -> tuple[Borrowed, ...] |
 
 def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[tuple[int, Sequence[Kind]]]:
     """Give the places behind a joint that stands behind a time, or behind what is done with something."""
+    joints = _joints(tree.lexicon)
     for place in range(2, len(tree.nodes)):
         before = place - 1
-        if place in timed or tree.nodes[before].lower not in JOINTS:
+        if place in timed or tree.nodes[before].lower not in joints:
             continue
-        while before and tree.nodes[before].lower in JOINTS:
+        while before and tree.nodes[before].lower in joints:
             before -= 1
         if before in timed or tree.nodes[before].tag in PAST:
             yield place, KINDS if before in timed else DONE_TOO
@@ -132,6 +139,7 @@ def _starts(tree: Tree, timed: AbstractSet[int]) -> Iterator[tuple[int, Sequence
 def _other_times(tree: Tree, timed: AbstractSet[int]) -> Iterator[tuple[int, Sequence[Kind]]]:
     """Give the places of times between a joint and what is to be done: "and | in two hours to call dad"."""
     for place in range(2, len(tree.nodes) - 1):
-        if place not in timed or place - 1 in timed or tree.nodes[place - 1].lower not in JOINTS:
+        joined = tree.nodes[place - 1].lower in _joints(tree.lexicon)
+        if place not in timed or place - 1 in timed or not joined:
             continue
         yield place, IN_FRONT

@@ -17,9 +17,6 @@ from fuzzytime.language.sentence.trees.named import names_one
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, PAST
 from fuzzytime.language.sentence.trees.tree import Node
 
-JOINTS = frozenset({",", "and", "&", "then", "so"})
-"""What stands between two entries, or what is told and how a thing is to be by then."""
-
 FINITE = frozenset({"VBZ", "VBD", "VBP", "VB", "MD"})
 """Tags of words in what tells, or asks for, more than when something is."""
 
@@ -199,7 +196,8 @@ def _further(one: Waiting, part: Part) -> Iterator[tuple[int, tuple[Borrowed, ..
 def _entries(one: Waiting, part: Part) -> Iterator[_Entry]:
     """Give what stands between the joints of a segment."""
     nodes, timed = part.tree.nodes, one.timed(part.tree)
-    joints = [place for place, node in enumerate(nodes) if place not in timed and node.lower in JOINTS]
+    joining = part.lexicon.closed.joints_of_entries
+    joints = [place for place, node in enumerate(nodes) if place not in timed and node.lower in joining]
     first = 0
     for end in (*joints, len(nodes)):
         if first < end:

@@ -68,7 +68,7 @@ def behind_joint(tree: Tree, start: int, timed: AbstractSet[int]) -> int:
     while behind and (behind - 1 in timed or tree.nodes[behind - 1].lower == ","):
         behind -= 1
     # "Boil it, and before that, wash it"
-    if behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}:
+    if behind > 0 and tree.nodes[behind - 1].lower in tree.lexicon.closed.conjunctions_of_clauses:
         return behind
     # "Feed the cat at six, tomorrow, wash the car"
     own = first == start and tree.nodes[behind].text == "," and any(p in timed for p in range(behind))

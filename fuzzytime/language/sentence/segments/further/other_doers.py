@@ -17,7 +17,7 @@ def other_doers(tree: Tree) -> Iterator[int]:
         if other is None or not who or not _is_doer(tree, who[0]):
             continue
         start = min(tree.below(who[0]))
-        if other < start and tree.nodes[start - 1].lower in {",", "and", "&", ";"}:
+        if other < start and tree.nodes[start - 1].lower in {*tree.lexicon.closed.joints_of_things, ";"}:
             yield start
 
 

@@ -134,7 +134,7 @@ def _governs(tree: Tree, place: int) -> bool:
     closed = lexicon.closed
     node, before = tree.nodes[place], tree.nodes[place - 1].lower
     if (
-        before in {"and", "&", ","}
+        before in closed.joints_of_things
         and node.lower in lexicon.alone
         and (node.tag == "NN" or _stands_apart(tree, place))
     ):
@@ -164,7 +164,9 @@ def _governs(tree: Tree, place: int) -> bool:
     if bare and (behind in pronouns or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)):
         # "Leave it for an hour and pat it dry", "move the sofa, vacuum behind it"
         return True
-    return node.relation == "conj" and before in {"and", "&"} and behind in closed.noun_openers
+    return (
+        node.relation == "conj" and before in closed.additive_conjunctions and behind in closed.noun_openers
+    )
 
 
 def _is_before_object(tree: Tree, place: int) -> bool:
@@ -219,7 +221,7 @@ def _may_be_step(tree: Tree, place: int) -> bool:
         kinds.append(lexicon.machines)
     named = any(node.lower in kind for kind in kinds)
     known = node.may_act and node.lower == node.lemma.lower()
-    joined = tree.nodes[place - 1].lower in {",", "and", "&"}
+    joined = tree.nodes[place - 1].lower in lexicon.closed.joints_of_things
     bare = node.tag not in SURE and not tree.children(place, "det")
     return known and joined and bare and not named and not node.text[0].isupper()
 

@@ -3,14 +3,12 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.waiting import Part, Source
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.statements.called import worker_doing
-
-JOINTS = frozenset({"", ",", "and", ", and", "&"})
-"""What stands between what one does first and next, beside "then"."""
 
 
 def done_next(source: Source, parts: Mapping[int, Part]) -> Iterator[Part]:
@@ -29,6 +27,11 @@ def done_next(source: Source, parts: Mapping[int, Part]) -> Iterator[Part]:
                 part = replace(part, segment=segment)
                 yield part
         before = part
+
+
+def are_joints(between: str, lexicon: Lexicon) -> bool:
+    """Whether nothing else stands between what one does first and next: "", ",", ", and"."""
+    return lexicon.closed.joints_of_things.issuperset(between.lower().split())
 
 
 def tells_more(part: Part) -> bool:
@@ -60,10 +63,9 @@ def _goes_on(source: Source, before: Part, part: Part) -> bool:
     text, first = source.scanned.text, part.segment.span[0]
     between = text[before.segment.span[1] : first].lower()
     then = part.segment.connective == "then" and not ENDS & set(between)
-    joint = between.strip()
-    if part.offset != first or not (then or joint in JOINTS):
+    if part.offset != first or not (then or are_joints(between, part.lexicon)):
         return False
-    surely = then or joint.endswith(("and", "&"))
+    surely = then or not part.lexicon.closed.additive_conjunctions.isdisjoint(between.split())
     return _begins_doing(part.tree, surely=surely and not part.segment.verbless)
 
 

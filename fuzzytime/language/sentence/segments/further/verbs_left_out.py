@@ -1,7 +1,6 @@
 """Where a verb is left out before another thing and its time: "feed the cat at eight and the dog at nine"."""
 
 from collections.abc import Collection, Sequence
-from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
@@ -11,9 +10,7 @@ from fuzzytime.language.meaning.expressions import Phrase, TimeWord
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
-from fuzzytime.language.sentence.trees.named import is_of_its_own
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
-from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint
 
@@ -57,7 +54,7 @@ def _particles_behind_clauses(one: Waiting, part: Part) -> list[int]:
         timed = place + SHORTEST_GAP + again
         says_when = timed in starts or longest_match(words, timed, lexicon.clauses) is not None
         carried = lemma in lexicon.particles.get(turned, ()) or turned in lexicon.beside.switched
-        other = words[place].text in {"and", "&"} and carried
+        other = words[place].text in lexicon.closed.additive_conjunctions and carried
         # "At six turn it on, and off again at seven"
         apart = words[place - 1].text == ","
         turns = (again or apart) and words[place - 1 - apart].text in lexicon.particles
@@ -181,7 +178,8 @@ def _behind_first(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int]:
         if then is None or not _is_ordering(then) or len(between) <= SHORTEST_GAP:
             continue
         named = part.at((between[1].start, between[-1].end))
-        opened = between[0].text in {"and", ","} and between[1].text in part.lexicon.closed.noun_openers
+        closed = part.lexicon.closed
+        opened = between[0].text in closed.joints_of_things and between[1].text in closed.noun_openers
         if opened and all(_is_of_thing(part, p, ()) for p in named):
             found.append(between[1].start)
     return found
@@ -224,7 +222,7 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     # But "the shop is open at nine and closed at six" says two things of one.
     tags = [part.tree.nodes[p].tag for p in nodes]
     says_how = NAMES.isdisjoint(tags) and any(tag in DESCRIBING for tag in tags)
-    listed = happening and not says_how and between[0].text in {",", "and"}
+    listed = happening and not says_how and between[0].text in part.lexicon.closed.joints_of_things
     if listed and not happens:
         # "Story at seven, lights out by half past": one word says what becomes of the thing.
         return all(tag == "RP" for tag in others[1:])
@@ -258,40 +256,6 @@ def _is_elsewhere(
     where = where and old.first > 0 and says_where(words[old.first - 1].text, lexicon)
     happens = not lexicon.happening.isdisjoint(word.text for word in between)
     return where and _binds_alike(old, new, happens=happens)
-
-
-def with_own_verbs(parts: Sequence[Part]) -> list[Part]:
-    """Give parts, of which none that has a verb borrows one: "feed the cat at six and grill steak at ten"."""
-    found: list[Part] = []
-    verb = ""
-    for part in parts:
-        own = part.segment.verbless and _has_own_verb(part.tree, verb)
-        found.append(replace(part, segment=replace(part.segment, verbless=False)) if own else part)
-        if part.tree.nodes and not found[-1].segment.verbless:
-            verb = part.tree.nodes[part.tree.root].lemma
-    return found
-
-
-def _has_own_verb(tree: Tree, before: str) -> bool:
-    """Whether words without an article begin with a verb, and not with what kind of thing they name.
-
-    That is so of "grill steak", but not behind what is got: "order pizza at six and ice cream at seven".
-    """
-    if not tree.nodes or tree.root != 0:
-        return False
-    verb, lexicon = tree.nodes[0], tree.lexicon
-    called = verb.lower in lexicon.people or verb.lower in lexicon.animals
-    if not (verb.is_verb and verb.may_act) or verb.lower != verb.lemma or called:
-        return False
-    tags = [node.tag for node in tree.nodes[1:3]]
-    if tags[:1] and (tags[0] in DETERMINERS or tags == ["IN", "CD"]):
-        # "Water the basil at six", "spin at 300 g for 5 min"
-        return True
-    done = lexicon.ordering | lexicon.doing.errands | lexicon.doing.of_events
-    things = [tree.reach(thing) for thing in tree.children(0, "dobj")]
-    named = [tree.text[: tree.nodes[end - 1].end] for first, end in things if first == 1]
-    listed = before in done or any(is_of_its_own(name, lexicon) for name in named)
-    return not verb.may_name or (bool(named) and not listed)
 
 
 def _binds_alike(old: Phrase, new: Phrase, *, happens: bool) -> bool:

@@ -16,9 +16,6 @@ from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.lists.entries import Entry, is_when
 
-JOINTS = frozenset({",", "and", "&", "then"})
-"""What stands between two steps."""
-
 ENDS = frozenset({".", "!", "?"})
 """What stands between two sentences."""
 
@@ -123,7 +120,7 @@ def _may_chain(words: Sequence[Word], lexicon: Lexicon) -> bool:
     for place in range(len(texts) - 1):
         led = not place or texts[place - 1] in ENDS | {"then"}
         first = place + (texts[place] in closed.noun_openers)
-        if not led or JOINTS.isdisjoint(texts[first:]) or texts[first : first + 1] == []:
+        if not led or closed.joints_of_steps.isdisjoint(texts[first:]) or texts[first : first + 1] == []:
             continue
         behind, further = (*texts[first + 1 : first + 3], "", "")[:2]
         acts = texts[first] in lexicon.orders | lexicon.addressing and behind not in lexicon.function_words
@@ -138,7 +135,8 @@ def _steps(scanned: Scanned) -> Iterator[_Step]:
     """Give what stands between the joints of a text."""
     words, phrases = scanned.words, [phrase for phrase in phrases_of(scanned) if is_when(phrase)]
     covered = places_in(phrases)
-    parting = [p for p, word in enumerate(words) if p not in covered and word.text in JOINTS | ENDS]
+    joints = scanned.lexicon.closed.joints_of_steps | ENDS
+    parting = [p for p, word in enumerate(words) if p not in covered and word.text in joints]
     first = joint = 0
     for end in (*parting, len(words)):
         if first < end:

@@ -8,10 +8,8 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind
 
-JOINTS = frozenset({",", "and", "&", ";", "+", "."})
-"""What may stand between two of them."""
-
-THE = "the"
+STOPS = frozenset({";", "+", "."})
+"""Marks that may stand between two of them."""
 
 LONGEST = 6
 """Words of one thing, at most: "1 tin of chopped plum tomatoes"."""
@@ -24,13 +22,13 @@ def names_needed(words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether all that words do is to name amounts of things, one of which is measured: "3 cloves garlic"."""
     inside = _bare(words)
     place = next((p + 1 for p, word in enumerate(inside) if word.text == ":"), 0)
-    things = [*_things(inside[place:])]
+    things = [*_things(inside[place:], lexicon.closed.joints_of_things | STOPS)]
     if not things or max(map(len, things)) > LONGEST:
         return False
     counted = [thing for thing in things if is_number(thing[0], lexicon)]
     measured = lexicon.no_times.measured_in | lexicon.no_times.portions
     known = any(_is_measured(thing, measured) for thing in counted)
-    beside = lexicon.function_words - {"of", "for", "or", "to", "a"}
+    beside = lexicon.function_words - lexicon.closed.inside_names_of_things
     plain = all(word.text not in beside for thing in things for word in thing)
     return known and plain and 2 * len(counted) >= len(things) and counted[0] is things[0]
 
@@ -61,10 +59,10 @@ def _bare(words: Sequence[Word]) -> list[Word]:
     return found
 
 
-def _things(words: Sequence[Word]) -> Iterator[list[Word]]:
+def _things(words: Sequence[Word], joints: AbstractSet[str]) -> Iterator[list[Word]]:
     thing: list[Word] = []
     for word in words:
-        if word.text in JOINTS:
+        if word.text in joints:
             if thing:
                 yield thing
             thing = []
@@ -82,5 +80,5 @@ def _is_measured(thing: Sequence[Word], measured: AbstractSet[str]) -> bool:
 
 def is_number(word: Word, lexicon: Lexicon) -> bool:
     """Whether a word may say how many, or how much."""
-    one = word.text in lexicon.closed.articles and word.text != THE
+    one = word.text in lexicon.closed.indefinite_articles
     return one or word.text[0].isdigit() or word.text in lexicon.numbers

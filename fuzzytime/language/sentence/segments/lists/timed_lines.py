@@ -9,13 +9,8 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.timetables import MINUTES, has_time
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.sentence.segments.lists.dividers import LINE
-from fuzzytime.language.sentence.segments.lists.hours_of_lines import (
-    ALONE,
-    DECIMAL,
-    LEADING,
-    Timed,
-    hours_behind,
-)
+from fuzzytime.language.sentence.segments.lists.hours_of_lines import Timed
+from fuzzytime.language.sentence.segments.lists.typed_hours import ALONE, DECIMAL, LEADING, hours_behind
 
 SURELY = 2
 """Lines with a time that is surely one, beside which others are a list of times."""

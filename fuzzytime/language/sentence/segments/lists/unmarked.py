@@ -14,7 +14,7 @@ from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.grammar.timetables import LONGEST_STREET, TO, has_time
+from fuzzytime.language.grammar.timetables import LONGEST_STREET, has_time
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.meaning.expressions import Phrase, TimeWord
 from fuzzytime.language.meaning.phrases import is_window
@@ -120,7 +120,7 @@ def _times(scanned: Scanned) -> Iterator[_Time]:
         found = lengths
     last: _Time | None = None
     for one in sorted(found, key=lambda time: time.first):
-        if last is not None and _is_stretch(words[last.end : one.first]):
+        if last is not None and _is_stretch(words[last.end : one.first], lexicon):
             last = _Time(last.first, one.end, sure=True)
             continue
         if last is not None and one.first <= last.end:
@@ -139,9 +139,9 @@ def _stands_alone(around: Sequence[Word], lexicon: Lexicon) -> bool:
     return before.is_digits and word.text in lexicon.particles and behind.is_digits
 
 
-def _is_stretch(between: Sequence[Word]) -> bool:
+def _is_stretch(between: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether what stands between two times makes one of them: "gym 6-7 dinner 8", "six to seven"."""
-    return len(between) == 1 and between[0].text in TO | {"-"}
+    return len(between) == 1 and between[0].text in {"-", *lexicon.beside.until_hours}
 
 
 def _is_sure(phrase: Phrase) -> bool:

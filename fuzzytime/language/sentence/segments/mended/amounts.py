@@ -11,8 +11,6 @@ NAMING = NOUNS | {"JJ", "VBN", "VBG"}
 LEAST = 4
 """Words of "add 20 g salt"."""
 
-JOINTS = frozenset({",", "and", "&"})
-
 
 def with_amounts(tree: Tree) -> Tree:
     """Give an order the things whose amounts stand right behind it, which a tree hangs here and there."""
@@ -29,7 +27,7 @@ def with_amounts(tree: Tree) -> Tree:
             (p for p in behind if p != nodes[p].head), 0
         )
     for place in range(1, end):
-        if nodes[place].lower in JOINTS:
+        if nodes[place].lower in tree.lexicon.closed.joints_of_things:
             tree = tree.changed(place, relation="punct" if nodes[place].text == "," else "cc", head=thing)
     for start, last, stop, _ in things:
         for place in range(start, last):
@@ -71,7 +69,7 @@ def _things(tree: Tree) -> Iterator[tuple[int, int, int, bool]]:
             place += 2
         yield start, last, place, unit
         joints = place
-        while place < len(nodes) and nodes[place].lower in JOINTS:
+        while place < len(nodes) and nodes[place].lower in tree.lexicon.closed.joints_of_things:
             place += 1
         if place == joints:
             return
@@ -80,6 +78,6 @@ def _things(tree: Tree) -> Iterator[tuple[int, int, int, bool]]:
 def _begins_thing(tree: Tree, place: int) -> bool:
     """Whether a further thing begins at a place: "and the chickpeas", ", salt"; but "and stir"."""
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    orders = tree.lexicon.orders | tree.lexicon.alone
+    orders, joints = tree.lexicon.orders | tree.lexicon.alone, tree.lexicon.closed.joints_of_things
     bare = node.tag in {"NN", "NNS"} and node.lower not in orders
-    return node.tag in DETERMINERS or (bare and all(one.tag == "IN" or one.lower in JOINTS for one in behind))
+    return node.tag in DETERMINERS or (bare and all(one.tag == "IN" or one.lower in joints for one in behind))

@@ -24,7 +24,6 @@ NTH = 3
 BESIDE_DONE = frozenset({"prep", "agent", "npadvmod", "advmod", "punct", "cc", "conj", "prt"})
 """How what hangs on a participle that names nothing."""
 
-JOINTS = frozenset({",", "and", "&"})
 
 TWO = 2
 
@@ -109,7 +108,11 @@ def with_joined(tree: Tree, timed: AbstractSet[int]) -> Tree:
     rinse and dry" the last for what something is like.
     """
     tree = _with_last_done(tree)
-    joined = tree.nodes[1:2] and tree.nodes[1].lower in {"and", "&"} and 2 in tree.children(0, "conj")
+    joined = (
+        tree.nodes[1:2]
+        and tree.nodes[1].lower in tree.lexicon.closed.additive_conjunctions
+        and 2 in tree.children(0, "conj")
+    )
     if not joined or not tree.nodes[0].is_bare or tree.root or tree.children(0, "dobj", "prt"):
         return tree
     alone = all(
@@ -123,8 +126,8 @@ def with_joined(tree: Tree, timed: AbstractSet[int]) -> Tree:
 
 def _with_last_done(tree: Tree) -> Tree:
     """Give orders in a row that are all of their words the last of them, which may be an adjective, too."""
-    chain = [0]
-    while chain[-1] + 2 < len(tree.nodes) and tree.nodes[chain[-1] + 1].lower in JOINTS:
+    chain, joints = [0], tree.lexicon.closed.joints_of_things
+    while chain[-1] + 2 < len(tree.nodes) and tree.nodes[chain[-1] + 1].lower in joints:
         chain.append(chain[-1] + 2)
     last = chain[-1]
     acts = all(tree.nodes[p].may_act and tree.nodes[p].lower == tree.nodes[p].lemma for p in chain)

@@ -55,8 +55,8 @@ def with_owner(tree: Tree, timed: AbstractSet[int]) -> Tree:
 def _owning(tree: Tree) -> int:
     """Give the place of a verb of having or needing behind a name; 0 where there is none."""
     closed, nodes = tree.lexicon.closed, tree.nodes
-    owning = {"has", "have", "needs", "need"}
-    verb = next((p for p, node in enumerate(nodes[: LONGEST + 1]) if node.lower in owning), 0)
+    first_words = enumerate(nodes[: LONGEST + 1])
+    verb = next((p for p, node in first_words if node.lower in closed.having_or_needing), 0)
     if not 0 < verb < len(nodes) - 1:
         return 0
     if nodes[verb + 1].tag == "VBN" or nodes[verb + 1].lower in closed.negators:

@@ -156,7 +156,7 @@ def _overlooks_order(one: Waiting, tree: Tree) -> bool:
         return False
     if is_done_alone(tree, first):
         return True
-    if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in {"it", "them"}:
+    if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in one.lexicon.closed.it_or_them:
         # "Pat it dry"
         return True
     if first == 0 and node.lower in one.lexicon.particles.get(tree.nodes[1].lower, ()):
@@ -168,7 +168,11 @@ def _overlooks_order(one: Waiting, tree: Tree) -> bool:
     # "Fetch crate 4, bring it here": the first order is taken for who does the second.
     subjects = tree.children(tree.root, *SUBJECTS, *(() if tree.nodes[tree.root].may_act else ("advcl",)))
     taken = any(first in tree.below(place) for place in subjects)
-    return taken and tree.root > 0 and tree.nodes[tree.root - 1].lower in {",", "and", ";"}
+    return (
+        taken
+        and tree.root > 0
+        and tree.nodes[tree.root - 1].lower in {*tree.lexicon.closed.joints_of_things, ";"}
+    )
 
 
 def _may_be_done(tree: Tree) -> bool:

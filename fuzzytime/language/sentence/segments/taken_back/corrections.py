@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
-from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.understood.lent import is_timed_entry
 from fuzzytime.language.instruction import Remark, RemarkKind
@@ -69,7 +69,7 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
         if "not" in between and _is_length(old.said) is not _is_length(new.said):
             # "For an hour, not at noon": how long, and when not.
             continue
-        if _takes_back(between):
+        if _takes_back(between, scanned.lexicon):
             # "On monday, not tuesday"; but "tomorrow, not before ten" is one time.
             kept.remove(new)
             span = (old.span[1], new.span[1])
@@ -101,10 +101,10 @@ def _is_length(said: Said) -> bool:
     return said.constraint is Constraint.FOR or isinstance(said.time, Duration)
 
 
-def _takes_back(between: Sequence[str]) -> bool:
+def _takes_back(between: Sequence[str], lexicon: Lexicon) -> bool:
     """Whether words between two times deny the second: "at six instead of at seven"."""
-    joint = [text for text in between if text not in {",", "and"}]
-    return joint in (["not"], ["instead", "of"], ["rather", "than"])
+    joint = (text for text in between if text not in lexicon.closed.joints_of_things)
+    return " ".join(joint) in lexicon.beside.in_place_of
 
 
 def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Remark]:
@@ -113,7 +113,7 @@ def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Rem
     for phrase in phrases:
         place = phrase.end + 2
         clock = phrase.said.wall.clock
-        denied = texts[phrase.end : place] in ([",", "not"], ["instead", "of"], ["rather", "than"])
+        denied = " ".join(texts[phrase.end : place]).removeprefix(", ") in scanned.lexicon.beside.in_place_of
         if not denied or place in starts:
             continue
         alone = place < len(texts) and texts[place + 1 : place + 2] in ([], [","], ["."], ["!"], ["?"])
@@ -129,8 +129,8 @@ def _denied(scanned: Scanned, phrase: Phrase) -> Remark | None:
     """Give what to say of a time that is denied alone in front: "not now, …", "rather than at six, …"."""
     texts = [word.text for word in scanned.words]
     # "Instead of today" may have its "of" in the time.
-    led = texts[: phrase.first] in (["not"], ["rather", "than"], ["instead", "of"])
-    led = led or texts[: phrase.first + 1] == ["instead", "of"]
+    fronts = {" ".join(texts[: phrase.first + inside]) for inside in (0, 1) if phrase.first}
+    led = not fronts.isdisjoint(scanned.lexicon.beside.in_place_of)
     alone = led and texts[phrase.end : phrase.end + 1] in ([","], ["."], [";"])
     if not alone or phrase.end + 1 >= len(texts) or texts[phrase.end + 1] == "but":
         return None

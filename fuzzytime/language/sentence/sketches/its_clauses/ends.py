@@ -54,7 +54,11 @@ class ClauseEnds:
         if place == first + 1 and text == BEFORE and place not in self.covered:
             # "After soundcheck before doors", as "between" and "and" are read
             return True
-        if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
+        if (
+            text not in self.lexicon.closed.conjunctions
+            or place + 1 >= len(self.words)
+            or place - 1 in self.covered
+        ):
             return text in ENDS
         # "Before you leave and again when you get back", "… and again every two hours"
         again = self.words[place + 1].text == "again" and place + 2 < len(self.words)

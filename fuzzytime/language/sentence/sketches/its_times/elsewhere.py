@@ -188,7 +188,8 @@ def _of_inner(part: Part, phrases: Sequence[Phrase]) -> list[Phrase]:
         first = next(part.at(phrase.span), 0)
         led, article = ["", "", *(node.lower for node in nodes[:first])][-2:]
         inner = isinstance(phrase.said.time, Duration) and phrase.said.preposition is None
-        if inner and led == "with" and article in {"a", "an", "one"} and len(phrases) > 1:
+        one = article in part.lexicon.closed.singular_determiners
+        if inner and led == "with" and one and len(phrases) > 1:
             found.append(phrase)
     spans = any(isinstance(phrase.said.time, (Range, Duration)) for phrase in phrases if phrase not in found)
     return found if spans else []

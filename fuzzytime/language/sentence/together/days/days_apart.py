@@ -7,7 +7,7 @@ behind it; any other for the times of its own instruction.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from fuzzytime.language.grammar.lexicon import Entry
+from fuzzytime.language.grammar.lexicon import Entry, Lexicon
 from fuzzytime.language.meaning.calendar import Fields, is_weekday
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Duration, Ending, Offset, Phrase, Range, Repeat, Said, Wall
@@ -223,13 +223,16 @@ def _on_own_day(sketch: Sketch, place: int, text: str) -> Sketch:
             phrases[other] = replace(phrases[other], said=said.borrowing(whole))
     placed = replace(sketch, phrases=tuple(phrases))
     # "On friday the painters are here all day" is on that day, and not for 24 hours.
-    return placed.keeping(lambda phrase: not _is_all_day(phrase, text)) if day.is_day else placed
+    return (
+        placed.keeping(lambda phrase: not _is_all_day(phrase, text, sketch.lexicon)) if day.is_day else placed
+    )
 
 
-def _is_all_day(phrase: Phrase, text: str) -> bool:
+def _is_all_day(phrase: Phrase, text: str, lexicon: Lexicon) -> bool:
     """Whether it is the length of a day that is said as all of it: "all day"."""
     said = {*text[slice(*phrase.span)].lower().split()}
-    return phrase.said.time == Duration(((1, Unit.DAY),)) and not said.isdisjoint({"all", "whole"})
+    whole = not said.isdisjoint(lexicon.beside.all_of_a_day)
+    return whole and phrase.said.time == Duration(((1, Unit.DAY),))
 
 
 def _on_day(sketch: Sketch, held: _Day) -> Sketch:

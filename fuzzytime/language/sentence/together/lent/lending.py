@@ -153,7 +153,7 @@ def _beside(before: Operation, sketch: Sketch, operation: Operation, *, joined: 
         return operation
     node = tree.nodes[tree.root]
     alone = not sketch.times
-    begins = before.stated and before.lemma in doing.beginning | {"be"} and bool(sketch.phrases)
+    begins = before.stated and before.lemma in doing.beginning_or_being and bool(sketch.phrases)
     if before.object is None or before.attended:
         # "We're on at nine and play for an hour"; but "I'm out at noon, feed the cat"
         goes_on = begins and (alone or operation.lemma in doing.ending) and joined and not operation.stated

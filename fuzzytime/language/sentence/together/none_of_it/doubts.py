@@ -184,7 +184,7 @@ def _is_inverted(tree: Tree) -> bool:
     if not tree.nodes or tree.nodes[0].relation != "aux" or tree.nodes[0].head != root:
         return False
     subjects = [place for place in tree.children(root, *SUBJECTS) if place < root]
-    return bool(subjects) and tree.nodes[subjects[0]].lower not in {"you", "we"}
+    return bool(subjects) and tree.nodes[subjects[0]].lower not in tree.lexicon.closed.asked_to_act
 
 
 def asks(words: Sequence[Word], behind: str, lexicon: Lexicon) -> bool:

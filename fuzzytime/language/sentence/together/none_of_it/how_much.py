@@ -20,9 +20,6 @@ HOURS = 12
 BINDING = frozenset({"at", "by", "before", "after"})
 """Prepositions before an hour."""
 
-ONES = frozenset({"one", "1"})
-"""The number that counts a single thing: "at one table"."""
-
 AT_END = re.compile(
     r"\b(?P<noun>[^\W\d]+) (?P<number>(?:1[0-2]|[1-9])(?:\.[0-5]\d)?|(?:[01]\d|2[0-3])[0-5]\d)\W*$"
 )
@@ -109,10 +106,11 @@ def _typed_inside(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | Non
 def _bound_inside(draft: Draft, said: Sequence[Word]) -> Span | None:
     """Give where an hour is bound in front of a word that it does not count: "call mum at six dressed"."""
     lexicon, measured = draft.lexicon, draft.lexicon.no_times.measured_in
+    ones = lexicon.closed.singular_determiners
     for place in range(1, len(said) - 2):
         before, bound, number, *behind = said[place - 1 : place + 4]
         span = (bound.start, number.end)
-        hour = bound.text in BINDING and _is_hour(number, lexicon) and number.text not in ONES
+        hour = bound.text in BINDING and _is_hour(number, lexicon) and number.text not in ones
         # "A 10 by 12 frame", "at six meeting points", "by ten percent"
         counts = _is_hour(before, lexicon) or any(looks_plural(word.text) for word in behind)
         counts = counts or behind[0].text in measured or lexicon.means(behind[0].text, "unit")

@@ -42,7 +42,11 @@ def things_or_orders(text: str, part: Part) -> Iterator[Remark]:
     for place, node in enumerate(tree.nodes):
         over = tree.nodes[node.head]
         joined = node.relation == "conj" and over.relation == "dobj" and over.tag.startswith("NN")
-        bare = node.tag == "NN" and not tree.children(place) and tree.nodes[place - 1].lower in {"and", "&"}
+        bare = (
+            node.tag == "NN"
+            and not tree.children(place)
+            and tree.nodes[place - 1].lower in tree.lexicon.closed.additive_conjunctions
+        )
         led = any(tree.nodes[p].tag in DETERMINERS for p in tree.children(node.head, "det", "poss"))
         if joined and bare and led and node.lower in part.lexicon.chores:
             span = part.span(node)

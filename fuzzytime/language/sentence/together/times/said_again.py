@@ -69,5 +69,5 @@ def _cuts(sketch: Sketch, words: Sequence[Word]) -> Iterator[Span]:
     for (_, end), (start, _) in pairwise(sorted(sketch.heard)):
         between = {word.text for word in words if end <= word.start < start and start not in listed}
         again = between & beside.twice and between <= beside.beside_twice
-        if again and between & {"and", "&", ",", "then"}:
+        if again and between & sketch.lexicon.closed.joints_of_steps:
             yield end, start

@@ -100,7 +100,7 @@ def steps_in_turn(sketches: Sequence[Sketch], text: str, apart: str) -> list[Ske
 def _is_on(before: Sketch, sketch: Sketch) -> bool:
     """Whether what one does is what goes on then: "we're on at nine and play for an hour"."""
     first, second = before.operation, sketch.operation
-    begins = first is not None and first.lemma in before.lexicon.doing.beginning | {"be"}
+    begins = first is not None and first.lemma in before.lexicon.doing.beginning_or_being
     lasts = bool(sketch.phrases) and not sketch.times
     return begins and lasts and second is not None and second.object is None
 

@@ -1,4 +1,4 @@
 """The verb that is meant (``actions``), also in ``small_clauses``, and which of its moments is.
 
-``orders_before`` the root of a tree.
+``complements`` are the verbs below another; ``orders_before`` the root of a tree.
 """

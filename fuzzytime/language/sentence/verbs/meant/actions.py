@@ -4,11 +4,19 @@ from dataclasses import dataclass
 
 from fuzzytime.language.sentence.trees.tags import PRESENT, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.meant.complements import (
+    assured,
+    brings_about,
+    complement,
+    has_to,
+    is_numbered_place,
+    lets_do,
+    lets_forget,
+)
 from fuzzytime.language.sentence.verbs.meant.orders_before import is_order, is_purpose, order_before
-from fuzzytime.language.sentence.verbs.meant.small_clauses import gets_to_do, reference_of, small_clause
+from fuzzytime.language.sentence.verbs.meant.small_clauses import gets_to_do, reference_of
 from fuzzytime.requirement import Reference
 
-COMPLEMENTS = ("xcomp", "ccomp")
 FINITE = PRESENT | {"VBD"}
 
 DEEPEST = 4
@@ -61,14 +69,14 @@ def action_of(tree: Tree, *, told: bool = False) -> Action | None:
     root = gone_to_do(tree, root) or root
     reference: Reference | None = None
     for _ in range(DEEPEST):
-        assured = _assured(tree, root)
-        below = _meant_below(tree, root) if assured is None else assured
+        sure = assured(tree, root)
+        below = _meant_below(tree, root) if sure is None else sure
         if below is None:
             break
         # "Make sure not to call"; but "don't forget to call"
         kept = negated and tree.nodes[root].lemma not in tree.lexicon.forgetting
         negated = kept or _is_negated(tree, below)
-        if assured is None:
+        if sure is None:
             reference = _reference_of_verb(tree, root, below) or reference
         root = gone_to_do(tree, below) or below
     if reference is None:
@@ -80,24 +88,24 @@ def _meant_below(tree: Tree, root: int) -> int | None:
     """Give the verb that is meant below another, which says that it is wanted or begun; None for none."""
     lexicon = tree.lexicon
     lemma = tree.nodes[root].lemma
-    below = _complement(tree, root, lemma)
+    below = complement(tree, root, lemma)
     if below is None or is_numbered_place(tree, below) or _names_kind(tree, root, below):
         # "Get to gate 22", "get wrapping paper"
         return None
     if gets_to_do(tree, root, below):
         return None
-    if lemma not in lexicon.wanting and _brings_about(tree, root):
+    if lemma not in lexicon.wanting and brings_about(tree, root):
         return None
-    if lemma in lexicon.doing.watching and below - _has_to(tree, below) > root + 1:
+    if lemma in lexicon.doing.watching and below - has_to(tree, below) > root + 1:
         # "Help gran wash, dress her"
         return None
     leads = (
         lemma in lexicon.forgetting
         or lemma in lexicon.wanting
-        or (lemma in lexicon.doing.remembering and _has_to(tree, below) and _is_said_of(tree, root))
+        or (lemma in lexicon.doing.remembering and has_to(tree, below) and _is_said_of(tree, root))
         or (lemma in lexicon.indicators and not _is_left(tree, root, below))
-        or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root)))
-        or (lemma == "have" and _has_to(tree, below))
+        or (lemma == "let" and (lets_do(tree, root) or lets_forget(tree, root)))
+        or (lemma == "have" and has_to(tree, below))
         or passes_on(tree, root)
     )
     return below if leads else None
@@ -114,7 +122,7 @@ def passes_on(tree: Tree, place: int) -> bool:
         and whom <= closed.first_person_objects
         and whose.isdisjoint(closed.first_and_second_person)
     )
-    return said and asked and any(_has_to(tree, verb) for verb in below)
+    return said and asked and any(has_to(tree, verb) for verb in below)
 
 
 def _is_said_of(tree: Tree, place: int) -> bool:
@@ -145,7 +153,7 @@ def _is_left(tree: Tree, root: int, below: int) -> bool:
     goes_on = (
         Reference(tree.lexicon.indicators[lemma]) is Reference.START or lemma in tree.lexicon.doing.continuing
     )
-    return _has_to(tree, below) and not goes_on
+    return has_to(tree, below) and not goes_on
 
 
 def _reference_of_verb(tree: Tree, root: int, below: int) -> Reference | None:
@@ -166,7 +174,7 @@ def _needless(tree: Tree, root: int) -> int | None:
         denied = "no" in tree.said(tree.children(need, "det", "advmod", "neg"))
         if tree.nodes[need].lemma == "need" and denied:
             verbs = tree.children(need, "xcomp", "acl", "relcl", "advcl")
-            return next((p for p in verbs if p > need and _has_to(tree, p)), None)
+            return next((p for p in verbs if p > need and has_to(tree, p)), None)
     return None
 
 
@@ -241,66 +249,7 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
         return True
     goes_on = node.tag == "VBG" and bool(helping) and helping <= closed.present_be
     became = node.tag == "VBN" and bool(tree.children(verb, "auxpass")) and helping <= closed.present_be
-    return is_so or became or (goes_on and _complement(tree, verb, node.lemma) is None)
-
-
-def _assured(tree: Tree, place: int) -> int | None:
-    """Give the verb below what it is time for, or to be sure of: "be careful to close it"."""
-    for below in tree.children(place, "acomp", "ccomp", "oprd", "attr"):
-        if tree.nodes[below].lower in tree.lexicon.doing.sure:
-            verbs = tree.children(below, "xcomp", "relcl", "acl")
-            return next((p for p in verbs if tree.nodes[p].tag == "VB"), None)
-    return None
-
-
-def _complement(tree: Tree, place: int, lemma: str) -> int | None:
-    """Give the verb below a verb, with "to" or as a gerund; "let us" has it bare."""
-    for below in tree.children(place, *COMPLEMENTS):
-        node = tree.nodes[below]
-        if node.tag == "VBG" and tree.nodes[below - 1].tag in {"DT", "PRP$"}:
-            # "Do the ironing" has it for a thing.
-            continue
-        if node.is_verb and (node.tag in {"VB", "VBG"} or lemma == "let") and below > place:
-            return below
-        if lemma in tree.lexicon.doing.wishing and node.tag in {"VBN", "VBP"}:
-            return below
-        if lemma == "have" and node.tag == "VBN" and tree.children(below, "auxpass") and _has_to(tree, below):
-            # "The dog has to be walked"
-            return below
-    return None
-
-
-def is_numbered_place(tree: Tree, place: int) -> bool:
-    """Whether what a tree takes for a verb is called by the number behind it: "take it to station 4"."""
-    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
-    known = tree.lexicon.machines | tree.lexicon.measure_nouns
-    led = "to" in tree.said(tree.children(place, "aux"))
-    return counted and led and tree.nodes[place].lower in known
-
-
-def _brings_about(tree: Tree, place: int) -> bool:
-    """Whether a verb is what is to be done: "leave the cake to cool", not "let us go"."""
-    lets = tree.nodes[place].lemma == "let" and (_lets(tree, place) or _lets_forget(tree, place))
-    return not lets and small_clause(tree, place) is not None
-
-
-def _lets(tree: Tree, place: int) -> bool:
-    """Whether it is "let us" or "lets", not "let me know"."""
-    following = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
-    return tree.nodes[place].lower == "lets" or following in {"us", "'s", "’s"}
-
-
-def _lets_forget(tree: Tree, place: int) -> bool:
-    """Whether it is "don't let me forget to post it", "don't let me forget the bins"."""
-    below = _complement(tree, place, "let")
-    forgets = below is not None and tree.nodes[below].lemma in tree.lexicon.forgetting
-    return forgets and below is not None and bool(tree.children(below, "xcomp", "dobj"))
-
-
-def _has_to(tree: Tree, below: int) -> bool:
-    """Whether it is "have to do", not "have it done"."""
-    marks = [tree.nodes[p].lower for p in tree.children(below, "aux")]
-    return "to" in marks and not tree.children(below, *SUBJECTS)
+    return is_so or became or (goes_on and complement(tree, verb, node.lemma) is None)
 
 
 def _can_wait(tree: Tree, place: int) -> bool:

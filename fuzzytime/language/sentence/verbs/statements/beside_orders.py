@@ -28,7 +28,9 @@ def does_beside(tree: Tree, place: int, start: int) -> bool:
     ordered = ordered and not tree.children(root, *GRAMMATICAL_SUBJECTS, "ccomp", "xcomp")
     named = who.tag == "NNP" or who.lower in tree.lexicon.people
     joined = (
-        node.relation == "conj" and node.head == root and tree.nodes[start - 1].lower in {"and", "&", "but"}
+        node.relation == "conj"
+        and node.head == root
+        and tree.nodes[start - 1].lower in tree.lexicon.closed.conjunctions_of_clauses
     )
     return ordered and joined and named and (node.tag == "VBZ" or bool(tree.children(place, "aux")))
 

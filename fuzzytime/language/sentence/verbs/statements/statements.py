@@ -83,7 +83,10 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     joint = start - 1
     if joint > 0 and tree.nodes[joint].lower == "and" and tree.nodes[joint - 1].text == ",":
         joint -= 1
-    joined = joint > 0 and tree.nodes[start - 1].lower in {*closed.joints_of_consequence, "and", "&", "but"}
+    joined = (
+        joint > 0
+        and tree.nodes[start - 1].lower in closed.joints_of_consequence | closed.conjunctions_of_clauses
+    )
     # "Light the fire before we get back, we'll be home by six"
     speaks = (
         tree.nodes[start].lower in closed.plural_agreement
@@ -187,7 +190,7 @@ def due_too(tree: Tree, place: int, root: int) -> int | None:
     # "Ann has to go", but "Ann has a cold"
     must = bool(tree.children(place, "xcomp")) and node.lower in closed.verbs_of_obligation
     first = min(tree.below(subjects[0]))
-    joined = tree.nodes[first - 1].lower in {"and", ",", "&", "but"}
+    joined = tree.nodes[first - 1].lower in {*closed.conjunctions_of_clauses, ","}
     return first if joined and (must or helping & closed.obligation) else None
 
 

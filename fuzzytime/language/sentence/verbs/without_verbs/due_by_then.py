@@ -75,7 +75,11 @@ def _state(nodes: Sequence[Node], lexicon: Lexicon, *, listed: bool) -> int:
     # "Miked up"
     last -= last > 1 and nodes[last].lower in lexicon.particles and nodes[last - 1].tag in PAST
     if last > 0 and _is_done(nodes[last], nodes[last - 1], lexicon, listed=listed):
-        both = last > 2 and nodes[last - 1].lower in {"and", "&"} and nodes[last - 2].tag in PAST
+        both = (
+            last > 2
+            and nodes[last - 1].lower in lexicon.closed.additive_conjunctions
+            and nodes[last - 2].tag in PAST
+        )
         # "Washed and hoovered"
         return last - 2 if both else last
     if last > 0 and nodes[last].tag.startswith("JJ") and nodes[last].lower in lexicon.results:
