@@ -10,6 +10,7 @@ from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.said import ENDS, Said
 from fuzzytime.language.about_wishes.told.reports import report
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.recent import remembering
 
 CLOSING = ("anew", "preferring", "closing")
 """Tables of what may close a line, and says nothing of wishes."""
@@ -24,6 +25,7 @@ NO, COMMA = "no", ","
 MARKS = frozenset({",", ".", "!", "?", "-"})
 
 
+@remembering(64)
 def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     """Read what is said about wishes that were said before; None where it may be a wish itself.
 
