@@ -63,11 +63,13 @@ def idle_rules(grammar: Grammar, lexicon: Lexicon, texts: Iterable[str]) -> list
     counted = Grammar()
     for pattern in grammar.patterns:
         counted.add(pattern._replace(action=counting(pattern)))
+    idle = {pattern.name for pattern in grammar.patterns}
     for text in texts:
         Scanned.of(text, counted, lexicon)
-    return sorted(
-        {pattern.name for pattern in grammar.patterns} - {name for name, count in made.items() if count}
-    )
+        idle.difference_update(name for name, count in made.items() if count)
+        if not idle:
+            break
+    return sorted(idle)
 
 
 @cache

@@ -9,6 +9,7 @@ from fuzzytime.language.about_wishes.changes.changes import change
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.said import ENDS, Said
 from fuzzytime.language.about_wishes.told.reports import report
+from fuzzytime.language.finding import LONGEST_TEXT
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.recent import remembering
 
@@ -35,7 +36,7 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     'at six'
     """
     whole = Said.of(text, now, lexicon)
-    if not whole.words:
+    if not whole.words or len(text) > LONGEST_TEXT:
         return None
     said = _without_courtesies(whole)
     if not said.words or not set(whole.without("answering")[0].forms) - MARKS:
