@@ -1,5 +1,6 @@
 """What all tests share: settings of Hypothesis, signals as a terminal gives them, and a browser."""
 
+import gc
 import signal
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -8,6 +9,7 @@ import pytest
 from hypothesis import settings
 
 from chromium import ARGUMENTS, chromium
+from fuzzytime_cli.entry import SELDOM
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -20,6 +22,15 @@ settings.load_profile("fuzzytime")
 # program that a test starts, to interrupt it.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+# As the command does: what a test makes is mostly gone with it, without anybody looking for circles.
+gc.set_threshold(SELDOM)
+
+
+def pytest_collection_finish() -> None:
+    """Spare what stays until the end of the session, which is most, from being looked through again."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="module")

@@ -20,6 +20,7 @@ from fuzzytime.language.meaning.required.requirements import Grounded, grounded
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.language.policy import Policy
+from fuzzytime.language.recent import remembering
 from fuzzytime.language.unseen import without_unseen
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.resources import rules_directory
@@ -124,6 +125,7 @@ def check_length(text: str) -> None:
         raise InstructionError(message, shown, (0, 0))
 
 
+@remembering(256)
 def find_times(
     text: str,
     now: datetime | None,

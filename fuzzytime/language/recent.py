@@ -1,9 +1,11 @@
 """What was made last, kept in memory: in a conversation, one text is read for all that it may mean."""
 
-from collections.abc import Hashable, Iterable
+from collections.abc import Callable, Hashable, Iterable
 from datetime import datetime
-from typing import Generic, TypeVar
+from functools import wraps
+from typing import Generic, ParamSpec, TypeVar
 
+_Asked = ParamSpec("_Asked")
 _Key = TypeVar("_Key", bound=Hashable)
 _Made = TypeVar("_Made")
 
@@ -38,3 +40,33 @@ class Recent(Generic[_Key, _Made]):
 def moment_as_typed(now: datetime | None) -> Hashable:
     """Give a moment as a key: one instant in two zones is not the same for words that tell the time there."""
     return None if now is None else (now.replace(tzinfo=None), now.tzinfo, now.fold)
+
+
+def remembering(most: int) -> Callable[[Callable[_Asked, _Made]], Callable[_Asked, _Made]]:
+    """Have a function of texts, moments and tables keep the values that it made last.
+
+    >>> @remembering(64)
+    ... def shouted(text: str, now: datetime) -> str:
+    ...     print("made")
+    ...     return text.upper()
+    >>> [shouted("now", datetime(2026, 3, 4)) for _ in range(2)]
+    made
+    ['NOW', 'NOW']
+    """
+
+    def decorated(function: Callable[_Asked, _Made]) -> Callable[_Asked, _Made]:
+        recent = Recent[Hashable, tuple[_Made]](most)
+
+        @wraps(function)
+        def remembered(*values: _Asked.args, **named: _Asked.kwargs) -> _Made:
+            asked = (*values, *named.keys(), *named.values())
+            key = tuple(moment_as_typed(one) if isinstance(one, datetime) else one for one in asked)
+            known = recent.known([key]).get(key)
+            if known is None:
+                known = (function(*values, **named),)
+                recent.keep({key: known})
+            return known[0]
+
+        return remembered
+
+    return decorated

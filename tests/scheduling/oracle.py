@@ -21,12 +21,12 @@ def best_cost(task: FuzzyTask, threshold: float, step: float = 0.25) -> float:
     for index, skill in enumerate(task.skills):
         if float(skill.satisfaction(math.inf)) > threshold:
             rejection[index] = -skill.priority * math.log(float(skill.satisfaction(math.inf)))
-    best = math.inf
+    best, known = math.inf, dict[tuple[int, float], np.ndarray]()
     for size in range(count + 1):
         for order in itertools.permutations(range(count), size):
             if _keeps(task, order):
                 left_out = math.fsum(rejection[index] for index in range(count) if index not in order)
-                best = min(best, left_out + _timed(task, order, lattice, threshold))
+                best = min(best, left_out + _timed(task, order, lattice, threshold, known))
     return best
 
 
@@ -50,21 +50,33 @@ def _lattice(task: FuzzyTask, step: float) -> np.ndarray:
     return np.unique(np.concatenate([np.arange(-max(sums), reach, step), exact]))
 
 
-def _timed(task: FuzzyTask, order: tuple[int, ...], lattice: np.ndarray, threshold: float) -> float:
+def _timed(
+    task: FuzzyTask,
+    order: tuple[int, ...],
+    lattice: np.ndarray,
+    threshold: float,
+    known: dict[tuple[int, float], np.ndarray],
+) -> float:
+    """Give what an order costs at its best; ``known`` is what skills cost behind so many seconds."""
     best = np.zeros(lattice.size)
     before = 0.0
     for index in order:
-        skill = task.skills[index]
-        start = _on_corners(lattice + before, task, index)
-        value = skill.satisfaction(start)
-        allowed = (start >= 0) & (value > threshold)
-        for entry in task.busy:
-            allowed &= (start <= entry.start - skill.duration) | (start >= entry.end)
-        with np.errstate(divide="ignore"):
-            cost = np.where(allowed, -skill.priority * np.log(value), np.inf)
-        best = np.minimum.accumulate(best + cost)
-        before += skill.duration
+        if (index, before) not in known:
+            known[index, before] = _costs(task, index, lattice + before, threshold)
+        best = np.minimum.accumulate(best + known[index, before])
+        before += task.skills[index].duration
     return float(best[-1])
+
+
+def _costs(task: FuzzyTask, index: int, times: np.ndarray, threshold: float) -> np.ndarray:
+    skill = task.skills[index]
+    start = _on_corners(times, task, index)
+    value = skill.satisfaction(start)
+    allowed = (start >= 0) & (value > threshold)
+    for entry in task.busy:
+        allowed &= (start <= entry.start - skill.duration) | (start >= entry.end)
+    with np.errstate(divide="ignore"):
+        return np.where(allowed, -skill.priority * np.log(value), np.inf)
 
 
 def _on_corners(times: np.ndarray, task: FuzzyTask, index: int) -> np.ndarray:
@@ -126,23 +138,26 @@ def best_whole_cost(task: FuzzyTask, threshold: float, last: int) -> float:
         for skill, level in zip(task.skills, late, strict=True)
     ]
     least = [min(*mine, worst) for mine, worst in zip(costs, rejections, strict=True)]
+    rest = [math.fsum(least[index] for index in order[depth:]) for depth in range(count + 1)]
     chosen: dict[int, tuple[int, int] | None] = {}
     best = math.fsum(rejections)
 
     def descend(depth: int, cost: float) -> None:
         nonlocal best
-        if cost + math.fsum(least[index] for index in order[depth:]) >= best:
+        if cost + rest[depth] >= best:
             return
         if depth == count:
             best = cost
             return
         index = order[depth]
-        for start, value in enumerate(costs[index]):
-            if value < math.inf:
-                for agent in range(1, task.agents + 1):
-                    if _may(task, chosen, index, start, agent):
-                        chosen[index] = (start, agent)
-                        descend(depth + 1, cost + value)
+        for agent in _agents(task, index):
+            possible = _starts(task, chosen, index, last, agent)
+            # The cheapest first: those behind one that cannot be better cannot be, either.
+            for value, start in sorted((costs[index][start], start) for start in possible):
+                if value == math.inf or cost + value + rest[depth + 1] >= best:
+                    break
+                chosen[index] = (start, agent)
+                descend(depth + 1, cost + value)
         chosen[index] = None
         descend(depth + 1, cost + rejections[index])
         del chosen[index]
@@ -159,24 +174,33 @@ def _after_what_must_come_before(task: FuzzyTask) -> list[int]:
     return order
 
 
-def _may(
-    task: FuzzyTask, chosen: dict[int, tuple[int, int] | None], index: int, start: int, agent: int
-) -> bool:
+def _agents(task: FuzzyTask, index: int) -> range:
+    """Give who may do a skill; an event takes nobody from work, whoever it is of."""
     skill = task.skills[index]
-    if skill.agent not in {None, agent}:
-        return False
+    if skill.agent is not None:
+        return range(skill.agent, skill.agent + 1)
+    return range(1, 2 if skill.happens else task.agents + 1)
+
+
+def _starts(
+    task: FuzzyTask, chosen: dict[int, tuple[int, int] | None], index: int, last: int, agent: int
+) -> list[int]:
+    """Give when an agent may start a skill beside what was chosen before."""
+    skill = task.skills[index]
     taken = [(entry.start, entry.end) for entry in task.busy if entry.agent in {None, agent}]
     for other, place in chosen.items():
         if other != index and place is not None and place[1] == agent and not task.skills[other].happens:
             taken.append((place[0], place[0] + task.skills[other].duration))
-    if not skill.happens and any(start < high and low < start + skill.duration for low, high in taken):
-        return False
+    starts = list(range(last + 1))
+    if not skill.happens:
+        for low, high in taken:
+            starts = [start for start in starts if start >= high or start + skill.duration <= low]
     for entry in task.precedences:
         if entry.second == index:
             place = chosen[entry.first]
             if place is None:
-                return False
-            gap = start - place[0] - task.skills[entry.first].time_until_done
-            if not entry.minimum_lag <= gap <= entry.maximum_lag:
-                return False
-    return True
+                return []
+            low, high = entry.minimum_lag, entry.maximum_lag
+            done = place[0] + task.skills[entry.first].time_until_done
+            starts = [start for start in starts if low <= start - done <= high]
+    return starts

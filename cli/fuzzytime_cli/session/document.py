@@ -5,7 +5,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import asdict, is_dataclass
 from datetime import datetime
-from functools import cache
+from functools import cache, lru_cache
 from types import UnionType
 from typing import Any, get_args, get_origin, get_type_hints
 
@@ -40,8 +40,11 @@ def instant_of(text: str) -> datetime:
     return parse_instant(plain, parse_zone(zone.rstrip("]")) if zone else None)
 
 
+@lru_cache(maxsize=8)
 def state_of(text: str) -> State:
     """Read a state from JSON; what earlier versions did not have is as where nothing is said.
+
+    A turn of a conversation looks at its state many times: those read last are kept.
 
     Raises
     ------

@@ -34,10 +34,11 @@ def later_by(said: Said) -> tuple[About, Said] | None:
         return About(kind=AboutKind.DELAY, by=found[0]), found[1]
     for place in range(len(said.words)):
         slight = longest_match(said.words, place, said.table("slightly"))
-        end = place + len(slight or ())
-        way = said.behind(end)
+        if not slight:
+            continue
+        way = said.behind(place + len(slight))
         directions = way.without(*DIRECTIONS)
-        if slight and way.words and directions[1] and not directions[0].words:
+        if way.words and directions[1] and not directions[0].words:
             text = f"{' '.join(slight)} later"
             earlier = "earlier" in directions[1]
             return About(kind=AboutKind.DELAY, text=text, earlier=earlier), said.until(place)

@@ -9,7 +9,9 @@ from fuzzytime.language.about_wishes.changes.changes import change
 from fuzzytime.language.about_wishes.corrections import opening_correction
 from fuzzytime.language.about_wishes.said import ENDS, Said
 from fuzzytime.language.about_wishes.told.reports import report
+from fuzzytime.language.finding import LONGEST_TEXT
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.recent import remembering
 
 CLOSING = ("anew", "preferring", "closing")
 """Tables of what may close a line, and says nothing of wishes."""
@@ -24,6 +26,7 @@ NO, COMMA = "no", ","
 MARKS = frozenset({",", ".", "!", "?", "-"})
 
 
+@remembering(64)
 def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     """Read what is said about wishes that were said before; None where it may be a wish itself.
 
@@ -33,7 +36,7 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     'at six'
     """
     whole = Said.of(text, now, lexicon)
-    if not whole.words:
+    if not whole.words or len(text) > LONGEST_TEXT:
         return None
     said = _without_courtesies(whole)
     if not said.words or not set(whole.without("answering")[0].forms) - MARKS:

@@ -44,8 +44,12 @@ def longest_match(words: Sequence[Word], start: int, forms: Iterable[Form]) -> F
     """Give the longest of some forms that stands at a place, or None."""
     first = words[start].text
     likely = forms.beginning(first) if isinstance(forms, Forms) else forms
-    found = [form for form in likely if form[0] == first and matched_to(words, start, form)]
-    return max(found, key=len, default=None)
+    longest: Form | None = None
+    for form in likely:
+        longer = form[0] == first and (longest is None or len(form) > len(longest))
+        if longer and matched_to(words, start, form):
+            longest = form
+    return longest
 
 
 def form_of(text: str) -> Form:
