@@ -13,6 +13,7 @@ class Doing(NamedTuple):
     loading: Words
     with_the_living: Words
     leaving: Words
+    setting_off: Words
     being_there: Words
     getting_there: Words
     beginning: Words

@@ -31,7 +31,7 @@ from fuzzytime.language.sentence.together.times.turns import counted_apart
 from fuzzytime.language.sentence.together.told.ends_told import done_by
 from fuzzytime.language.sentence.together.told.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.told.reasons_told import due_before_told
-from fuzzytime.language.sentence.together.told.told_beside import steps_in_turn, told_beside
+from fuzzytime.language.sentence.together.told.told_beside import from_then_on, steps_in_turn, told_beside
 from fuzzytime.requirement import MOMENTS, Constraint, Reference
 
 
@@ -68,7 +68,8 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
             found += of_several_times(again, words)
     found = [on_owned_day(_ordered(sketch, draft)) for sketch in again_between(found)]
     headed = draft.heading is not None and draft.heading.day is not None
-    found = things_alone(each_week(found, draft.text), draft, apart, headed=headed)
+    found = from_then_on(each_week(found, draft.text), draft.text, apart)
+    found = things_alone(found, draft, apart, headed=headed)
     found = [_ordered(sketch, draft) for sketch in found]
     # "Morning: gym, shower" has its steps in any order.
     if ": " not in draft.text and not (found and heads_list(found[0], draft.text)):

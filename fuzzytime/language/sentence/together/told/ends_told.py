@@ -35,8 +35,12 @@ def _first_ended(found: Sequence[Sketch], sketch: Sketch, text: str) -> int | No
     # "Watch the rice, it should be done in ten minutes" is told of it.
     told = sketch.part.segment.connective == "then" or tree.children(tree.root, *SUBJECTS)
     named = (operation.object or "").lower()
-    other = operation.place or operation.purpose or operation.due
-    if told or other or not sketch.lexicon.closed.anaphors | {""} >= {named}:
+    if _is_over(operation, sketch):
+        # "…, all ready by noon"
+        named = ""
+    elif told or operation.place or operation.purpose or operation.due:
+        return None
+    if not sketch.lexicon.closed.anaphors | {""} >= {named}:
         return None
     first, behind = len(found), sketch
     ends = _is_end(operation, found[-1].operation, sketch)
@@ -52,8 +56,20 @@ def _is_end(operation: Operation, before: Operation | None, sketch: Sketch) -> b
     """Whether an order says only that what stands before it is to be over: "finish", "have it loaded"."""
     so, lexicon = (operation.complement or "").lower(), sketch.lexicon
     ends = Reference(lexicon.indicators.get(operation.phrase, Reference.START)) is Reference.FINISH
+    if _is_over(operation, sketch):
+        return True
     if before is None or any(about is not Reference.FINISH and not ends for about in sketch.references):
         return False
     if so:
         return so in lexicon.beside.ended or so in verb_forms(before.lemma, lexicon)
     return ends or operation.object is None
+
+
+def _is_over(operation: Operation, sketch: Sketch) -> bool:
+    """Whether all that is said is that it, or everything, is over: "done by noon", "all ready by noon"."""
+    thing, tree = (operation.object or "").lower(), sketch.part.tree
+    if not tree.said(tree.children(tree.root, *SUBJECTS)) <= sketch.lexicon.closed.wholes:
+        # "It should be done in ten minutes"
+        return False
+    so = {operation.phrase, operation.verb, operation.place}
+    return thing in sketch.lexicon.closed.wholes | {""} and not so.isdisjoint(sketch.lexicon.beside.ended)
