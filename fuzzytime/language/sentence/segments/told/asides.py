@@ -25,6 +25,7 @@ class Aside:
     ``way`` says that this is how long one goes there, ``left`` that what was done is left alone so long,
     ``bounds`` that it is no length, but a time before or after which something can be done, or has to be
     ``done``, ``relative`` that it is of just what stands before it: "once that is dry, which takes an hour".
+    ``prepares`` is what is done so long before what has a time: "dinner at seven, takes an hour to cook".
     """
 
     span: Span
@@ -34,6 +35,7 @@ class Aside:
     bounds: bool = False
     done: bool = False
     relative: bool = False
+    prepares: str = ""
 
 
 def asides_of(scanned: Scanned) -> tuple[Aside, ...]:
@@ -75,6 +77,7 @@ def _aside(scanned: Scanned, phrase: Phrase, ends: Collection[int]) -> Aside | N
         phrase.end == len(words)
         or words[phrase.end].text in {".", "!"}
         or _becomes(words, phrase, scanned.lexicon)
+        or bool(_prepares(words, phrase, scanned.lexicon))
     )
     if words[place].text in told["naming"] or (words[place].text in told["back"] and (bracketed or behind)):
         place -= 1
@@ -91,7 +94,8 @@ def _aside(scanned: Scanned, phrase: Phrase, ends: Collection[int]) -> Aside | N
     end = _end(scanned, phrase)
     relative = words[place + 1].text in scanned.lexicon.closed.nonrestrictive_relatives
     start = words[place + runs_on].start
-    return None if end is None else Aside((start, end), phrase, relative=relative)
+    prepares = _prepares(words, phrase, scanned.lexicon)
+    return None if end is None else Aside((start, end), phrase, relative=relative, prepares=prepares)
 
 
 def _becomes(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> bool:
@@ -100,6 +104,13 @@ def _becomes(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> bool:
     if len(said) < PURPOSE or said[0] != "to" or said[1] not in lexicon.doing.being:
         return False
     return said[2] not in lexicon.told["there"] | lexicon.told["between"]
+
+
+def _prepares(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> str:
+    """Give what is done so long, behind a length, to have something by then: "to cook"; empty for nothing."""
+    said = [word.text for word in words[phrase.end : phrase.end + PURPOSE]]
+    done = (" ".join(said[1:end]) for end in range(len(said), 1, -1))
+    return next((one for one in done if one in lexicon.asides["preparing"]), "") if said[:1] == ["to"] else ""
 
 
 def _end(scanned: Scanned, phrase: Phrase) -> int | None:

@@ -11,7 +11,7 @@ from fuzzytime.language.sentence.segments.told.asides_of_hours import before_in_
 from fuzzytime.language.sentence.segments.told.asides_of_needs import MARKS
 from fuzzytime.requirement import MOMENTS, Constraint
 
-STOP = "."
+STOP, IS = ".", ("'s", "’s")
 LONGEST = 4
 """Words of "my best blue shirt" at most."""
 
@@ -20,7 +20,14 @@ def with_told_apart(scanned: Scanned) -> str:
     """Give a text of the same length with a stop in front of each that is said so."""
     words, text, ended = scanned.words, scanned.text, scanned.lexicon.beside.ended
     places = [p for p in range(2, len(words)) if words[p].text in ended or _needs_deed(scanned, p)]
-    phrases = phrases_of(scanned) if places else ()
+    is_then = [p for p in range(1, len(words) - 1) if words[p].text.endswith(IS)]
+    phrases = phrases_of(scanned) if places or is_then else ()
+    for mark in (
+        p.end for p in phrases if p.said.is_day and p.first - 1 in is_then and p.end < len(words) - 1
+    ):
+        if words[mark].text in {",", "so"} or words[mark].text in scanned.lexicon.closed.joints_of_orders:
+            # "The inspection's friday so prep the files"
+            text = text[: words[mark].start] + STOP.ljust(len(words[mark].text)) + text[words[mark].end :]
     timed = places_in(phrases)
     ends = {p.first: p.end for p in phrases if p.said.constraint in {Constraint.BEFORE, *MOMENTS}}
     for place in places:

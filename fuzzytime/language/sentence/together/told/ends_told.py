@@ -1,13 +1,15 @@
 """By when orders of a sentence are to be over, said as an order: "mow from two and be done by five"."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.references.mentions import verb_forms
 from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.requirement import Reference
+from fuzzytime.requirement import Constraint, Reference
 
 
 def done_by(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
@@ -25,6 +27,28 @@ def done_by(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
         ended = [one.also(*sketch.phrases, about=Reference.FINISH) for one in found[first:]]
         found[first:] = [*ended[:-1], ended[-1].reaching(sketch)]
     return found
+
+
+def prepared_for(sketch: Sketch, aside: Aside) -> list[Sketch]:
+    """Give what happens with what is done so long before it: "dinner at seven, takes an hour to cook"."""
+    event = sketch.operation
+    named = event is not None and (event.stated or event.verb == event.name)
+    if event is None or not named or not aside.prepares or not sketch.times or sketch.clauses:
+        return []
+    verb, _, particle = aside.prepares.partition(" ")
+    whole = particle in sketch.lexicon.beside.ended
+    preparing = Operation(
+        verb=aside.prepares if whole else verb,
+        lemma=verb,
+        span=(aside.length.span[1], aside.span[1]),
+        object=None if whole else event.object or event.name,
+        particle=None if whole else particle or None,
+    )
+    until = [Reference.FINISH] * len(sketch.times)
+    prepared = replace(sketch, phrases=tuple(sketch.times), references=tuple(until), operation=preparing)
+    prepared = replace(prepared, joints=(*sketch.joints, (sketch.part.segment.span[0], event.span[1])))
+    length = replace(aside.length, said=replace(aside.length.said, constraint=Constraint.FOR))
+    return [replace(sketch, operation=replace(event, stated=True)), prepared.also(length)]
 
 
 def _first_ended(found: Sequence[Sketch], sketch: Sketch, text: str) -> int | None:
