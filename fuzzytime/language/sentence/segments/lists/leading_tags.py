@@ -63,6 +63,10 @@ TYPED = re.compile(r"(?P<before>\w+) (?P<joint>[^\W\d]|\+)(?= (?P<behind>\w+))")
 """A letter alone, or a plus, between two words."""
 
 
+PLUS = re.compile(r"(?P<unit>[^\W\d]+) (?P<plus>plus)(?= \w)", re.IGNORECASE)
+"""What is added to something."""
+
+
 def without_bullets(text: str) -> str:
     """Give a text of the same length without the bullets of its lines, and other marks that say nothing.
 
@@ -78,7 +82,8 @@ def without_bullets(text: str) -> str:
 def with_joints(text: str, lexicon: Lexicon) -> str:
     """Give a text of the same length with "&" for what is typed for "and": "at noon n six", "tue + fri".
 
-    "Print page n", "set n to five" have a name there.
+    "Print page n", "set n to five" have a name there. So for what is added to a length: "half an hour plus 20
+    minutes each way".
     """
 
     def joined(found: re.Match[str]) -> str:
@@ -89,7 +94,12 @@ def with_joints(text: str, lexicon: Lexicon) -> str:
         return f"{found['before']} &" if joint else found[0]
 
     bound = lexicon.closed.prepositions_of_points | lexicon.closed.present_be | {"to", "of"}
-    return TYPED.sub(joined, text)
+
+    def added(found: re.Match[str]) -> str:
+        timed = lexicon.means(found["unit"].lower(), "unit")
+        return f"{found['unit']} and " if timed else found[0]
+
+    return PLUS.sub(added, TYPED.sub(joined, text))
 
 
 def leading_labels(text: str, lexicon: Lexicon) -> list[Span]:

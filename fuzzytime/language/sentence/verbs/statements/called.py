@@ -131,7 +131,7 @@ def _names_doer(tree: Tree) -> bool:
 def _is_doing(tree: Tree) -> bool:
     """Whether words begin with who does something then: "mum visiting sat"; but "dad meeting at ten"."""
     lexicon = tree.lexicon
-    if len(tree.nodes) < LEAST or tree.nodes[0].lower not in lexicon.people or tree.root not in {0, 1}:
+    if not tree.nodes[1:] or tree.nodes[0].lower not in lexicon.people or tree.root not in {0, 1}:
         return False
     does, helping = tree.nodes[1], tree.children(tree.root, "aux", "auxpass", "neg")
     acts = does.may_act and is_participle(does.lower) and not helping
