@@ -13,6 +13,7 @@ from fuzzytime.interpreter.binding.giving_way import giving_way
 from fuzzytime.interpreter.binding.in_order import Rows, free_of_circles, of_places
 from fuzzytime.interpreter.binding.leaning import lean_on_each_other
 from fuzzytime.interpreter.binding.led_to import shortly_before
+from fuzzytime.interpreter.binding.opened import of_opened
 from fuzzytime.interpreter.binding.prepared import of_prepared
 from fuzzytime.interpreter.binding.references import Links, link
 from fuzzytime.interpreter.binding.same_things import of_things
@@ -155,7 +156,8 @@ class Interpreter:
             skills, gathered.links, self.rulebook, request.now, request.agents
         )
         prepared = tuple(of_prepared(skills, self.language.lexicon))
-        kept = (*gathered.rows.kept(), *of_places(skills), *prepared)
+        opened = of_opened(skills, self.language.lexicon)
+        kept = (*gathered.rows.kept(), *of_places(skills), *prepared, *opened)
         order = (*kept, *of_things(skills, self.language.lexicon), *of_timetables(skills, prepared))
         order = free_of_circles(order, precedences)
         skills = shortly_before(skills, gathered.rows.ends, (*precedences, *order), self.language.lexicon)

@@ -74,7 +74,8 @@ class Policy:
     under_way
         A stretch between two clock times is the one that has begun while so many percent of it are left.
     hours_before
-        What is due at a time of a day may begin on it at ``plausible_from``, or so many hours before.
+        What is due at a time of a day may begin on it at ``plausible_from``, or so many hours before. Who is
+        to be somewhere then is at most so long on the way.
     workday_from
         A clock time without am or pm that is repeated on all working days is its first from this time of day
         on; any other that is repeated, its first from ``plausible_from`` on.

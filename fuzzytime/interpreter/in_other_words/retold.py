@@ -1,7 +1,7 @@
 """Instructions in other words: two ends as start and length, one occurrence of many, the way somewhere."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from datetime import datetime
 
@@ -62,10 +62,14 @@ def until_then(instruction: Instruction, lexicon: Lexicon) -> float | None:
         return None
     if operation.lemma in lexicon.doing.by_then:
         return None
+    whole = lexicon.beside.all_through
+    if operation.lemma in lexicon.doing.by_itself | lexicon.timing:
+        # "Incubate overnight"; but "run the dishwasher overnight"
+        whole |= lexicon.beside.through_the_night
     ends = [
         part.latest
         for part in instruction.requirements
-        if ((_is_until(part) and part.constraint is Constraint.BEFORE) or _is_all_through(part, lexicon))
+        if ((_is_until(part) and part.constraint is Constraint.BEFORE) or _is_all_through(part, whole))
         and part.reference is not Reference.FINISH
         and not part.alternative
     ]
@@ -157,12 +161,12 @@ def _is_until(part: TimeRequirement) -> bool:
     return part.preposition == UNTIL and part.anchor is None and part.latest is not None
 
 
-def _is_all_through(part: TimeRequirement, lexicon: Lexicon) -> bool:
+def _is_all_through(part: TimeRequirement, whole: Collection[str]) -> bool:
     """Whether it is all of what is left of a part of a day: "all morning", "the rest of the afternoon"."""
     if part.constraint is not Constraint.BETWEEN or part.earliest is None or part.latest is None:
         return False
     said = part.latest - part.earliest <= A_DAY and part.recurrence is None
-    return said and not lexicon.beside.all_through.isdisjoint(part.text.lower().split())
+    return said and any(word in whole for word in part.text.lower().split())
 
 
 def occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequirement:

@@ -37,6 +37,10 @@ OF_HOURS = frozenset(
 )
 """Prepositions of minutes past an hour that is not said: "at half past"."""
 
+STOPS = frozenset({"", ".", "!", ";"})
+ENDING = {"then": STOPS, "in between": STOPS | {",", "and"}}
+"""Time words that end what is said, and what may stand behind: but "put it in between the pages"."""
+
 ANOTHER = "elliptic.another_alone"
 """The rule of a number that goes on with a length: "then another ten"."""
 
@@ -119,9 +123,11 @@ class Judge(Around):
         if isinstance(time, TimeWord) and (between or self._is_more(piece)):
             # "Between now and the concert"
             return False
-        if isinstance(time, TimeWord) and self.texts[piece.start : piece.end] == ["then"]:
-            # "Call me then"; "then call me" is a step behind another.
-            return piece.start > 0 and self.around.follower(piece) in {"", ".", "!", ";"}
+        ends = ENDING.get(" ".join(self.texts[piece.start : piece.end]))
+        if isinstance(time, TimeWord) and ends is not None:
+            # "Call me then"; "then call me" is a step behind another. But "with a minute's rest in between"
+            gap = "," in ends and not self.lexicon.spacing["beside"].isdisjoint(self.texts[: piece.start])
+            return piece.start > 0 and not gap and self.around.follower(piece) in ends
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
             # "Ten minutes in, add the garlic", "hand them out ten minutes in and collect them"
             return self.around.follower(piece) in {"", ",", ".", "and"}

@@ -104,9 +104,9 @@ class Lengths(Standing):
         if self.measures.is_number(place - 1):
             return True
         thing = self.texts[place - 1] if place else ""
-        named = (
-            thing.isalpha() and thing not in self.lexicon.function_words and not self.around.timely(place - 1)
-        )
+        # "The call at two lasts an hour"
+        others = self.lexicon.function_words | self.lexicon.asides["taking"]
+        named = thing.isalpha() and thing not in others and not self.around.timely(place - 1)
         return named and self.measures.is_number(place - 2)
 
     def counts_each(self, piece: Piece) -> bool:

@@ -9,10 +9,13 @@ class Doing(NamedTuple):
     """Verbs, and what is said like one, by what they say of what happens or ask for: ``doing``."""
 
     labels: Words
+    bare_labels: Words
+    musing: Words
     arriving: Words
     loading: Words
     with_the_living: Words
     leaving: Words
+    setting_off: Words
     being_there: Words
     getting_there: Words
     beginning: Words
@@ -89,6 +92,7 @@ class Doing(NamedTuple):
     opening_there: Words
     hours: Words
     moments: Words
+    over_the_counter: Words
     errands: Words
     rewarding: Words
     dropping: Words

@@ -311,6 +311,7 @@ class BesideTimes(NamedTuple):
     lists: Words
     open_things: Words
     limited: Words
+    through_the_night: Words
     all_through: Words
     awaited_in_a_stretch: Words
     sites: Words

@@ -28,7 +28,7 @@ class BehindTimes(LookedUp):
         # "Charge it overnight need it at seven"
         further = {*self.texts[piece.end + 1 : piece.end + 2]} & self.closed.it_or_them
         known = known or (bool(further) and follower in self.lexicon.doing.needing)
-        known = known or self._says_how(piece.end)
+        known = known or self._says_how(piece.end) or self._says_how_long(piece)
         return known or self._is_in_front(piece) or self._is_before_order(piece)
 
     def names_event(self, piece: Piece) -> bool:
@@ -50,6 +50,13 @@ class BehindTimes(LookedUp):
         behind = self.texts[place + 1] if place + 1 < len(self.texts) else ""
         apart = not behind[:1].isalnum() and not acts
         return how and (apart or behind in self.lexicon.function_words)
+
+    def _says_how_long(self, piece: Piece) -> bool:
+        """Whether words say how long that takes: "the call at two lasts an hour", "… at two might take"."""
+        asides, text = self.lexicon.asides, self.follower(piece)
+        takes = text in asides["helping"] or (text in asides["taking"] and looks_plural(text))
+        # "The last one only | takes a minute"
+        return takes and self.texts[piece.start] in self.closed.prepositions_of_points
 
     def _is_polite_end(self, place: int) -> bool:
         """Whether only courtesies and whom one calls stand behind: "at six don't forget", "at six alexa"."""

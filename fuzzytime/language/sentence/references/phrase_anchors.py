@@ -28,11 +28,18 @@ from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 AT_THE_END = "at the end"
 """The time word that is about the end of what goes on."""
 
+IN_BETWEEN = "in between"
+"""The time word that is about what was said before, and what comes behind that."""
+
+LEAST = 2
+"""What something is in between, where it comes before that, at least."""
+
 ORDERING = {
     "afterwards": Constraint.AFTER,
     "right afterwards": Constraint.AFTER,
     "shortly afterwards": Constraint.AFTER,
     AT_THE_END: Constraint.AFTER,
+    IN_BETWEEN: Constraint.AFTER,
     "beforehand": Constraint.BEFORE,
     "right beforehand": Constraint.BEFORE,
     "then": Constraint.AT,
@@ -205,6 +212,8 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
         constraint = ORDERING[time.word]
         edge = Edge.END if constraint is Constraint.AFTER else Edge.START
         target = anchors.going_on() if time.word == AT_THE_END else anchors.position - 1
+        if time.word == IN_BETWEEN and anchors.position - LEAST >= anchors.first and _ends_text(anchors):
+            target = anchors.position - LEAST
         beside = NEAR.get(time.word)
         anchor = Anchor(text=requirement.text, target=target, edge=edge, exact=beside is not None)
         fuzziness = requirement.fuzziness if beside is None else (beside,)
@@ -226,6 +235,12 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
     bounded = phrase.said.constraint in {Constraint.BEFORE, Constraint.AFTER}
     anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=not bounded)
     return only_counted(requirement, anchor, requirement.constraint if bounded else side)
+
+
+def _ends_text(anchors: Anchors) -> bool:
+    """Whether nothing comes behind two with their times: "meetings at ten and two, lunch in between"."""
+    timed = all(anchors.told.start(anchors.position - back) is not None for back in range(1, LEAST + 1))
+    return timed and anchors.position - anchors.first == len(anchors.own) - 1
 
 
 def of_nothing(requirement: TimeRequirement, said: Said) -> Remark:

@@ -42,6 +42,7 @@ from fuzzytime.language.sentence.segments.told.gaps import with_gaps
 from fuzzytime.language.sentence.segments.told.messages import Message, messages_of, orders_beside, remarks_of
 from fuzzytime.language.sentence.segments.told.notes import notes_of
 from fuzzytime.language.sentence.segments.told.reasons import without_threats
+from fuzzytime.language.sentence.segments.told.told_apart import with_told_apart
 from fuzzytime.language.sentence.segments.told.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source
 from fuzzytime.language.sentence.trees.tree import Trees
@@ -205,7 +206,7 @@ def _without_parts(
     bounds = beside_each_other(asides_of_hours(scanned), asides_of_needs(scanned))
     asides = beside_each_other(lengths, bounds)
     scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides)), grammar)
-    for said in (with_gaps, said_apart, with_prepared_for, without_threats):
+    for said in (with_gaps, said_apart, with_prepared_for, without_threats, with_told_apart):
         scanned = _again(scanned, said(scanned), grammar)
     scanned, instances = instances_of(scanned, grammar)
     phrases, remarks = corrected(scanned, phrases_of(scanned))

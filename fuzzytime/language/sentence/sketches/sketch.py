@@ -42,9 +42,9 @@ class Sketch:
     ``references`` gives, for each of its times, which moment of the execution the words say it is about;
     ``named`` are the times that are none of what is to be done, which ``remarks`` name; ``headed`` are the
     clauses of a line above, ``way`` is how long it takes to go there, and ``joints`` are the words that
-    joined its times to others of the same thing; ``denial`` is what is said of the orders before it that one
-    "don't" denies with it; ``again`` is how many times what stands before it is done again; ``doubted``
-    says that it is no instruction, and ``past`` that it tells what was.
+    joined its times to others of the same thing, or are times of what is done before it; ``denial`` is what
+    is said of the orders before it that one "don't" denies with it; ``again`` is how many times what stands
+    before it is done again; ``doubted`` says that it is no instruction, and ``past`` that it tells what was.
     """
 
     part: Part
@@ -101,6 +101,11 @@ class Sketch:
             phrases=tuple(self.phrases[place] for place in kept),
             references=tuple(self.references[place] for place in kept),
         )
+
+    def without_times(self) -> "Sketch":
+        """Give the same without its times, which are of what is done before it."""
+        spans = tuple(phrase.span for phrase in self.phrases)
+        return replace(self, phrases=(), references=(), joints=(*self.joints, *spans))
 
     def also(self, *phrases: Phrase, about: Reference | None = None) -> "Sketch":
         """Give the same with further times behind its own."""

@@ -28,10 +28,10 @@ from fuzzytime.language.sentence.together.times.pairs import on_both_sides
 from fuzzytime.language.sentence.together.times.said_again import done_again, each_of
 from fuzzytime.language.sentence.together.times.several_times import also_at_events, of_several_times
 from fuzzytime.language.sentence.together.times.turns import counted_apart
-from fuzzytime.language.sentence.together.told.ends_told import done_by
+from fuzzytime.language.sentence.together.told.ends_told import done_by, prepared_for
 from fuzzytime.language.sentence.together.told.opening_hours import within_opening_hours
 from fuzzytime.language.sentence.together.told.reasons_told import due_before_told
-from fuzzytime.language.sentence.together.told.told_beside import steps_in_turn, told_beside
+from fuzzytime.language.sentence.together.told.told_beside import from_then_on, steps_in_turn, told_beside
 from fuzzytime.requirement import MOMENTS, Constraint, Reference
 
 
@@ -68,7 +68,8 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
             found += of_several_times(again, words)
     found = [on_owned_day(_ordered(sketch, draft)) for sketch in again_between(found)]
     headed = draft.heading is not None and draft.heading.day is not None
-    found = things_alone(each_week(found, draft.text), draft, apart, headed=headed)
+    found = from_then_on(each_week(found, draft.text), draft.text, apart)
+    found = things_alone(found, draft, apart, headed=headed)
     found = [_ordered(sketch, draft) for sketch in found]
     # "Morning: gym, shower" has its steps in any order.
     if ": " not in draft.text and not (found and heads_list(found[0], draft.text)):
@@ -93,13 +94,18 @@ def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:
         if len(before) > 1 and found[len(before) - 1].repeats:
             # "Put the sausages on, turn them every 4 minutes, they take 15 minutes"
             before.pop()
-        for place, sketch in enumerate(found):
-            if before and sketch.part is before[-1]:
-                segment = sketch.part.segment
-                span = (segment.span[0], max(segment.span[1], aside.span[1]))
-                part = replace(sketch.part, segment=replace(segment, span=span))
-                found[place] = replace(_with_aside(sketch, aside, draft.scanned.text), part=part)
+        said = [_said_by(aside, one, draft) if before and one.part is before[-1] else [one] for one in found]
+        found = [sketch for several in said for sketch in several]
     return found
+
+
+def _said_by(aside: Aside, sketch: Sketch, draft: Draft) -> list[Sketch]:
+    """Give what an aside says of a sketch, up to its end."""
+    segment = sketch.part.segment
+    span = (segment.span[0], max(segment.span[1], aside.span[1]))
+    part = replace(sketch.part, segment=replace(segment, span=span))
+    told = prepared_for(sketch, aside) or [_with_aside(sketch, aside, draft.scanned.text)]
+    return [replace(one, part=part) for one in told]
 
 
 def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:

@@ -217,7 +217,10 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     happens = not part.lexicon.happening.isdisjoint(word.text for word in between)
     # "Lunch at one and dinner at seven", "yoga is at six and judo at eight"
     verb, takes_time = part.tree.nodes[root], part.lexicon.happening | part.lexicon.taken
-    is_then = verb.lower in part.lexicon.closed.present_be and bool(part.tree.children(root, *SUBJECTS))
+    # "I've got yoga at six, dinner with Pete at eight"
+    has = part.tree.said(part.tree.children(root, *SUBJECTS)) & part.lexicon.closed.first_person
+    told = verb.lower in part.lexicon.closed.present_be or (bool(has) and verb.lemma in {"have", "get"})
+    is_then = told and bool(part.tree.children(root, *SUBJECTS))
     happening = verb.tag in NAMES or (verb.tag == "VBG" and verb.lower in takes_time) or is_then
     # But "the shop is open at nine and closed at six" says two things of one.
     tags = [part.tree.nodes[p].tag for p in nodes]
@@ -228,6 +231,8 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
         return all(tag == "RP" for tag in others[1:])
     opened = between[1].text in part.lexicon.closed.noun_openers
     lasting = opened and bool(objects) and Constraint.FOR in {old.said.constraint, new.said.constraint}
+    # "I've got yoga at six for an hour, dinner at eight"
+    lasting = lasting or (listed and old.said.constraint is Constraint.FOR)
     if not (lasting or _binds_alike(old, new, happens=happens and not listed)):
         # "An alarm for seven and a timer for ten minutes"
         return False

@@ -15,6 +15,7 @@ from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.lists.entries import Entry, is_when
+from fuzzytime.requirement import Constraint
 
 ENDS = frozenset({".", "!", "?"})
 """What stands between two sentences."""
@@ -47,7 +48,8 @@ class _Step:
         verbs = lexicon.orders.union(lexicon.addressing, lexicon.circling, lexicon.timing)
         verbs = verbs.union(lexicon.doing.errands, lexicon.doing.putting, lexicon.doing.several_timed)
         known = all(word[0].isalpha() and word not in lexicon.function_words for word in name)
-        acts = lexicon.doing.timed.union(lexicon.asides["taking"], verbs if len(name) > 1 else ())
+        acts = lexicon.doing.timed.union(lexicon.asides["taking"], lexicon.asides["helping"])
+        acts = acts.union(verbs if len(name) > 1 else ())
         # "Viewing at 2 and another at 3.30" is of one thing.
         called = known and 0 < len(name) <= LONGEST and not lexicon.beside.twice.issuperset(name)
         return called and name[0] not in acts and lexicon.particles.keys().isdisjoint(name)
@@ -97,9 +99,12 @@ def chained(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Span]:
     if not _may_chain(list(words_of(text)), lexicon):
         # Most lines are no such chain, and to scan them costs time.
         return []
+    steps = [*_steps(Scanned.of(text, grammar, lexicon))]
+    if _are_from_then_on(steps):
+        return [step.joint for step in steps if step.joint is not None]
     found: list[Span] = []
     run: list[_Step] = []
-    for step in (*_steps(Scanned.of(text, grammar, lexicon)), None):
+    for step in (*steps, None):
         goes_on = step is not None and not ENDS.intersection(word.text for word in step.joints)
         if step is not None and goes_on and run and (step.is_timed or step.is_alone or step.is_apart):
             apart = not step.is_told_of(run[0])
@@ -110,6 +115,25 @@ def chained(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Span]:
             found += [one.joint for one in run[1:] if one.joint is not None]
         run = [step] if step is not None and step.is_led and step.is_timed and step.is_known else []
     return found
+
+
+def _are_from_then_on(steps: Sequence[_Step]) -> bool:
+    """Whether all steps of a line are named before the one time from which on they are done.
+
+    There are three, "bath, books, bed from 6.30", or one of them is done at no hour of its own: "bath and
+    stories from seven"; but "tea and cake from three".
+    """
+    others, last = steps[:-1], steps[-1:]
+    if not others or not last[0].is_timed or len(last[0].entry.times) != 1:
+        return False
+    time, lexicon = last[0].entry.times[0].said, last[0].entry.lexicon
+    names = [word for step in steps for word in step.name]
+    somebody = not lexicon.persons.isdisjoint(names)
+    alone = all(step.is_named and not step.entry.times for step in others)
+    if somebody or not alone or time.preposition != "from" or time.constraint is not Constraint.AFTER:
+        return False
+    by_itself = lexicon.conversation["by itself"]
+    return len(steps) > LEAST or any((word,) in by_itself for word in names)
 
 
 def _may_chain(words: Sequence[Word], lexicon: Lexicon) -> bool:

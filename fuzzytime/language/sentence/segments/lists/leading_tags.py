@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import cache
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, Span, blanked
@@ -42,6 +43,7 @@ UNSAID = tuple(re.compile(marks, re.MULTILINE | re.IGNORECASE) for marks in _UNS
 Then those of links, of which the words are read and not where they lead, and what is struck out.
 """
 
+MARK = r"(?:[-,:…]|\.{2,})"
 LABEL = re.compile(rf"^\s*{BOX}(?P<label>[^\W\d][\w.]*(?:[ -]\w+)?)(?:[ \t]+-|:)[ \t]+(?=\w)", re.MULTILINE)
 """A word with a colon or a dash behind it, or two, before more on the same line."""
 
@@ -61,6 +63,10 @@ TYPED = re.compile(r"(?P<before>\w+) (?P<joint>[^\W\d]|\+)(?= (?P<behind>\w+))")
 """A letter alone, or a plus, between two words."""
 
 
+PLUS = re.compile(r"(?P<unit>[^\W\d]+) (?P<plus>plus)(?= \w)", re.IGNORECASE)
+"""What is added to something."""
+
+
 def without_bullets(text: str) -> str:
     """Give a text of the same length without the bullets of its lines, and other marks that say nothing.
 
@@ -76,7 +82,8 @@ def without_bullets(text: str) -> str:
 def with_joints(text: str, lexicon: Lexicon) -> str:
     """Give a text of the same length with "&" for what is typed for "and": "at noon n six", "tue + fri".
 
-    "Print page n", "set n to five" have a name there.
+    "Print page n", "set n to five" have a name there. So for what is added to a length: "half an hour plus 20
+    minutes each way".
     """
 
     def joined(found: re.Match[str]) -> str:
@@ -87,13 +94,30 @@ def with_joints(text: str, lexicon: Lexicon) -> str:
         return f"{found['before']} &" if joint else found[0]
 
     bound = lexicon.closed.prepositions_of_points | lexicon.closed.present_be | {"to", "of"}
-    return TYPED.sub(joined, text)
+
+    def added(found: re.Match[str]) -> str:
+        timed = lexicon.means(found["unit"].lower(), "unit")
+        return f"{found['unit']} and " if timed else found[0]
+
+    return PLUS.sub(added, TYPED.sub(joined, text))
 
 
 def leading_labels(text: str, lexicon: Lexicon) -> list[Span]:
-    """Give the stretches of labels, which say nothing: "reminder: call the bank at nine"."""
-    labels = (label for label in LABEL.finditer(text) if label["label"].lower() in lexicon.doing.labels)
+    """Give the stretches of labels, which say nothing: "reminder: call the bank at nine", "NB it's shut"."""
+    labels = [label for label in LABEL.finditer(text) if label["label"].lower() in lexicon.doing.labels]
+    labels += _unmarked(lexicon.doing.bare_labels, lexicon.doing.musing).finditer(text)
     return [(label.start("label"), label.end()) for label in labels]
+
+
+@cache
+def _unmarked(labels: frozenset[str], musing: frozenset[str]) -> re.Pattern[str]:
+    """Give the pattern of labels with any mark behind them, or none, and of what needs one: "let's see …"."""
+    label, thought = (
+        "|".join(re.escape(one) for one in sorted(some, key=len, reverse=True)) for some in (labels, musing)
+    )
+    front = rf"^\s*{BOX}(?:[^\W\d]+,?[ \t]+(?=(?:{thought})\b))?"
+    said = rf"(?P<label>(?:{label})(?:\s*{MARK})?|(?:{thought})\s*{MARK})[ \t]+(?=[^\W\d])"
+    return re.compile(front + said, re.MULTILINE | re.IGNORECASE)
 
 
 def remarks_of_tags(text: str, tags: Sequence[Span]) -> Iterator[Remark]:

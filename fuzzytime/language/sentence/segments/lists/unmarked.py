@@ -72,7 +72,8 @@ def _pauses(scanned: Scanned) -> Iterator[tuple[int, str]]:
     leads = bool(times) and times[0].first == 0
     if len(times) < PAIR or leads is (times[-1].end == last):
         return
-    starts = [time.end for time in times] if leads else [0, *(time.end for time in times[:-1])]
+    first = _behind_having(words, lexicon)
+    starts = [time.end for time in times] if leads else [first, *(time.end for time in times[:-1])]
     ends = [*(time.first for time in times[1:]), last] if leads else [time.first for time in times]
     entries = [_Entry(words[a:b], time, lexicon) for a, b, time in zip(starts, ends, times, strict=True)]
     if not all(entry.is_named for entry in entries):
@@ -92,6 +93,17 @@ def _pauses(scanned: Scanned) -> Iterator[tuple[int, str]]:
             # No number stands right behind a comma.
             typed = leads and not words[behind.time.first].is_letters
             yield place, STOP if typed else ","
+
+
+def _behind_having(words: Sequence[Word], lexicon: Lexicon) -> int:
+    """Give where that begins which who speaks has: "I've got | yoga at six dinner at eight"; else 0."""
+    closed, texts = lexicon.closed, [word.text for word in words[:3]]
+    subject, apostrophe, helping = "".join(texts[:1]).partition("'")
+    having = [f"{apostrophe}{helping}", *texts[1:]] if helping else texts[1:]
+    if subject not in closed.first_person or not {*having[:1]} <= closed.have_before_got:
+        return 0
+    got = having[1:2] == ["got"]
+    return 1 + (not helping) + got if got or not helping else 0
 
 
 def _times(scanned: Scanned) -> Iterator[_Time]:

@@ -28,12 +28,14 @@ def with_future(tree: Tree) -> Tree:
             continue
         closed = tree.lexicon.closed
         is_so = tree.said(be) <= closed.present_be | closed.past_be and max(subjects) < min(be)
-        done = [p for p in tree.children(going, "xcomp") if tree.nodes[p].tag == "VB" and p > going]
+        below = [p for p in tree.children(going, "xcomp") if p > going]
+        # "They're going to be shut at noon"
+        done = [p for p in below if tree.nodes[p].tag == "VB" or tree.children(p, "auxpass")]
         if not is_so or not done:
             # "Are you going to call?", "I'm going to bed"
             continue
         verb, head = done[0], node.head
-        to = [p for p in tree.children(verb, "aux") if p < verb]
+        to = [p for p in tree.children(verb, "aux") if p < verb and tree.nodes[p].lower == "to"]
         behind = [p for p in tree.children(going) if p != verb and p not in be]
         tree = tree.hung((*be, *to), going, "dep").hung(behind, verb)
         tree = tree.changed(verb, relation=node.relation, head=verb if head == going else head)

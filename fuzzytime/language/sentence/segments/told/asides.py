@@ -4,7 +4,7 @@ They are no instructions, and what stands around them is read as if they were no
 of what stands before them: of what a clause says, or else of what is to be done.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -25,6 +25,7 @@ class Aside:
     ``way`` says that this is how long one goes there, ``left`` that what was done is left alone so long,
     ``bounds`` that it is no length, but a time before or after which something can be done, or has to be
     ``done``, ``relative`` that it is of just what stands before it: "once that is dry, which takes an hour".
+    ``prepares`` is what is done so long before what has a time: "dinner at seven, takes an hour to cook".
     """
 
     span: Span
@@ -34,14 +35,17 @@ class Aside:
     bounds: bool = False
     done: bool = False
     relative: bool = False
+    prepares: str = ""
 
 
 def asides_of(scanned: Scanned) -> tuple[Aside, ...]:
     """Give the asides of a text in order."""
     if scanned.lexicon.asides["taking"].isdisjoint(word.text for word in scanned.words):
         return ()
-    lengths = (p for p in phrases_of(scanned) if isinstance(p.said.time, Duration))
-    found = (_aside(scanned, phrase) for phrase in lengths)
+    phrases = phrases_of(scanned)
+    lengths = (p for p in phrases if isinstance(p.said.time, Duration))
+    ends = frozenset(p.end for p in phrases if p.first and not isinstance(p.said.time, Duration))
+    found = (_aside(scanned, phrase, ends) for phrase in lengths)
     return tuple(aside for aside in found if aside is not None)
 
 
@@ -51,13 +55,20 @@ def beside_each_other(some: Sequence[Aside], others: Sequence[Aside]) -> tuple[A
     return tuple(sorted((*some, *apart), key=lambda aside: aside.span))
 
 
-def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
+def _aside(scanned: Scanned, phrase: Phrase, ends: Collection[int]) -> Aside | None:
+    """Give the aside of a length; without a mark, it stands at one of the ``ends`` of times behind words."""
     words, told = scanned.words, scanned.lexicon.asides
     place = phrase.first - 1
     while place > 0 and words[place].text in told["whom"] | told["helping"]:
         place -= 1
     if place < 1 or words[place].text not in told["taking"]:
         return None
+    if (
+        words[place].text in scanned.lexicon.closed.lemmas_of_be
+        and words[place - 1].text not in told["helping"]
+    ):
+        return None
+    needed = words[place].text in told["needing"]
     place -= 1
     while place > 0 and words[place].text in told["helping"]:
         place -= 1
@@ -66,10 +77,13 @@ def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
         phrase.end == len(words)
         or words[phrase.end].text in {".", "!"}
         or _becomes(words, phrase, scanned.lexicon)
+        or bool(_prepares(words, phrase, scanned.lexicon))
     )
     if words[place].text in told["naming"] or (words[place].text in told["back"] and (bracketed or behind)):
         place -= 1
-    if place < 1 or words[place].text not in OPENING:
+    # "Standup at nine should take ten minutes"
+    runs_on = place + 1 in ends and not needed
+    if place < 1 or not (runs_on or words[place].text in OPENING):
         return None
     known = told["naming"] | told["helping"] | told["back"]
     # "Handover at 7, takes a quarter of an hour"
@@ -79,7 +93,9 @@ def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
         return None
     end = _end(scanned, phrase)
     relative = words[place + 1].text in scanned.lexicon.closed.nonrestrictive_relatives
-    return None if end is None else Aside((words[place].start, end), phrase, relative=relative)
+    start = words[place + runs_on].start
+    prepares = _prepares(words, phrase, scanned.lexicon)
+    return None if end is None else Aside((start, end), phrase, relative=relative, prepares=prepares)
 
 
 def _becomes(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> bool:
@@ -88,6 +104,13 @@ def _becomes(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> bool:
     if len(said) < PURPOSE or said[0] != "to" or said[1] not in lexicon.doing.being:
         return False
     return said[2] not in lexicon.told["there"] | lexicon.told["between"]
+
+
+def _prepares(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> str:
+    """Give what is done so long, behind a length, to have something by then: "to cook"; empty for nothing."""
+    said = [word.text for word in words[phrase.end : phrase.end + PURPOSE]]
+    done = (" ".join(said[1:end]) for end in range(len(said), 1, -1))
+    return next((one for one in done if one in lexicon.asides["preparing"]), "") if said[:1] == ["to"] else ""
 
 
 def _end(scanned: Scanned, phrase: Phrase) -> int | None:

@@ -6,11 +6,12 @@ from fuzzytime.language.instruction import Instruction
 from fuzzytime.language.meaning.expressions import HourMark, Phrase, Wall, wall_of
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.instants import midnight
-from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Part
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Part
 from fuzzytime.language.sentence.sketches.its_times.referred import is_there
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint, TimeRequirement
 
+HOUR_SECONDS = 3600
 HALF = 30
 """Minutes past an hour from which on a mark is one to the next hour: "twenty to"."""
 
@@ -30,6 +31,8 @@ def due_of(
     if goes and _is_to_the_hour(sketch):
         # "Vet at ten", then "leave at twenty to"
         return _begin_of(instructions[-1]) if before else moment.since
+    if before and is_on_the_way(before[-1], sketch):
+        return _begin_of(instructions[-1], due=True)
     part = next((part for part in map(_part_due, sketch.phrases) if part is not None), None)
     if part is not None and moment.now is not None:
         here = moment.grounding().now
@@ -77,6 +80,30 @@ def _goes(sketch: Sketch) -> bool:
     """Whether somebody is to leave, or to be somewhere: "leave at nine"."""
     operation = sketch.operation
     return operation is not None and operation.is_asked and is_there(operation, sketch.lexicon)
+
+
+def is_on_the_way(before: Sketch, sketch: Sketch) -> bool:
+    """Whether somebody sets off for where to be by the order before: "be there by seven and leave at six".
+
+    It is a way of so many hours (``hours_before``): who is at work by nine and leaves at six stays there.
+    """
+    arrives, leaves, doing = before.operation, sketch.operation, sketch.lexicon.doing
+    if arrives is None or leaves is None or not arrives.is_asked or not leaves.is_asked:
+        return False
+    if not {leaves.lemma, leaves.phrase} & (doing.setting_off | doing.leaving):
+        return False
+    there = is_there(arrives, sketch.lexicon) or arrives.phrase in doing.getting_there
+    if not there or arrives.object is not None or {arrives.lemma, arrives.phrase} & doing.setting_off:
+        return False
+    walls = [[wall_of(phrase.said.time) for phrase in one.times] for one in (before, sketch)]
+    clocks = [[w.clock for w in one if w.clock is not None and w.part is None] for one in walls]
+    ways = ((by - at) % DAY_SECONDS for by in _seconds(clocks[0]) for at in _seconds(clocks[1]))
+    return any(0 < way <= sketch.lexicon.policy.hours_before * HOUR_SECONDS for way in ways)
+
+
+def _seconds(clocks: Sequence[Clock]) -> list[int]:
+    """Give when in a day some clock times may be, in seconds."""
+    return [seconds for clock in clocks for seconds in clock.candidates()]
 
 
 def _is_past(before: Sketch, sketch: Sketch) -> bool:

@@ -85,7 +85,7 @@ def _to_be_done(sketch: Sketch, orders: Sequence[Span], *, chained: bool, entry:
     tree, offset = sketch.part.tree, sketch.part.offset
     if not tree.nodes:
         return sketch
-    spans = [(first - offset, end - offset) for first, end in (*sketch.heard, *orders)]
+    spans = [(first - offset, end - offset) for first, end in (*sketch.heard, *sketch.joints, *orders)]
     heard = {place for span in spans for place in tree.at(*span)}
     operation = named_alone(tree, heard, chained=chained, entry=entry)
     return sketch if operation is None else replace(sketch, operation=operation.moved(offset))

@@ -207,7 +207,7 @@ def shared(sketches: list[Sketch], text: str) -> list[Sketch]:
             and all(phrase.said.constraint in STARTS for phrase in second.phrases)
         ):
             first = replace(first, phrases=second.phrases, references=second.references)
-            second = replace(second, phrases=(), references=())
+            second = second.without_times()
         found[place - 1 : place + 1] = [first, second]
     return found
 

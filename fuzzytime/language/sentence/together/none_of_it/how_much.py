@@ -33,6 +33,8 @@ def counted(draft: Draft, sketch: Sketch) -> Iterator[Remark]:
     """Say how the last numbers of an order without a time are taken: they may be meant as its hours."""
     text, (first, end) = draft.text, sketch.part.segment.span
     said = [word for word in draft.scanned.words if first <= word.start < end and word.text.isalnum()]
+    # "Hoover, dust and mop from nine": that is when the first of them begins.
+    said = [word for word in said if not any(overlap((word.start, word.end), one) for one in sketch.joints)]
     lengths = all(isinstance(phrase.said.time, Duration) for phrase in sketch.phrases)
     if sketch.clauses or not lengths:
         return
@@ -95,7 +97,7 @@ def _typed_inside(text: str, sketch: Sketch, said: Sequence[Word]) -> Span | Non
     for found in TYPED.finditer(text, *sketch.part.segment.span):
         before = [word.text for word in said if word.end <= found.start()][-1:]
         behind = [word.text for word in said if word.start >= found.end()][:1]
-        covered = any(overlap(phrase.span, found.span()) for phrase in sketch.phrases)
+        covered = any(overlap(span, found.span()) for span in (*sketch.heard, *sketch.joints))
         counts = any(looks_plural(one) or lexicon.means(one, "unit") for one in behind)
         counts = counts or not kinds.measured_in.isdisjoint(behind)
         if before and called.isdisjoint(before) and not covered and not counts:

@@ -128,7 +128,7 @@ def _held_behind(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
             if leads_to_consequence(found[other], found[other + 1], text):
                 # "Chill it for four hours, so make it before lunch": the one is why, not what is due.
                 break
-            if not _is_bare(found[other], STEPS):
+            if not _is_bare(found[other], STEPS) or _is_other_need(found[other], sketch):
                 break
             found[other] = found[other].under(shared)
         if last and place and _is_verb_alone(found[place - 1], text) and _is_bare(found[place - 1], STEPS):
@@ -144,6 +144,12 @@ def _held_behind(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
             ):
                 found[place - 1] = found[place - 1].under(phrases, clauses)
     return found
+
+
+def _is_other_need(before: Sketch, sketch: Sketch) -> bool:
+    """Whether it is told what must be done, behind an order: "buy milk, bins need emptying by six"."""
+    told, ordered = sketch.operation, before.operation
+    return told is not None and told.due is not None and ordered is not None and ordered.due is None
 
 
 def _is_open_in_front(sketch: Sketch) -> bool:

@@ -12,6 +12,7 @@ from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.mentions import undoes
 from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.sketches.around_events.prepared import is_on_the_way
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Constraint
 
@@ -26,7 +27,7 @@ def leads_to(sketches: Sequence[Sketch], place: int, text: str) -> Clock | None:
     if sketches[place + 1].part is sketches[place].part:
         # "Tomorrow feed them at six and again at five in the afternoon"
         return _settled_clock(sketches[place + 1]) if _names_day(sketches[place]) else None
-    if _clock_of(sketches[place]) is None:
+    if _clock_of(sketches[place]) is None or is_on_the_way(sketches[place], sketches[place + 1]):
         return None
     if [p.span for p in sketches[place].phrases] == [p.span for p in sketches[place + 1].phrases]:
         # "Close the garage and lock it by seven": one time of both
@@ -94,6 +95,9 @@ def follows_on(sketches: Sequence[Sketch], place: int, text: str) -> bool:
     between = text_between(first, second, text)
     joined = first.part is not second.part and not ENDS & set(between)
     if not joined or first.operation is None or second.operation is None:
+        return False
+    if first.operation.stated and not first.times:
+        # "Guests at seven and the roast needs two hours, so put it in at half four"
         return False
     return _goes_on(first.operation, second.operation, first.lexicon)
 

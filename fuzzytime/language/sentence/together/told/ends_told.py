@@ -1,13 +1,15 @@
 """By when orders of a sentence are to be over, said as an order: "mow from two and be done by five"."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.references.mentions import verb_forms
 from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.requirement import Reference
+from fuzzytime.requirement import Constraint, Reference
 
 
 def done_by(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
@@ -27,6 +29,28 @@ def done_by(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     return found
 
 
+def prepared_for(sketch: Sketch, aside: Aside) -> list[Sketch]:
+    """Give what happens with what is done so long before it: "dinner at seven, takes an hour to cook"."""
+    event = sketch.operation
+    named = event is not None and (event.stated or event.verb == event.name)
+    if event is None or not named or not aside.prepares or not sketch.times or sketch.clauses:
+        return []
+    verb, _, particle = aside.prepares.partition(" ")
+    whole = particle in sketch.lexicon.beside.ended
+    preparing = Operation(
+        verb=aside.prepares if whole else verb,
+        lemma=verb,
+        span=(aside.length.span[1], aside.span[1]),
+        object=None if whole else event.object or event.name,
+        particle=None if whole else particle or None,
+    )
+    until = [Reference.FINISH] * len(sketch.times)
+    prepared = replace(sketch, phrases=tuple(sketch.times), references=tuple(until), operation=preparing)
+    prepared = replace(prepared, joints=(*sketch.joints, (sketch.part.segment.span[0], event.span[1])))
+    length = replace(aside.length, said=replace(aside.length.said, constraint=Constraint.FOR))
+    return [replace(sketch, operation=replace(event, stated=True)), prepared.also(length)]
+
+
 def _first_ended(found: Sequence[Sketch], sketch: Sketch, text: str) -> int | None:
     """Give the place of the first that is to be over when a sketch says; None where it asks for something."""
     operation, tree = sketch.operation, sketch.part.tree
@@ -35,8 +59,12 @@ def _first_ended(found: Sequence[Sketch], sketch: Sketch, text: str) -> int | No
     # "Watch the rice, it should be done in ten minutes" is told of it.
     told = sketch.part.segment.connective == "then" or tree.children(tree.root, *SUBJECTS)
     named = (operation.object or "").lower()
-    other = operation.place or operation.purpose or operation.due
-    if told or other or not sketch.lexicon.closed.anaphors | {""} >= {named}:
+    if _is_over(operation, sketch):
+        # "…, all ready by noon"
+        named = ""
+    elif told or operation.place or operation.purpose or operation.due:
+        return None
+    if not sketch.lexicon.closed.anaphors | {""} >= {named}:
         return None
     first, behind = len(found), sketch
     ends = _is_end(operation, found[-1].operation, sketch)
@@ -52,8 +80,20 @@ def _is_end(operation: Operation, before: Operation | None, sketch: Sketch) -> b
     """Whether an order says only that what stands before it is to be over: "finish", "have it loaded"."""
     so, lexicon = (operation.complement or "").lower(), sketch.lexicon
     ends = Reference(lexicon.indicators.get(operation.phrase, Reference.START)) is Reference.FINISH
+    if _is_over(operation, sketch):
+        return True
     if before is None or any(about is not Reference.FINISH and not ends for about in sketch.references):
         return False
     if so:
         return so in lexicon.beside.ended or so in verb_forms(before.lemma, lexicon)
     return ends or operation.object is None
+
+
+def _is_over(operation: Operation, sketch: Sketch) -> bool:
+    """Whether all that is said is that it, or everything, is over: "done by noon", "all ready by noon"."""
+    thing, tree = (operation.object or "").lower(), sketch.part.tree
+    if not tree.said(tree.children(tree.root, *SUBJECTS)) <= sketch.lexicon.closed.wholes:
+        # "It should be done in ten minutes"
+        return False
+    so = {operation.phrase, operation.verb, operation.place}
+    return thing in sketch.lexicon.closed.wholes | {""} and not so.isdisjoint(sketch.lexicon.beside.ended)

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.phrases import is_at_clock
@@ -74,6 +75,18 @@ def _behind(sketch: Sketch, text: str, connective: str = "then") -> Sketch:
     joint = len(before) - (len("and") if before.lower().endswith("and") else 1)
     joined = replace(segment, connective=connective, connective_span=(joint, len(before)))
     return replace(sketch, part=replace(sketch.part, segment=joined))
+
+
+def from_then_on(sketches: Sequence[Sketch], text: str, apart: str) -> list[Sketch]:
+    """Give the first of some steps the time from which on all are: "bath, books, bed from 6.30"."""
+    times = sketches[-1].phrases if len(sketches) > 1 else ()
+    if len(times) != 1 or any(one.heard for one in sketches[:-1]):
+        return list(sketches)
+    from_then = times[0].said.preposition == "from"
+    if not from_then or not all(are_steps(*both, text, apart) for both in pairwise(sketches)):
+        return list(sketches)
+    first, *others, last = sketches
+    return [first.under(times), *others, last.without_times()]
 
 
 def steps_in_turn(sketches: Sequence[Sketch], text: str, apart: str) -> list[Sketch]:

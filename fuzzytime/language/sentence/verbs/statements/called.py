@@ -2,6 +2,7 @@
 
 from collections.abc import Set as AbstractSet
 
+from fuzzytime.english import is_participle
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, PRESENT, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
@@ -105,7 +106,7 @@ def with_doer(tree: Tree) -> Tree:
     """Give "robot 3 docks at noon", "lena phones the bank" its verb, which was taken for a plural."""
     root = tree.root
     verb = next((p for p in (root, root + 2) if _is_numbered(tree, p)), None)
-    if verb is None and _names_doer(tree):
+    if verb is None and (_names_doer(tree) or _is_doing(tree)):
         # "Tom | rings Bob": a tree may have two roots
         return _acting(tree, 1, {p for p, node in enumerate(tree.nodes) if node.head == p})
     return tree if verb is None else _acting(tree, verb, {root})
@@ -125,6 +126,16 @@ def _names_doer(tree: Tree) -> bool:
         and tree.nodes[0].relation not in SUBJECTS
         and (led or bare in lexicon.needing_nothing | lexicon.alone)
     )
+
+
+def _is_doing(tree: Tree) -> bool:
+    """Whether words begin with who does something then: "mum visiting sat"; but "dad meeting at ten"."""
+    lexicon = tree.lexicon
+    if not tree.nodes[1:] or tree.nodes[0].lower not in lexicon.people or tree.root not in {0, 1}:
+        return False
+    does, helping = tree.nodes[1], tree.children(tree.root, "aux", "auxpass", "neg")
+    acts = does.may_act and is_participle(does.lower) and not helping
+    return acts and does.lower not in lexicon.happening | lexicon.taken
 
 
 def with_event(tree: Tree) -> Tree:

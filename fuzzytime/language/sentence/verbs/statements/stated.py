@@ -123,7 +123,7 @@ class Stated(Places):
     def _is_standing(self, verb: int) -> bool:
         """Whether it is said in what state something is for a while: "the bridge is closed until noon".
 
-        A clock time or a deadline beside it asks for that: "the gate is closed at ten".
+        A clock time or a deadline beside it asks for that, "the gate is closed at ten", unless it is to come.
         """
         closed = self.lexicon.closed
         helping, timed = self._helping(verb), [p for p in self.tree.children(verb) if self.timed(p)]
@@ -132,11 +132,13 @@ class Stated(Places):
             # "The gym's closed tomorrow": a tree may have that for how it is.
             helping, so = so, self.tree.said(self.tree.children(verb, "acomp"))
         points = self.tree.said(timed) & closed.prepositions_of_points
-        named = bool(self.tree.children(verb, "nsubjpass", "nsubj")) and bool(timed) and not points
+        foretold = not helping.isdisjoint(closed.future)
+        subjects = self.tree.children(verb, "nsubjpass", "nsubj")
+        named = bool(subjects) and bool(timed) and (foretold or not points)
         return (
             named
             and bool(helping)
-            and helping <= closed.present_be
+            and helping <= (closed.future | {"be"} if foretold else closed.present_be)
             and not so.isdisjoint(self.lexicon.standing)
         )
 

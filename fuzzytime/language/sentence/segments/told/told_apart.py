@@ -1,0 +1,68 @@
+"""What is said behind a comma in words of its own: "…, finished by five", "…, car needs picking up by noon".
+
+It is told apart from what stands before it, which trees take together with it.
+"""
+
+from fuzzytime.english import is_participle
+from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.meaning.phrases import places_in
+from fuzzytime.language.sentence.segments.told.asides_of_hours import before_in_sentence
+from fuzzytime.language.sentence.segments.told.asides_of_needs import MARKS
+from fuzzytime.requirement import MOMENTS, Constraint
+
+STOP, IS = ".", ("'s", "’s")
+LONGEST = 4
+"""Words of "my best blue shirt" at most."""
+
+
+def with_told_apart(scanned: Scanned) -> str:
+    """Give a text of the same length with a stop in front of each that is said so."""
+    words, text, ended = scanned.words, scanned.text, scanned.lexicon.beside.ended
+    places = [p for p in range(2, len(words)) if words[p].text in ended or _needs_deed(scanned, p)]
+    is_then = [p for p in range(1, len(words) - 1) if words[p].text.endswith(IS)]
+    phrases = phrases_of(scanned) if places or is_then else ()
+    for mark in (
+        p.end for p in phrases if p.said.is_day and p.first - 1 in is_then and p.end < len(words) - 1
+    ):
+        if words[mark].text in {",", "so"} or words[mark].text in scanned.lexicon.closed.joints_of_orders:
+            # "The inspection's friday so prep the files"
+            text = text[: words[mark].start] + STOP.ljust(len(words[mark].text)) + text[words[mark].end :]
+    timed = places_in(phrases)
+    ends = {p.first: p.end for p in phrases if p.said.constraint in {Constraint.BEFORE, *MOMENTS}}
+    for place in places:
+        end = ends.get(place + 1, 0) if words[place].text in ended else -1
+        mark = _mark_of_end(scanned, place, end) if end >= 0 else _mark_of_need(scanned, place)
+        first = mark - len(before_in_sentence(words, mark))
+        # "Tomorrow, the car needs washing", "once it's dry, the fence needs painting"
+        asks = any(words[p].is_letters and p not in timed for p in range(first, mark))
+        if mark and asks and longest_match(words, first, scanned.lexicon.clauses) is None:
+            text = text[: words[mark].start] + STOP + text[words[mark].end :]
+    return text
+
+
+def _mark_of_end(scanned: Scanned, place: int, end: int) -> int:
+    """Give the mark in front of what says that all is over by a time, up to its end; 0 for none."""
+    words, closed = scanned.words, scanned.lexicon.closed
+    over = all(word.text in closed.end_of_an_aside for word in words[end : end + 1])
+    place -= 1
+    while place and words[place].text in closed.wholes | closed.anaphors:
+        place -= 1
+    return place if end and over and words[place].text in MARKS - {"("} else 0
+
+
+def _mark_of_need(scanned: Scanned, place: int) -> int:
+    """Give the mark in front of a thing, without a word for anybody, that needs something; 0 for none."""
+    words, lexicon = scanned.words, scanned.lexicon
+    mark = next((p for p in range(place - 1, max(place - LONGEST, 1) - 1, -1) if words[p].text in MARKS), 0)
+    named = [word.text for word in words[mark + 1 : place]]
+    opened = named[:1] if named[:1] and named[0] in lexicon.closed.noun_openers else []
+    known = lexicon.function_words.isdisjoint(named[len(opened) :])
+    return mark if len(named) > len(opened) and known else 0
+
+
+def _needs_deed(scanned: Scanned, place: int) -> bool:
+    """Whether a word says that something needs what is behind it: "needs picking up"."""
+    words = scanned.words
+    needs = words[place].text.removesuffix("s") in scanned.lexicon.doing.needing
+    return needs and any(is_participle(word.text) for word in words[place + 1 : place + 2])
