@@ -6,7 +6,7 @@ from itertools import islice
 
 from fuzzytime.interpreter.bounding import due_then, from_there_on, is_due_on_day, within_its_ends
 from fuzzytime.interpreter.how_long import HowLong
-from fuzzytime.interpreter.in_other_words.at_meals import at_its_meal
+from fuzzytime.interpreter.in_other_words.at_its_hours import at_its_hours
 from fuzzytime.interpreter.in_other_words.lasting import with_lasting
 from fuzzytime.interpreter.in_other_words.retold import (
     amid_its_hours,
@@ -88,7 +88,7 @@ class Maker:
         FuzzytimeError
             If a context reading is of no declared signal, or a duration impossible.
         """
-        instruction = at_its_meal(instruction, wish.given, self.lexicon)
+        instruction = at_its_hours(instruction, wish.given, self.lexicon)
         instruction = waiting_until(from_to(instruction, wish.given, self.lexicon), self.lexicon)
         told = (p for p in instruction.requirements if p.constraint is not Constraint.FOR)
         known = without_readings(list(told), wish.given, self.request, self.lexicon)

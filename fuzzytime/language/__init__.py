@@ -27,7 +27,8 @@ from fuzzytime.language.meaning.required.decisions import HALF_OF_DAY_ADVICE
 from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy, Steps
 from fuzzytime.language.reader import Language
-from fuzzytime.language.sentence.references.meals import hours_of_meal, names_meal
+from fuzzytime.language.sentence.references.hours_on_days import hours_on_a_day
+from fuzzytime.language.sentence.references.meals import names_meal
 from fuzzytime.language.sentence.references.mentions import comes, nouns_of, shares_thing, undoes, verb_forms
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelError, installed_model, model_files
@@ -60,7 +61,7 @@ __all__ = [
     "comes",
     "content_words",
     "find_times",
-    "hours_of_meal",
+    "hours_on_a_day",
     "installed_model",
     "is_several",
     "model_files",

@@ -64,6 +64,8 @@ class Lexicon:
         By their sounds, feasts whose names Latin letters spell in many ways.
     usual_hours
         By words for what people do, the hours at which they do it.
+    hours_on_days
+        By words for what is on a day, the hours in which it is if no time of day is said.
     ways
         What is said of wishes in usual words, and a way to say the same: what may stand in its places.
     function_words
@@ -173,6 +175,7 @@ class Lexicon:
     clipped: Mapping[str, str]
     transliterated: Names[Entry]
     usual_hours: Forms[Hours]
+    hours_on_days: Forms[Hours]
     policy: Policy = field(default_factory=Policy)
     orders: frozenset[str] = field(init=False)
     people: frozenset[str] = field(init=False)

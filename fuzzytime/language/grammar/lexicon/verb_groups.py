@@ -71,6 +71,7 @@ class Doing(NamedTuple):
     covering: Words
     eating: Words
     having: Words
+    attending: Words
     keeping: Words
     getting: Words
     becoming: Words

@@ -18,10 +18,10 @@ from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedCl
 from fuzzytime.language.grammar.word_tables.days import (
     read_clocks,
     read_days,
+    read_hours,
     read_parts,
     read_policy,
     read_units,
-    read_usual_hours,
 )
 from fuzzytime.language.grammar.word_tables.feasts import is_transliterated, read_feasts
 from fuzzytime.language.grammar.word_tables.speech import (
@@ -107,7 +107,8 @@ def _lexicon(speech: Tables, days: Tables) -> Lexicon:
         },
         clipped=clipped(speech.single_words("spelling", "ending"), known),
         transliterated=Names.of((entry.words, entry) for entry in days.entries if is_transliterated(entry)),
-        usual_hours=read_usual_hours(days),
+        usual_hours=read_hours(days, "usual_hours"),
+        hours_on_days=read_hours(days, "hours_on_days"),
         policy=read_policy(days),
     )
 
@@ -252,5 +253,5 @@ _CALENDAR = (
     "days", "days_on", "deictics", "all_meals", "parts", "day_halves", "first_thing", "last_thing",
     "weeknights", "day_parts", "shares", "edges", "abbreviated_edges", "seasons", "shortened",
     "holidays",
-    "meridiem", "zones", "usual_hours", "policy",
+    "meridiem", "zones", "usual_hours", "hours_on_days", "policy",
 )  # fmt: skip

@@ -172,11 +172,11 @@ def _offset(text: str) -> time | None:
         return None
 
 
-def read_usual_hours(tables: Tables) -> Forms[Hours]:
+def read_hours(tables: Tables, section: str) -> Forms[Hours]:
     """Give the hours at which people do things, by the words for them."""
     found: dict[Form, Hours] = {}
-    for name, node in tables.rows("usual_hours"):
-        key = f"usual_hours.{name.text}"
+    for name, node in tables.rows(section):
+        key = f"{section}.{name.text}"
         row = Row(tables, key, tables.reader.mapping(node, key, ("from", "to", "also"), ("from",)))
         if row.has("from"):
             hours = (_time(row, "from"), _time(row, "to") if row.has("to") else None)

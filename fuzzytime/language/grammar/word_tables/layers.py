@@ -16,7 +16,9 @@ WHOLE = frozenset({"holidays"})
 LANGUAGE = "language"
 """The key that a word table has, and a rule table has not."""
 
-TELLING = frozenset({LANGUAGE, "parts", "day_parts", "holidays", "seasons", "zones", "usual_hours", "policy"})
+TELLING = frozenset(
+    {LANGUAGE, "parts", "day_parts", "holidays", "seasons", "zones", "usual_hours", "hours_on_days", "policy"}
+)
 """Keys by which a word table is told from a rule table, also where it forgets to say its language."""
 
 HEAD = ("fuzzytime", LANGUAGE)

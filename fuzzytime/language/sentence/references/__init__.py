@@ -7,4 +7,5 @@ Where somebody ``stays`` says what
 
 They stand in clauses (``anchors``) or in phrases (``phrase_anchors``). Some count from what was asked for of
 the ``same_thing``, some are ``each_time`` that something is, some from the ``meals`` at which one eats.
+What is on a day has its hours (``hours_on_days``).
 """

@@ -33,22 +33,3 @@ def names_meal(thing: str | None, lexicon: Lexicon) -> bool:
     words = words_of(thing or "")
     pieces = chain.from_iterable(lexicon.pieces(words, place) for place in range(len(words)))
     return any(piece.category == "meal" and not piece.value.place for piece in pieces)
-
-
-def hours_of_meal(operation: Operation | None, lexicon: Lexicon) -> tuple[int, int] | None:
-    """Give from when to when a meal is that is had, in seconds of its day: "lunch with Ann", "have dinner".
-
-    None for what is done with one ("cook dinner"), or what it is of ("a cup of tea").
-    """
-    if operation is None:
-        return None
-    had = operation.stated or operation.lemma in lexicon.doing.having
-    named = operation.object is None or operation.verb in lexicon.happening
-    words = words_of((operation.object if had else operation.name if named else None) or "")
-    for place, word in enumerate(words):
-        for piece in lexicon.pieces(words, place):
-            if piece.category == "meal" and not piece.value.place:
-                return piece.value.start, piece.value.end
-        if word.text in lexicon.function_words - lexicon.closed.noun_openers:
-            return None
-    return None

@@ -1,9 +1,9 @@
-"""The hours of a meal, where a day alone is said for it: "dinner with Bob on sunday" is in the evening."""
+"""The hours of a meal, or an evening out, where a day alone is said for it: "dinner with Bob on sunday"."""
 
 from dataclasses import replace
 from datetime import datetime, time, timedelta
 
-from fuzzytime.language import Instruction, Lexicon, Operation, hours_of_meal
+from fuzzytime.language import Instruction, Lexicon, Operation, hours_on_a_day, names_meal
 from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 from fuzzytime.times import DAY, HOUR, instant_after, seconds_between
 
@@ -11,8 +11,8 @@ MOMENT = 1.0
 """Seconds: what begins at midnight is of the day behind it, wherever figures round to."""
 
 
-def at_its_meal(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Instruction:
-    """Put a meal into its hours on the day that is said for it, or on that of the instruction.
+def at_its_hours(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Instruction:
+    """Put what has its hours into those of the day that is said for it; a meal, also where nothing is said.
 
     What says a time of day, or waits for something, says when by itself. Hours that are over are none.
 
@@ -21,11 +21,11 @@ def at_its_meal(instruction: Instruction, given: datetime, lexicon: Lexicon) -> 
     given
         When the instruction was given.
     """
-    hours = hours_of_meal(instruction.operation, lexicon)
+    hours = hours_on_a_day(instruction.operation, lexicon)
     bounds = [part for part in instruction.requirements if part.constraint is not Constraint.FOR]
     if hours is None or len(bounds) > 1 or not all(map(_is_day, bounds)):
         return instruction
-    said = next(iter(bounds), None) or _any_time(instruction.operation)
+    said = next(iter(bounds), None) or _any_time(instruction.operation, lexicon)
     if said is None:
         return instruction
     day = instant_after(given, (said.earliest or 0.0) + MOMENT).date()
@@ -33,9 +33,9 @@ def at_its_meal(instruction: Instruction, given: datetime, lexicon: Lexicon) -> 
     earliest, latest = (seconds_between(given, midnight + timedelta(seconds=end)) for end in hours)
     if latest <= 0:
         return instruction
-    meal = replace(said, earliest=earliest, latest=latest, grain=Unit.HOUR)
+    timed = replace(said, earliest=earliest, latest=latest, grain=Unit.HOUR)
     others = tuple(part for part in instruction.requirements if part is not said)
-    return replace(instruction, requirements=(meal, *others))
+    return replace(instruction, requirements=(timed, *others))
 
 
 def _is_day(part: TimeRequirement) -> bool:
@@ -46,8 +46,8 @@ def _is_day(part: TimeRequirement) -> bool:
     return bounded and not part.alternative and (part.latest or 0.0) - (part.earliest or 0.0) <= DAY + HOUR
 
 
-def _any_time(operation: Operation | None) -> TimeRequirement | None:
+def _any_time(operation: Operation | None, lexicon: Lexicon) -> TimeRequirement | None:
     """Give what is asked of a meal without a time."""
-    if operation is None:
+    if operation is None or not names_meal(operation.name, lexicon):
         return None
     return TimeRequirement(text=operation.name, span=operation.span, constraint=Constraint.BETWEEN)

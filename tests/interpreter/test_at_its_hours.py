@@ -1,4 +1,4 @@
-"""Meals for which a day is said, or nothing, are in their hours."""
+"""Meals, and evenings out, for which a day is said are in their hours."""
 
 from datetime import datetime
 
@@ -17,6 +17,11 @@ pytestmark = pytest.mark.model
         ("tea with gran tomorrow", "16:15"),
         ("a late supper on saturday", "18:12"),
         ("have lunch", "11:15"),
+        ("cinema on friday", "19:00"),
+        ("go to the theatre tomorrow", "19:00"),
+        ("wake me tomorrow", "06:45"),
+        ("book the cinema for friday", "09:00"),
+        ("buy party food tomorrow", "09:00"),
         # What is done with a meal is no meal, nor is what it is of.
         ("buy lunch tomorrow", "09:00"),
         ("have a cup of tea tomorrow", "09:00"),
@@ -25,7 +30,7 @@ pytestmark = pytest.mark.model
         ("have breakfast before nine on friday", "07:00"),
     ],
 )
-def test_a_meal_is_in_its_hours(line: str, start: str) -> None:
+def test_what_is_on_a_day_is_in_its_hours(line: str, start: str) -> None:
     assert list(starts(listed([line])).values()) == [start]
 
 

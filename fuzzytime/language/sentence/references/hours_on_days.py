@@ -1,0 +1,54 @@
+"""When something is on a day for which no time of day is said: dinner, the cinema, to bed."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.instruction import Operation
+
+Seconds = tuple[int, int]
+"""From when to when, in seconds of a day."""
+
+
+def hours_on_a_day(operation: Operation | None, lexicon: Lexicon) -> Seconds | None:
+    """Give the hours of a meal that is had, or of what else is on: "lunch with Ann", "go to the cinema".
+
+    None for what is done with it ("cook dinner", "book the cinema"), or what it is of ("a cup of tea").
+    """
+    if operation is None:
+        return None
+    words = words_of(_what_is_on(operation, lexicon))
+    for place, word in enumerate(words):
+        hours = _of_meal(words, place, lexicon) or _of_table(words, place, lexicon)
+        if hours is not None:
+            return hours
+        if word.text in lexicon.function_words - lexicon.closed.noun_openers:
+            break
+    named = words_of(operation.name)
+    going = operation.lemma in lexicon.doing.attending
+    return next(
+        (hours for place in range(len(named) if going else 1) if (hours := _of_table(named, place, lexicon))),
+        None,
+    )
+
+
+def _what_is_on(operation: Operation, lexicon: Lexicon) -> str:
+    """Give the words for what happens, or is had."""
+    if operation.stated or operation.lemma in lexicon.doing.having:
+        return operation.object or ""
+    named = (operation.object is None and operation.place is None) or operation.verb in lexicon.happening
+    return operation.name if named else ""
+
+
+def _of_meal(words: Sequence[Word], place: int, lexicon: Lexicon) -> Seconds | None:
+    meals = (piece.value for piece in lexicon.pieces(words, place) if piece.category == "meal")
+    return next(((meal.start, meal.end) for meal in meals if not meal.place), None)
+
+
+def _of_table(words: Sequence[Word], place: int, lexicon: Lexicon) -> Seconds | None:
+    form = longest_match(words, place, lexicon.hours_on_days)
+    first, last = (None, None) if form is None else lexicon.hours_on_days[form]
+    if first is None or last is None:
+        return None
+    begin, end = ((hour.hour * 60 + hour.minute) * 60 for hour in (first, last))
+    return begin, end
