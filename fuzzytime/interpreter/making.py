@@ -6,7 +6,7 @@ from itertools import islice
 
 from fuzzytime.interpreter.bounding import due_then, from_there_on, is_due_on_day, within_its_ends
 from fuzzytime.interpreter.how_long import HowLong
-from fuzzytime.interpreter.in_other_words.at_its_hours import at_its_hours
+from fuzzytime.interpreter.in_other_words.at_its_hours import at_its_hours, turn_at_its_hours
 from fuzzytime.interpreter.in_other_words.lasting import with_lasting
 from fuzzytime.interpreter.in_other_words.retold import (
     amid_its_hours,
@@ -130,6 +130,7 @@ class Maker:
         def occurring(start: float, end: float) -> Interpreted:
             once_done = replace(instruction, duration=end - start) if whole else instruction
             time = occurrence(repeated, start, start if whole else end)
+            time = turn_at_its_hours(time, operation, wish.given, self.lexicon)
             return self._interpreted(wish, reading, once_done, (time, *once))
 
         windows = planned_windows(self.request, wish, recurrence, self.lexicon.policy)

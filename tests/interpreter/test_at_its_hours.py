@@ -45,3 +45,11 @@ def test_a_day_and_its_meal_head_no_lines() -> None:
 def test_hours_that_are_over_are_not_waited_for() -> None:
     made = listed(["have lunch"], now=datetime(2026, 3, 4, 15))  # noqa: DTZ001 - a wall clock
     assert list(starts(made).values()) == ["15:00"]
+
+
+def test_what_is_repeated_on_days_is_in_its_hours_on_each() -> None:
+    made = listed(["get up early every day"], now=datetime(2026, 3, 4, 9))  # noqa: DTZ001 - a wall clock
+    assert set(starts(made).values()) == {"06:45"}
+    assert set(starts(listed(["have lunch with Ola every friday"])).values()) == {"11:15"}
+    # A part of the day says when by itself.
+    assert "11:15" not in starts(listed(["have lunch every evening"])).values()

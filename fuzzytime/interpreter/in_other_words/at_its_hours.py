@@ -4,7 +4,7 @@ from dataclasses import replace
 from datetime import datetime, time, timedelta
 
 from fuzzytime.language import Instruction, Lexicon, Operation, hours_on_a_day, names_meal
-from fuzzytime.requirement import Constraint, TimeRequirement, Unit
+from fuzzytime.requirement import Constraint, TimeRequirement, Unit, Window
 from fuzzytime.times import DAY, HOUR, instant_after, seconds_between
 
 MOMENT = 1.0
@@ -28,14 +28,32 @@ def at_its_hours(instruction: Instruction, given: datetime, lexicon: Lexicon) ->
     said = next(iter(bounds), None) or _any_time(instruction.operation, lexicon)
     if said is None:
         return instruction
-    day = instant_after(given, (said.earliest or 0.0) + MOMENT).date()
-    midnight = datetime.combine(day, time(), given.tzinfo)
-    earliest, latest = (seconds_between(given, midnight + timedelta(seconds=end)) for end in hours)
+    earliest, latest = _on_the_day_of(said.earliest or 0.0, hours, given)
     if latest <= 0:
         return instruction
     timed = replace(said, earliest=earliest, latest=latest, grain=Unit.HOUR)
     others = tuple(part for part in instruction.requirements if part is not said)
     return replace(instruction, requirements=(timed, *others))
+
+
+def turn_at_its_hours(
+    turn: TimeRequirement, operation: Operation | None, given: datetime, lexicon: Lexicon
+) -> TimeRequirement:
+    """Put one of what is repeated on whole days into its hours: "have lunch with Ann every friday"."""
+    hours, start, end = hours_on_a_day(operation, lexicon), turn.earliest or 0.0, turn.latest or 0.0
+    begins, ends = _on_the_day_of(start, (0, int(DAY)), given)
+    whole = abs(end - ends) < MOMENT and (start <= 0.0 or abs(start - begins) < MOMENT)
+    if hours is None or not whole:
+        return turn
+    earliest, latest = _on_the_day_of(start, hours, given)
+    return replace(turn, earliest=earliest, latest=latest, grain=Unit.HOUR)
+
+
+def _on_the_day_of(start: float, hours: tuple[int, int], given: datetime) -> Window:
+    """Give some hours of the day on which something begins."""
+    midnight = datetime.combine(instant_after(given, start + MOMENT).date(), time(), given.tzinfo)
+    first, last = (seconds_between(given, midnight + timedelta(seconds=end)) for end in hours)
+    return first, last
 
 
 def _is_day(part: TimeRequirement) -> bool:
