@@ -15,7 +15,7 @@ from fuzzytime.interpreter.binding.steps import is_asked
 from fuzzytime.interpreter.in_other_words.why_nothing import why_nothing
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.making import MAX_OCCURRENCES, Maker
-from fuzzytime.interpreter.notes import beside_news, by_how_much, ending_with, too_few
+from fuzzytime.interpreter.notes import beside_news, by_how_much, ending_with, in_its_hours, too_few
 from fuzzytime.interpreter.remarks import is_spoiled, is_told, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
 from fuzzytime.interpreter.told_anew import asks_beside_another, meant, on_its_day, told_anew
@@ -216,6 +216,7 @@ class Gathering:
         made = self._skills_of(wish, reading, instruction, inside or behind, of_each(*given))
         if inside is not None and made:
             self.problems.append(ending_with(wish, instruction, inside))
+        self.problems += [note for one in made[:1] for note in in_its_hours(wish, instruction, one)]
         first = len(self.skills)
         self._add(made)
         return range(first, len(self.skills))

@@ -10,6 +10,8 @@ from fuzzytime.interpreter.turns.of_each import OfEach
 from fuzzytime.language import Instruction, Reading, content_words
 from fuzzytime.language.about_wishes import News, clauses_of
 from fuzzytime.language.instruction import Span, overlap
+from fuzzytime.requirement import Unit
+from fuzzytime.times import instant_after
 
 
 def beside_news(wish: SpokenWish, reading: Reading, told: Collection[Span]) -> Iterator[Problem]:
@@ -36,6 +38,18 @@ def ending_with(wish: SpokenWish, instruction: Instruction, inside: GoingOn) -> 
     what = "is the end of this" if closing else "is as long as this goes on"
     message = f"{said.text!r} {what}: {inside.name}"
     return problem_of(wish, ProblemKind.NOTE, message, said.span, wish.identifier)
+
+
+def in_its_hours(wish: SpokenWish, instruction: Instruction, made: Interpreted) -> Iterator[Problem]:
+    """Say in which hours of its day something is put, for which no time of day is said: "dinner friday"."""
+    grains = {part.span: part.grain for part in instruction.requirements}
+    for part in made.requirements:
+        day = grains.get(part.span, Unit.DAY) is Unit.DAY and part.grain is Unit.HOUR
+        if day and part.earliest is not None and part.latest is not None:
+            first, last = (instant_after(wish.given, end) for end in (part.earliest, part.latest))
+            hours = f"{first:%H:%M} to {last:%H:%M}"
+            message = f"{made.skill.name}: {hours} is taken, as no time of day is said"
+            yield problem_of(wish, ProblemKind.NOTE, message, part.span, made.identifier)
 
 
 def too_few(beside: OfEach) -> str:

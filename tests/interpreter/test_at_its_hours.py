@@ -4,7 +4,7 @@ from datetime import datetime
 
 import pytest
 
-from interpreter.telling import listed, starts
+from interpreter.telling import listed, notes, starts
 
 pytestmark = pytest.mark.model
 
@@ -53,3 +53,10 @@ def test_what_is_repeated_on_days_is_in_its_hours_on_each() -> None:
     assert set(starts(listed(["have lunch with Ola every friday"])).values()) == {"11:15"}
     # A part of the day says when by itself.
     assert "11:15" not in starts(listed(["have lunch every evening"])).values()
+
+
+def test_the_hours_that_are_taken_are_told() -> None:
+    told = notes(listed(["dinner with Ann on friday", "dinner with Bob at six", "sunday lunch"]))
+    assert [note for note in told if "no time of day" in note] == [
+        "dinner with Ann: 18:00 to 20:00 is taken, as no time of day is said"
+    ]
