@@ -1,6 +1,6 @@
 """What follows a time, and whether that leaves its last word a time: "at six love", but "at six robots"."""
 
-from fuzzytime.english import is_participle, looks_plural
+from fuzzytime.english import is_participle, looks_plural, singular
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.surroundings.looked_up import LookedUp
@@ -54,7 +54,8 @@ class BehindTimes(LookedUp):
     def _says_how_long(self, piece: Piece) -> bool:
         """Whether words say how long that takes: "the call at two lasts an hour", "… at two might take"."""
         asides, text = self.lexicon.asides, self.follower(piece)
-        takes = text in asides["helping"] or (text in asides["taking"] and looks_plural(text))
+        lasting = text in asides["taking"] or singular(text) in self.lexicon.doing.running
+        takes = text in asides["helping"] or (lasting and looks_plural(text))
         # "The last one only | takes a minute"
         return takes and self.texts[piece.start] in self.closed.prepositions_of_points
 

@@ -147,7 +147,8 @@ def _may_chain(words: Sequence[Word], lexicon: Lexicon) -> bool:
         if not led or closed.joints_of_steps.isdisjoint(texts[first:]) or texts[first : first + 1] == []:
             continue
         behind, further = (*texts[first + 1 : first + 3], "", "")[:2]
-        acts = texts[first] in lexicon.orders | lexicon.addressing and behind not in lexicon.function_words
+        acts = texts[first] in lexicon.orders | lexicon.addressing and behind.isalnum()
+        acts = acts and behind not in lexicon.function_words
         # "Two hours of coding", "half an hour of piano"
         counted = any(lexicon.means(word, "unit") for word in (behind, further))
         if counted or not (acts or texts[first] in lexicon.function_words or behind in things):

@@ -7,6 +7,7 @@ of what stands before them: of what a clause says, or else of what is to be done
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
+from fuzzytime.english import looks_plural, singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
@@ -40,7 +41,9 @@ class Aside:
 
 def asides_of(scanned: Scanned) -> tuple[Aside, ...]:
     """Give the asides of a text in order."""
-    if scanned.lexicon.asides["taking"].isdisjoint(word.text for word in scanned.words):
+    texts = [word.text for word in scanned.words]
+    runs = any(_runs(text, scanned.lexicon) for text in texts)
+    if scanned.lexicon.asides["taking"].isdisjoint(texts) and not runs:
         return ()
     phrases = phrases_of(scanned)
     lengths = (p for p in phrases if isinstance(p.said.time, Duration))
@@ -61,7 +64,9 @@ def _aside(scanned: Scanned, phrase: Phrase, ends: Collection[int]) -> Aside | N
     place = phrase.first - 1
     while place > 0 and words[place].text in told["whom"] | told["helping"]:
         place -= 1
-    if place < 1 or words[place].text not in told["taking"]:
+    # "The webinar at four will run for 45 minutes"
+    goes_on = phrase.said.preposition == "for" and _runs(words[place].text, scanned.lexicon)
+    if place < 1 or not (goes_on or words[place].text in told["taking"]):
         return None
     if (
         words[place].text in scanned.lexicon.closed.lemmas_of_be
@@ -73,44 +78,44 @@ def _aside(scanned: Scanned, phrase: Phrase, ends: Collection[int]) -> Aside | N
     while place > 0 and words[place].text in told["helping"]:
         place -= 1
     bracketed = words[place].text == "(" or words[place - 1].text in {"(", "-"}
-    behind = (
-        phrase.end == len(words)
-        or words[phrase.end].text in {".", "!"}
-        or _becomes(words, phrase, scanned.lexicon)
-        or bool(_prepares(words, phrase, scanned.lexicon))
-    )
+    behind = phrase.end == len(words) or words[phrase.end].text in {".", "!"}
+    purpose = _purpose(words, phrase, scanned.lexicon)
+    behind = behind or bool(purpose)
     if words[place].text in told["naming"] or (words[place].text in told["back"] and (bracketed or behind)):
         place -= 1
     # "Standup at nine should take ten minutes"
     runs_on = place + 1 in ends and not needed
-    if place < 1 or not (runs_on or words[place].text in OPENING):
+    if place < 1 or not (runs_on or (words[place].text in OPENING and not goes_on)):
         return None
     known = told["naming"] | told["helping"] | told["back"]
     # "Handover at 7, takes a quarter of an hour"
     known |= {word for word in told["taking"] if word.endswith("s")}
-    if words[place].text != "(" and words[place + 1].text not in known:
+    runs = goes_on and looks_plural(words[place + 1].text)
+    if words[place].text != "(" and words[place + 1].text not in known and not runs:
         # "Wash up, need 20 minutes"
         return None
     end = _end(scanned, phrase)
     relative = words[place + 1].text in scanned.lexicon.closed.nonrestrictive_relatives
     start = words[place + runs_on].start
-    prepares = _prepares(words, phrase, scanned.lexicon)
-    return None if end is None else Aside((start, end), phrase, relative=relative, prepares=prepares)
+    done = " ".join(purpose)
+    prepares = done if done in told["preparing"] else ""
+    left = not prepares and done in scanned.lexicon.doing.by_itself
+    aside = Aside((start, end or start), phrase, left=left, relative=relative, prepares=prepares)
+    return None if end is None else aside
 
 
-def _becomes(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> bool:
-    """Whether it is said what becomes of it: "light it, it needs an hour to get hot"; not "to get there"."""
-    said = [word.text for word in words[phrase.end : phrase.end + PURPOSE]]
-    if len(said) < PURPOSE or said[0] != "to" or said[1] not in lexicon.doing.being:
-        return False
-    return said[2] not in lexicon.told["there"] | lexicon.told["between"]
+def _runs(text: str, lexicon: Lexicon) -> bool:
+    """Whether a word says that something goes on: "runs"."""
+    return not lexicon.doing.running.isdisjoint((text, singular(text)))
 
 
-def _prepares(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> str:
-    """Give what is done so long, behind a length, to have something by then: "to cook"; empty for nothing."""
-    said = [word.text for word in words[phrase.end : phrase.end + PURPOSE]]
-    done = (" ".join(said[1:end]) for end in range(len(said), 1, -1))
-    return next((one for one in done if one in lexicon.asides["preparing"]), "") if said[:1] == ["to"] else ""
+def _purpose(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> list[str]:
+    """Give what it takes so long for, behind a length: "to get hot", "to cook", but not "to get there"."""
+    said = [word.text for word in words[phrase.end : phrase.end + PURPOSE + 1]]
+    ends = (p for p, text in enumerate(said) if text in lexicon.closed.end_of_an_aside)
+    purpose = said[1 : next(ends, len(said))] if said[:1] == ["to"] else []
+    there = lexicon.told["there"] | lexicon.told["between"]
+    return purpose if len(purpose) < PURPOSE and there.isdisjoint(purpose) else []
 
 
 def _end(scanned: Scanned, phrase: Phrase) -> int | None:

@@ -6,6 +6,7 @@ It is told apart from what stands before it, which trees take together with it.
 from fuzzytime.english import is_participle
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.told.asides_of_hours import before_in_sentence
 from fuzzytime.language.sentence.segments.told.asides_of_needs import MARKS
@@ -18,16 +19,12 @@ LONGEST = 4
 
 def with_told_apart(scanned: Scanned) -> str:
     """Give a text of the same length with a stop in front of each that is said so."""
-    words, text, ended = scanned.words, scanned.text, scanned.lexicon.beside.ended
+    words, text, lexicon = scanned.words, scanned.text, scanned.lexicon
+    ended = lexicon.beside.ended - lexicon.particles.keys()
     places = [p for p in range(2, len(words)) if words[p].text in ended or _needs_deed(scanned, p)]
     is_then = [p for p in range(1, len(words) - 1) if words[p].text.endswith(IS)]
     phrases = phrases_of(scanned) if places or is_then else ()
-    for mark in (
-        p.end for p in phrases if p.said.is_day and p.first - 1 in is_then and p.end < len(words) - 1
-    ):
-        if words[mark].text in {",", "so"} or words[mark].text in scanned.lexicon.closed.joints_of_orders:
-            # "The inspection's friday so prep the files"
-            text = text[: words[mark].start] + STOP.ljust(len(words[mark].text)) + text[words[mark].end :]
+    stops = [phrase.end for phrase in phrases if _is_of_day(scanned, phrase)]
     timed = places_in(phrases)
     ends = {p.first: p.end for p in phrases if p.said.constraint in {Constraint.BEFORE, *MOMENTS}}
     for place in places:
@@ -36,9 +33,18 @@ def with_told_apart(scanned: Scanned) -> str:
         first = mark - len(before_in_sentence(words, mark))
         # "Tomorrow, the car needs washing", "once it's dry, the fence needs painting"
         asks = any(words[p].is_letters and p not in timed for p in range(first, mark))
-        if mark and asks and longest_match(words, first, scanned.lexicon.clauses) is None:
-            text = text[: words[mark].start] + STOP + text[words[mark].end :]
+        if mark and asks and longest_match(words, first, lexicon.clauses) is None:
+            stops.append(mark)
+    for mark in stops:
+        text = text[: words[mark].start] + STOP.ljust(len(words[mark].text)) + text[words[mark].end :]
     return text
+
+
+def _is_of_day(scanned: Scanned, phrase: Phrase) -> bool:
+    """Whether it is told on which day something is, and more behind: "the exam's monday so revise"."""
+    words, joints = scanned.words, scanned.lexicon.closed.joints_of_orders | {"so"}
+    told = phrase.said.is_day and phrase.first > 1 and words[phrase.first - 1].text.endswith(IS)
+    return told and phrase.end < len(words) - 1 and words[phrase.end].text in joints
 
 
 def _mark_of_end(scanned: Scanned, place: int, end: int) -> int:
@@ -46,7 +52,7 @@ def _mark_of_end(scanned: Scanned, place: int, end: int) -> int:
     words, closed = scanned.words, scanned.lexicon.closed
     over = all(word.text in closed.end_of_an_aside for word in words[end : end + 1])
     place -= 1
-    while place and words[place].text in closed.wholes | closed.anaphors:
+    while place and words[place].text in closed.wholes | closed.both | closed.anaphors:
         place -= 1
     return place if end and over and words[place].text in MARKS - {"("} else 0
 

@@ -92,8 +92,9 @@ def _is_end(operation: Operation, before: Operation | None, sketch: Sketch) -> b
 def _is_over(operation: Operation, sketch: Sketch) -> bool:
     """Whether all that is said is that it, or everything, is over: "done by noon", "all ready by noon"."""
     thing, tree = (operation.object or "").lower(), sketch.part.tree
-    if not tree.said(tree.children(tree.root, *SUBJECTS)) <= sketch.lexicon.closed.wholes:
+    wholes = sketch.lexicon.closed.wholes | sketch.lexicon.closed.both
+    if not tree.said(tree.children(tree.root, *SUBJECTS)) <= wholes:
         # "It should be done in ten minutes"
         return False
     so = {operation.phrase, operation.verb, operation.place}
-    return thing in sketch.lexicon.closed.wholes | {""} and not so.isdisjoint(sketch.lexicon.beside.ended)
+    return thing in wholes | {""} and not so.isdisjoint(sketch.lexicon.beside.ended)
