@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Fields, is_weekday
 from fuzzytime.language.meaning.days.relations import Relative, days_away
 from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.joined.beside import joined
@@ -17,9 +17,17 @@ ROUND = 5
 """Hours whose numbers may as well be minutes to the hour behind them are multiples of it."""
 
 
+@grammar.rule("wall", "<wall> <wall>", weight=0.1)
+def side_by_side(first: Wall, second: Wall) -> Wall | None:
+    """Tomorrow morning six am; but "tues 10 march 6" is on the tenth."""
+    date, clock = second.days, first.clock
+    dated = isinstance(date, Fields) and date.month is not None and date.day is not None
+    number = clock is not None and clock.grain is Unit.HOUR and clock.half is None
+    return None if dated and number and is_weekday(first.days) else joined(first, second)
+
+
 @grammar.rule(
     "wall",
-    "<wall> <wall>",
     "<wall> at|on|of|for|@|,|- <wall>",
     "<wall> , at|on|@ <wall>",
     "<wall> - - <wall>",

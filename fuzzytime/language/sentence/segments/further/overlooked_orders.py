@@ -140,7 +140,9 @@ def _governs(tree: Tree, place: int) -> bool:
     ):
         return True
     # "Lock the shed and reboot the router": it names nothing.
-    taken = node.tag in {"NN", "NNP", "JJ", "JJR"} or (node.may_act and not node.may_name)
+    taken = node.tag in {"NN", "NNP", "JJ", "JJR"} or (
+        node.may_act and (node.tag == "RB" or not node.may_name)
+    )
     if not taken or node.is_verb or before not in closed.joints_of_orders:
         return False
     if before == "," and _is_before_object(tree, place):
@@ -157,7 +159,8 @@ def _governs(tree: Tree, place: int) -> bool:
         return True
     # "Raise the blinds, water the fern, lower them at six"
     # "Sow carrots, thin them": no adjective stands before a pronoun.
-    known = {"NN", "JJR", "JJ", "NNP"} if node.may_act and node.text.islower() else {"NN", "JJR"}
+    # "Wash the car, hoover it": nor does an adverb.
+    known = {"NN", "JJR", "JJ", "NNP", "RB"} if node.may_act and node.text.islower() else {"NN", "JJR"}
     # "Bin anything old"
     pronouns = closed.it_or_them | (closed.behind_verbs - closed.noun_openers - lexicon.particles.keys())
     bare = node.tag in known and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
