@@ -57,8 +57,12 @@ def blocks_of(path: Path, language: str) -> list[str]:
     return block.findall(path.read_text(encoding="utf-8"))
 
 
-def environment(folder: Path) -> dict[str, str]:
-    """Give an environment in which nothing of this machine shows."""
+CACHE = "FUZZYTIME_TESTS_CACHE"
+"""Where the tests of one session keep tables and parses together, if they do."""
+
+
+def environment(folder: Path, *, cold: bool = False) -> dict[str, str]:
+    """Give an environment in which nothing of this machine shows; a cold one has nothing kept, either."""
     kept = {name: os.environ[name] for name in ("PATH", "HOME", "LANG", "TMPDIR") if name in os.environ}
     return {
         **kept,
@@ -66,7 +70,7 @@ def environment(folder: Path) -> dict[str, str]:
         "PYTHONUTF8": "1",
         "COLUMNS": "80",
         "TZ": "UTC",
-        "FUZZYTIME_CACHE": str(folder / "cache"),
+        "FUZZYTIME_CACHE": str(folder / "cache") if cold else os.environ.get(CACHE, str(folder / "cache")),
         "FUZZYTIME_CONFIG": str(folder / "config.yaml"),
         "FUZZYTIME_DATA": str(folder / "data"),
     }

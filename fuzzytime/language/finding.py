@@ -125,7 +125,7 @@ def check_length(text: str) -> None:
         raise InstructionError(message, shown, (0, 0))
 
 
-@remembering(256)
+@remembering(512)
 def find_times(
     text: str,
     now: datetime | None,

@@ -20,11 +20,11 @@ NAMED = ("prepositions", "hedges", "words", "amounts", "clauses", "comparisons",
 
 def small_lexicon(folder: Path, whole: Path) -> Lexicon:
     """Read the tables of a folder, and write the lexicon that they make, empty lists and all, to a file."""
-    english = yaml.safe_load((rules_directory() / "lexicon.yaml").read_text("utf-8"))
+    english = yaml.load((rules_directory() / "lexicon.yaml").read_text("utf-8"), yaml.CSafeLoader)
     rows = _blank(english) | {section: {"source": "none"} for section in NAMED}
-    for section, words in yaml.safe_load((folder / "words.yaml").read_text("utf-8")).items():
+    for section, words in yaml.load((folder / "words.yaml").read_text("utf-8"), yaml.CSafeLoader).items():
         rows[section] = rows[section] | words if isinstance(words, dict) else words
-    rows["language"] = yaml.safe_load((folder / "calendar.yaml").read_text("utf-8"))["language"]
+    rows["language"] = yaml.load((folder / "calendar.yaml").read_text("utf-8"), yaml.CSafeLoader)["language"]
     whole.write_text(json.dumps(rows, ensure_ascii=False), "utf-8")
     return read_lexicon(whole, folder / "calendar.yaml")
 

@@ -24,7 +24,7 @@ TOPICS = ({"the picture", "the song", "the movie", "the film", "the book"}, {"ab
 
 def chores() -> list[tuple[str, str]]:
     """Give every operation that the table of durations knows, with each of its things."""
-    table = yaml.safe_load((rules_directory() / "durations.yaml").read_text("utf-8"))
+    table = yaml.load((rules_directory() / "durations.yaml").read_text("utf-8"), yaml.CSafeLoader)
     operations = table["durations"]["operations"]
     return [
         (verb, f"the {thing}" if thing else "it")

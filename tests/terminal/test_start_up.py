@@ -66,7 +66,7 @@ def imported_by(code: str, folder: Path) -> set[str]:
     done = subprocess.run(
         [sys.executable, "-c", f"import sys\n{code}\nprint(*sys.modules, file=sys.stderr)"],
         cwd=ROOT,
-        env=environment(folder),
+        env=environment(folder, cold=True),
         capture_output=True,
         text=True,
         check=True,
@@ -86,7 +86,7 @@ def test_a_command_that_is_stopped_while_it_begins_ends_quietly(seconds: float, 
     )
     with subprocess.Popen(
         [sys.executable, "-c", program],
-        env=environment(tmp_path),
+        env=environment(tmp_path, cold=True),
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
     ) as process:

@@ -6,6 +6,7 @@ Prints how many runs ended as they should, and each that did not. A command runs
 has loaded the model once, by the same `main` as in the shell.
 """
 
+import gc
 import io
 import os
 import sys
@@ -163,7 +164,9 @@ def _main(arguments: Sequence[str]) -> int:
 def everything() -> list[Ended]:
     """Run every command in all surroundings."""
     from fuzzytime_cli.app import run
+    from fuzzytime_cli.entry import SELDOM
 
+    gc.set_threshold(SELDOM)
     found = []
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -175,6 +178,7 @@ def everything() -> list[Ended]:
         run(["plan", *WORDS, *NOW, "-o", quiet])  # loads the model
         run(["study", "simulate", "--participants", "2", "--db", str(folder / "answers.sqlite")])
         sys.stdout.flush()
+        gc.freeze()  # forks share what they do not look through
         for where in ALL:
             for command, arguments in commands(folder).items():
                 found.append(ended(command, arguments, where, folder))

@@ -32,7 +32,7 @@ def typed(text: str, folder: Path, limit: int | None = None) -> Ran:
     done = subprocess.run(
         [sys.executable, "-m", "fuzzytime_cli", *STEP],
         cwd=ROOT,
-        env=environment(folder),
+        env=environment(folder, cold=limit is not None),
         input=text,
         capture_output=True,
         preexec_fn=limited,

@@ -31,7 +31,7 @@ def ended(arguments: list[str], folder: Path) -> tuple[int, bytes, bytes, int]:
     done = subprocess.run(
         [sys.executable, "-c", BETWEEN, str(told), "-m", "fuzzytime_cli", *arguments],
         cwd=ROOT,
-        env=environment(folder),
+        env=environment(folder, cold=True),
         stdin=subprocess.DEVNULL,
         capture_output=True,
         check=False,

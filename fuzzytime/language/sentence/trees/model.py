@@ -81,11 +81,16 @@ def installed_model() -> ModelPackage:
     ModelError
         If there is none.
     """
-    for name in PACKAGES:
+    return _first_installed(PACKAGES)
+
+
+@cache
+def _first_installed(names: tuple[str, ...]) -> ModelPackage:
+    for name in names:
         found = importlib.util.find_spec(name)
         if found is not None and found.origin is not None:
             return ModelPackage(name, _version(Path(found.origin).parent / "meta.json"))
-    raise ModelError(f"an English model must be installed, one of {', '.join(PACKAGES)}: found none")
+    raise ModelError(f"an English model must be installed, one of {', '.join(names)}: found none")
 
 
 def _version(description: Path) -> str:
