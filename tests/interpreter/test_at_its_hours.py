@@ -22,6 +22,9 @@ pytestmark = pytest.mark.model
         ("wake me tomorrow", "06:45"),
         ("book the cinema for friday", "09:00"),
         ("buy party food tomorrow", "09:00"),
+        ("get lunch boxes tomorrow", "09:00"),
+        ("get tea and milk tomorrow", "09:00"),
+        ("have breakfast in bed on friday", "07:15"),
         # What is done with a meal is no meal, nor is what it is of.
         ("buy lunch tomorrow", "09:00"),
         ("have a cup of tea tomorrow", "09:00"),

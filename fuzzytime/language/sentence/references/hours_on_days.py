@@ -20,6 +20,8 @@ def hours_on_a_day(operation: Operation | None, lexicon: Lexicon) -> Seconds | N
     words = words_of(_what_is_on(operation, lexicon))
     for place, word in enumerate(words):
         hours = _of_meal(words, place, lexicon) or _of_table(words, place, lexicon)
+        if hours is not None and operation.lemma in lexicon.doing.having:
+            return None if _is_of_thing(words, place + 1, lexicon) else hours
         if hours is not None:
             return hours
         if word.text in lexicon.function_words - lexicon.closed.noun_openers:
@@ -38,6 +40,16 @@ def _what_is_on(operation: Operation, lexicon: Lexicon) -> str:
         return operation.object or ""
     named = (operation.object is None and operation.place is None) or operation.verb in lexicon.happening
     return operation.name if named else ""
+
+
+def _is_of_thing(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a thing stands behind a meal: "get lunch boxes", "get tea and milk"; but "have lunch in town"."""
+    known = lexicon.function_words | lexicon.places
+    joints = lexicon.closed.joints_of_orders
+    return any(
+        word.text in joints or (word.is_letters and word.text not in known)
+        for word in words[place : place + 1]
+    )
 
 
 def _of_meal(words: Sequence[Word], place: int, lexicon: Lexicon) -> Seconds | None:
