@@ -43,7 +43,7 @@ def _what_is_on(operation: Operation, lexicon: Lexicon) -> str:
 
 
 def _is_of_thing(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    """Whether a thing stands behind a meal: "get lunch boxes", "get tea and milk"; but "have lunch in town"."""
+    """Whether a thing is behind a meal: "get lunch boxes", "get tea and milk"; not in "have lunch out"."""
     known = lexicon.function_words | lexicon.places
     joints = lexicon.closed.joints_of_orders
     return any(
