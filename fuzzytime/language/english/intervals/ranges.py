@@ -283,7 +283,7 @@ def until_other_day(first: Goal, days: Calendar, clock: Clock) -> Said | None:
 )
 def after_and_before(after: Preposition, first: Goal, before: Preposition, last: Goal) -> Said | None:
     """Later than 3:30pm but before 6pm, not before three but by five at the latest."""
-    return range_of(first, last)
+    return between(first, last)
 
 
 @grammar.rule(
