@@ -22,6 +22,8 @@ pytestmark = pytest.mark.model
         ("wake me tomorrow", "06:45"),
         ("book the cinema for friday", "09:00"),
         ("buy party food tomorrow", "09:00"),
+        ("film the match on saturday", "09:00"),
+        ("bed in the plants on friday", "09:00"),
         ("get lunch boxes tomorrow", "09:00"),
         ("get tea and milk tomorrow", "09:00"),
         ("have breakfast in bed on friday", "07:15"),

@@ -26,20 +26,19 @@ def hours_on_a_day(operation: Operation | None, lexicon: Lexicon) -> Seconds | N
             return hours
         if word.text in lexicon.function_words - lexicon.closed.noun_openers:
             break
+    if lexicon.doing.attending.isdisjoint({operation.lemma, operation.phrase}):
+        return None
     named = words_of(operation.name)
-    going = operation.lemma in lexicon.doing.attending
-    return next(
-        (hours for place in range(len(named) if going else 1) if (hours := _of_table(named, place, lexicon))),
-        None,
-    )
+    found = (_of_table(named, place, lexicon) for place in range(len(named)))
+    return next((hours for hours in found if hours is not None), None)
 
 
 def _what_is_on(operation: Operation, lexicon: Lexicon) -> str:
     """Give the words for what happens, or is had."""
     if operation.stated or operation.lemma in lexicon.doing.having:
         return operation.object or ""
-    named = (operation.object is None and operation.place is None) or operation.verb in lexicon.happening
-    return operation.name if named else ""
+    named = operation.place is None or operation.verb in lexicon.happening
+    return operation.name if named and operation.object is None else ""
 
 
 def _is_of_thing(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
