@@ -17,6 +17,8 @@ pytestmark = pytest.mark.model
         ("tea with gran tomorrow", "16:15"),
         ("a late supper on saturday", "18:12"),
         ("have lunch", "11:15"),
+        ("watch a film", "19:00"),
+        ("go to bed", "21:45"),
         ("cinema on friday", "19:00"),
         ("go to the theatre tomorrow", "19:00"),
         ("wake me tomorrow", "06:45"),

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from datetime import datetime, time, timedelta
 
-from fuzzytime.language import Instruction, Lexicon, Operation, hours_on_a_day, names_meal
+from fuzzytime.language import Instruction, Lexicon, Operation, hours_on_a_day
 from fuzzytime.requirement import Constraint, TimeRequirement, Unit, Window
 from fuzzytime.times import DAY, HOUR, instant_after, seconds_between
 
@@ -12,7 +12,7 @@ MOMENT = 1.0
 
 
 def at_its_hours(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Instruction:
-    """Put what has its hours into those of the day that is said for it; a meal, also where nothing is said.
+    """Put what has its hours into those of the day that is said for it, or of that on which it is said.
 
     What says a time of day, or waits for something, says when by itself. Hours that are over are none.
 
@@ -25,7 +25,7 @@ def at_its_hours(instruction: Instruction, given: datetime, lexicon: Lexicon) ->
     bounds = [part for part in instruction.requirements if part.constraint is not Constraint.FOR]
     if hours is None or len(bounds) > 1 or not all(map(_is_day, bounds)):
         return instruction
-    said = next(iter(bounds), None) or _any_time(instruction.operation, lexicon)
+    said = next(iter(bounds), None) or _any_time(instruction.operation)
     if said is None:
         return instruction
     earliest, latest = _on_the_day_of(said.earliest or 0.0, hours, given)
@@ -64,8 +64,8 @@ def _is_day(part: TimeRequirement) -> bool:
     return bounded and not part.alternative and (part.latest or 0.0) - (part.earliest or 0.0) <= DAY + HOUR
 
 
-def _any_time(operation: Operation | None, lexicon: Lexicon) -> TimeRequirement | None:
-    """Give what is asked of a meal without a time."""
-    if operation is None or not names_meal(operation.name, lexicon):
+def _any_time(operation: Operation | None) -> TimeRequirement | None:
+    """Give what is asked where no words say when."""
+    if operation is None:
         return None
     return TimeRequirement(text=operation.name, span=operation.span, constraint=Constraint.BETWEEN)
