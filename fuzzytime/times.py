@@ -184,6 +184,20 @@ def parse_clock(text: str) -> time:
         raise FuzzytimeError(f"a time of day must look like 09:30, got {text!r}") from error
 
 
+def hours_of_its_day(given: datetime, moment: float, first: float, last: float) -> tuple[float, float]:
+    """Give some hours of the day on which a moment lies, in seconds from ``given``, as the moment is.
+
+    ``first`` and ``last`` are on the clock of that day, in seconds. What is at midnight, or a second before
+    it, is of the day behind it: figures round to it.
+
+    >>> hours_of_its_day(datetime(2026, 3, 4, 9), DAY, 18 * HOUR, 20 * HOUR)
+    (118800.0, 126000.0)
+    """
+    midnight = datetime.combine(instant_after(given, moment + SECOND).date(), time(), given.tzinfo)
+    begin, end = (seconds_between(given, midnight + timedelta(seconds=clock)) for clock in (first, last))
+    return begin, end
+
+
 def instant_after(now: datetime, elapsed: float) -> datetime:
     """Give the wall-clock instant ``elapsed`` seconds after ``now``, in the zone of ``now``.
 

@@ -1,14 +1,11 @@
 """The hours of a meal, or an evening out, where a day alone is said for it: "dinner with Bob on sunday"."""
 
 from dataclasses import replace
-from datetime import datetime, time, timedelta
+from datetime import datetime
 
 from fuzzytime.language import Instruction, Lexicon, Operation, hours_on_a_day
-from fuzzytime.requirement import Constraint, TimeRequirement, Unit, Window
-from fuzzytime.times import DAY, HOUR, instant_after, seconds_between
-
-MOMENT = 1.0
-"""Seconds: what begins at midnight is of the day behind it, wherever figures round to."""
+from fuzzytime.requirement import Constraint, TimeRequirement, Unit
+from fuzzytime.times import DAY, HOUR, SECOND, hours_of_its_day
 
 
 def at_its_hours(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Instruction:
@@ -28,7 +25,7 @@ def at_its_hours(instruction: Instruction, given: datetime, lexicon: Lexicon) ->
     said = next(iter(bounds), None) or _any_time(instruction.operation)
     if said is None:
         return instruction
-    earliest, latest = _on_the_day_of(said.earliest or 0.0, hours, given)
+    earliest, latest = hours_of_its_day(given, said.earliest or 0.0, *hours)
     if latest <= 0:
         return instruction
     timed = replace(said, earliest=earliest, latest=latest, grain=Unit.HOUR)
@@ -40,20 +37,16 @@ def turn_at_its_hours(
     turn: TimeRequirement, operation: Operation | None, given: datetime, lexicon: Lexicon
 ) -> TimeRequirement:
     """Put one of what is repeated on whole days into its hours: "have lunch with Ann every friday"."""
-    hours, start, end = hours_on_a_day(operation, lexicon), turn.earliest or 0.0, turn.latest or 0.0
-    begins, ends = _on_the_day_of(start, (0, int(DAY)), given)
-    whole = abs(end - ends) < MOMENT and (start <= 0.0 or abs(start - begins) < MOMENT)
-    if hours is None or not whole:
+    hours = hours_on_a_day(operation, lexicon)
+    if hours is None:
         return turn
-    earliest, latest = _on_the_day_of(start, hours, given)
+    start, end = turn.earliest or 0.0, turn.latest or 0.0
+    begins, ends = hours_of_its_day(given, start, 0.0, DAY)
+    whole = abs(end - ends) < SECOND and (start <= 0.0 or abs(start - begins) < SECOND)
+    if not whole:
+        return turn
+    earliest, latest = hours_of_its_day(given, start, *hours)
     return replace(turn, earliest=earliest, latest=latest, grain=Unit.HOUR)
-
-
-def _on_the_day_of(start: float, hours: tuple[int, int], given: datetime) -> Window:
-    """Give some hours of the day on which something begins."""
-    midnight = datetime.combine(instant_after(given, start + MOMENT).date(), time(), given.tzinfo)
-    first, last = (seconds_between(given, midnight + timedelta(seconds=end)) for end in hours)
-    return first, last
 
 
 def _is_day(part: TimeRequirement) -> bool:

@@ -4,14 +4,11 @@
 """
 
 from collections.abc import Iterator, Sequence
-from datetime import datetime, time, timedelta
+from datetime import datetime, timedelta
 
 from fuzzytime.language import Policy
 from fuzzytime.requirement import Recurrence, Window
-from fuzzytime.times import DAY, HOUR, instant_after, seconds_between
-
-MOMENT = 1.0
-"""Seconds: what begins at midnight is of the day behind it, wherever figures round to."""
+from fuzzytime.times import DAY, HOUR, hours_of_its_day, instant_after, seconds_between
 
 
 def within_hours(
@@ -54,9 +51,7 @@ def on_their_days(windows: Sequence[Window], given: datetime) -> tuple[Window, .
 
 def _day_of(window: Window, given: datetime) -> Window:
     start, end = window
-    day = instant_after(given, start + MOMENT).date()
-    midnights = (datetime.combine(day + timedelta(days=later), time(), given.tzinfo) for later in (0, 1))
-    opens, closes = (seconds_between(given, midnight) for midnight in midnights)
+    opens, closes = hours_of_its_day(given, start, 0.0, DAY)
     return max(0.0, opens), min(end, closes)
 
 

@@ -35,8 +35,10 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     >>> about_wishes("no, make it six", datetime(2026, 3, 4, 9), shipped_lexicon()).time
     'at six'
     """
+    if len(text) > LONGEST_TEXT:
+        return None
     whole = Said.of(text, now, lexicon)
-    if not whole.words or len(text) > LONGEST_TEXT:
+    if not whole.words:
         return None
     said = _without_courtesies(whole)
     if not said.words or not set(whole.without("answering")[0].forms) - MARKS:

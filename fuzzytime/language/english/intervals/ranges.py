@@ -34,8 +34,11 @@ TO_THE_HOUR = frozenset({5, 10, 20, 25})
 """Minutes that are counted back from an hour: "ten to one"."""
 
 
-def range_of(first: Goal, last: Goal, *, minutes: bool = False) -> Said | None:
-    """Give a stretch; ``minutes`` where its first number may be some to its last: "today five to eight"."""
+def range_of(first: Goal, last: Goal, *, minutes: bool = False, within: bool = False) -> Said | None:
+    """Give a stretch; ``minutes`` where its first number may be some to its last: "today five to eight".
+
+    ``within`` where what is asked for is somewhere in it: "between two and four".
+    """
     last = _in_hour(first, last)
     clock = first.wall.clock
     if isinstance(first.time, Wall) and clock is not None and clock.hours and not minutes:
@@ -58,7 +61,8 @@ def range_of(first: Goal, last: Goal, *, minutes: bool = False) -> Said | None:
         if apart is None or not comparable(*apart):
             return None
         first, last = replace(first, time=apart[0]), replace(last, time=apart[1])
-    return Said(Range(first.time, last.time), Constraint.BETWEEN, "between", (*first.hedges, *last.hedges))
+    stretch = Range(first.time, last.time, within=within)
+    return Said(stretch, Constraint.BETWEEN, "between", (*first.hedges, *last.hedges))
 
 
 def _is_to_hour(first: Time, last: Time, *, minutes: bool) -> bool:
@@ -88,10 +92,7 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
 )
 def between(first: Goal, last: Goal) -> Said | None:
     """Between 5 and 6 pm, between monday and friday."""
-    found = range_of(first, last)
-    if found is None or not isinstance(found.time, Range):
-        return found
-    return replace(found, time=replace(found.time, within=True))
+    return range_of(first, last, within=True)
 
 
 @grammar.rule(

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.references.meals import meal_at
 
 Seconds = tuple[int, int]
 """From when to when, in seconds of a day."""
@@ -19,7 +20,8 @@ def hours_on_a_day(operation: Operation | None, lexicon: Lexicon) -> Seconds | N
         return None
     words = words_of(_what_is_on(operation, lexicon))
     for place, word in enumerate(words):
-        hours = _of_meal(words, place, lexicon) or _of_table(words, place, lexicon)
+        meal = meal_at(words, place, lexicon)
+        hours = _of_table(words, place, lexicon) if meal is None else (meal.start, meal.end)
         if hours is not None and operation.lemma in lexicon.doing.having:
             return None if _is_of_thing(words, place + 1, lexicon) else hours
         if hours is not None:
@@ -49,11 +51,6 @@ def _is_of_thing(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
         word.text in joints or (word.is_letters and word.text not in known)
         for word in words[place : place + 1]
     )
-
-
-def _of_meal(words: Sequence[Word], place: int, lexicon: Lexicon) -> Seconds | None:
-    meals = (piece.value for piece in lexicon.pieces(words, place) if piece.category == "meal")
-    return next(((meal.start, meal.end) for meal in meals if not meal.place), None)
 
 
 def _of_table(words: Sequence[Word], place: int, lexicon: Lexicon) -> Seconds | None:

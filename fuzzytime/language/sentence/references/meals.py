@@ -1,10 +1,12 @@
 """The meal at which they eat: "light the candles before we eat", where dinner is at seven."""
 
+from collections.abc import Sequence
 from itertools import chain
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.words import words_of
+from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.trees.content_words import content_words
@@ -31,5 +33,10 @@ def _is_of_meal(operation: Operation | None, named: frozenset[str], anchors: Anc
 def names_meal(thing: str | None, lexicon: Lexicon) -> bool:
     """Whether words name a meal: "a late dinner"."""
     words = words_of(thing or "")
-    pieces = chain.from_iterable(lexicon.pieces(words, place) for place in range(len(words)))
-    return any(piece.category == "meal" and not piece.value.place for piece in pieces)
+    return any(meal_at(words, place, lexicon) is not None for place in range(len(words)))
+
+
+def meal_at(words: Sequence[Word], place: int, lexicon: Lexicon) -> Part | None:
+    """Give the meal that stands at a place; "work" is none, as it is where somebody is."""
+    meals = (piece.value for piece in lexicon.pieces(words, place) if piece.category == "meal")
+    return next((meal for meal in meals if not meal.place), None)

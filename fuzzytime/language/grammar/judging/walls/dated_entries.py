@@ -4,8 +4,10 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.measuring import LARGEST_SHARE
+from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.grammar.timetables import MINUTED, MINUTES, counts_nothing, has_time
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Wall
@@ -16,11 +18,11 @@ LINE_STARTS = frozenset({";", "\n", "-", "*", "]", "•"})
 HEADS_ALONE = frozenset({"parts.half_alone", "nights_and_weekends.weekend_alone"})
 """The rules of what is a time only as the head of a list: "AM: post, bank", "weekend: mow the lawn"."""
 
-STOPS = frozenset({",", ".", "!"})
-"""Marks behind an entry or a sentence."""
-
 ENDS = frozenset({".", "!"})
 """Marks behind a sentence."""
+
+STOPS = ENDS | {","}
+"""Marks behind an entry or a sentence."""
 
 HEADS = frozenset({":", "-"})
 """Marks behind a date in front of an entry."""
@@ -39,16 +41,16 @@ def heads_list(words: Sequence[Word], start: int, end: int) -> bool:
     return begins and behind == [":"] and end + 1 < len(words)
 
 
-def is_activity_in_part(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
+def is_activity_in_part(piece: Piece, around: Surroundings) -> bool:
     """Whether a part of a day and what is done in it are an entry: "evening walk", "early morning swim"."""
-    ends = LINE_STARTS | STOPS | lexicon.closed.joints_of_orders
-    behind = list(itertools.takewhile(lambda word: word.text not in ends, words[end:]))
+    words, lexicon = around.words, around.lexicon
+    ends = LINE_STARTS | ENDS | lexicon.closed.joints_of_orders
+    end = next((p for p in range(piece.end, len(words)) if words[p].text in ends), len(words))
+    behind = words[piece.end : end]
     noun = list(itertools.takewhile(lambda word: word.text not in lexicon.function_words, behind))
-    timed = any(
-        any(lexicon.pieces(words, end + place)) or word.is_digits for place, word in enumerate(behind)
-    )
+    timed = any(around.pieces(place) or words[place].is_digits for place in range(piece.end, end))
     known = lexicon.lasting | lexicon.happening | lexicon.taken | lexicon.beside.in_parts
-    opens = not start or words[start - 1].text in LINE_STARTS | ENDS
+    opens = not piece.start or words[piece.start - 1].text in LINE_STARTS | ENDS
     return opens and not timed and 0 < len(noun) <= COMPOUND and noun[-1].text in known
 
 

@@ -212,8 +212,7 @@ class Walls(Standing):
 
     def _is_entry(self, piece: Piece, said: Said) -> bool:
         """Whether a part of the day and what is done in it are all that is said: "evening walk"."""
-        alone = said.preposition is None
-        return alone and is_activity_in_part(self.words, piece.start, piece.end, self.lexicon)
+        return said.preposition is None and is_activity_in_part(piece, self.around)
 
     def _names_noun(self, piece: Piece, said: Said) -> bool:
         """Whether it describes a noun behind one word: "to sunday school", "put on night light"."""

@@ -10,8 +10,8 @@ from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Part
 from fuzzytime.language.sentence.sketches.its_times.referred import is_there
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.times import HOUR
 
-HOUR_SECONDS = 3600
 HALF = 30
 """Minutes past an hour from which on a mark is one to the next hour: "twenty to"."""
 
@@ -98,7 +98,7 @@ def is_on_the_way(before: Sketch, sketch: Sketch) -> bool:
     walls = [[wall_of(phrase.said.time) for phrase in one.times] for one in (before, sketch)]
     clocks = [[w.clock for w in one if w.clock is not None and w.part is None] for one in walls]
     ways = ((by - at) % DAY_SECONDS for by in _seconds(clocks[0]) for at in _seconds(clocks[1]))
-    return any(0 < way <= sketch.lexicon.policy.hours_before * HOUR_SECONDS for way in ways)
+    return any(0 < way <= sketch.lexicon.policy.hours_before * HOUR for way in ways)
 
 
 def _seconds(clocks: Sequence[Clock]) -> list[int]:
