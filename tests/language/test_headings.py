@@ -127,6 +127,7 @@ def test_a_title_with_a_day_holds_for_the_hours_below() -> None:
     "lines",
     [
         ("Dentist Friday", "call mum at six", "bath at seven", "bed at eight"),
+        ("Dinner with Ann on friday", "call mum at six", "walk the dog at seven", "bed at eight"),
         ("Exam day, tomorrow", "wash the car", "call mum", "feed the cat at six"),
         ("Moving day: Friday", "van at 8", "pizza at 7", "call mum on saturday at six"),
         ("call Ann friday", "van at 8", "pizza at 7", "tea at four"),

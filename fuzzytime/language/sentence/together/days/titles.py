@@ -205,9 +205,12 @@ def _is_named(first: Draft, time: Phrase) -> bool:
 
 
 def _is_name(named: Sequence[str], lexicon: Lexicon) -> bool:
-    """Whether words are neither something that one attends nor an order."""
+    """Whether words are neither something that one attends, or does with somebody, nor an order."""
     events = lexicon.taken | lexicon.happening | lexicon.function_words
     done = lexicon.alone | lexicon.chores | lexicon.addressing | lexicon.ordering
+    if not lexicon.no_times.together.isdisjoint(named):
+        # "Dinner with Ann on friday"
+        return False
     return named[-1] not in events - lexicon.frames and named[0] not in done
 
 
