@@ -206,8 +206,10 @@ def from_then_on(goal: Goal) -> Said | None:
 )
 @grammar.rule("said", "before|by it gets|is|turns <said> at the very? latest", weight=1.2)
 def latest(said: Said) -> Said | None:
-    """In ten minutes at the latest; before it gets dark at the latest: no state is waited for there."""
-    if said.constraint not in {None, Constraint.AT, Constraint.BEFORE} or isinstance(said.time, TimeWord):
+    """In, or after, ten minutes at the latest; before it gets dark at the latest: no state is waited for."""
+    elapsed = said.constraint is Constraint.AFTER and isinstance(said.time, Duration)
+    bound = elapsed or said.constraint in {None, Constraint.AT, Constraint.BEFORE}
+    if not bound or isinstance(said.time, TimeWord):
         return None
     return replace(said, constraint=Constraint.BEFORE, preposition="no later than", edge=Edge.LAST)
 

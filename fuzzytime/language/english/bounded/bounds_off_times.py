@@ -7,6 +7,7 @@ from fuzzytime.language.english.intervals.ranges import between, range_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Offset, Said, Wall
+from fuzzytime.language.meaning.joined.distances import EARLIER, far_off, said_offset
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -42,6 +43,24 @@ def with_time_to_spare(duration: Duration, goal: Goal) -> Said | None:
     return (
         Said(Offset(duration, -1, goal.time), Constraint.BEFORE, "before", goal.hedges) if clocked else None
     )
+
+
+@grammar.rule("said", "with at? least? <duration> to spare", "with at? least? <duration> in hand", weight=0.3)
+def with_some_to_spare(duration: Duration) -> Said:
+    """(be there at six) with twenty minutes to spare: so long before what was just named."""
+    return replace(said_offset(duration, EARLIER, -1), constraint=Constraint.BEFORE)
+
+
+@grammar.rule(
+    "said",
+    "<said> with at? least? <duration> to spare",
+    "<said> with at? least? <duration> in hand",
+    weight=0.6,
+)
+def so_long_to_spare(named: Said, duration: Duration) -> Said | None:
+    """At six with twenty minutes to spare: by twenty to six."""
+    due = replace(named, constraint=Constraint.BEFORE) if named.wall.clock is not None else named
+    return far_off(due, with_some_to_spare(duration))
 
 
 def _edge_of(goal: Goal) -> Edge:

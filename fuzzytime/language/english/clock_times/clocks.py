@@ -111,6 +111,15 @@ def typed(numbers: Typed) -> Clock | None:
     return Clock(hour % 24, minute, 0, Unit.MINUTE, full_day=full_day, ends_day=hour == DAY_HOURS)
 
 
+@grammar.rule("clock", "<hh.mm> hours|hrs", weight=0.4)
+def dotted_with_hours(numbers: Typed) -> Clock | None:
+    """18.00 hrs, 08.30 hours: of the whole day; "1.50 hours", and "10.50 hours", are lengths."""
+    whole = typed(numbers)
+    return (
+        whole if whole is not None and whole.full_day and 2 * len(numbers.parts[0]) == FULL_DIGITS else None
+    )
+
+
 @grammar.rule("clock", "<hh:mm:ss>", weight=0.1)
 def typed_to_the_second(numbers: Typed) -> Clock | None:
     """8:30:15."""

@@ -74,12 +74,14 @@ def halfway() -> Said:
     "said",
     "when|once there is|are <duration> left|remaining",
     "when|once there is|are <duration> to go",
-    "with <duration> left|remaining",
-    "with <duration> to go",
+    "when|once there's|theres <duration> left|remaining",
+    "when|once there's|theres <duration> to go",
+    "with|has|have|got <duration> left|remaining",
+    "with|has|have|got <duration> to go",
     weight=0.3,
 )
 def left_of_it(duration: Duration) -> Said:
-    """(add the peas) when there are ten minutes left: of what goes on."""
+    """(add the peas) when there are ten minutes left: of what goes on; (when it) has ten minutes left."""
     return said_offset(duration, LEFT, -1)
 
 

@@ -248,8 +248,9 @@ def ending_behind_day(wall: Wall, end: Ending) -> Ending | None:
 
 @grammar.rule(
     "rest",
-    "rest|remainder|remaining of? the|my? <days>|<series>",
-    "the rest of? the|my? <days>|<series>",
+    "the? rest|remainder of? the|my <days>|<series>",
+    "the? rest|remainder of <days>|<series>",
+    "remaining of? the|my? <days>|<series>",
     weight=0.2,
 )
 def rest(days: Calendar) -> Rest:
@@ -258,7 +259,7 @@ def rest(days: Calendar) -> Rest:
 
 
 @grammar.rule(
-    "rest", "rest|remainder of? the|this|my? <part>", "the rest of? the|this|my? <part>", weight=0.25
+    "rest", "the? rest|remainder of? the|this|my <part>", "the? rest|remainder of <part>", weight=0.25
 )
 def rest_of_part(part: Part) -> Rest:
     """The rest of the morning."""

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, TimeWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.meaning.joined.distances import UPPER
+from fuzzytime.language.meaning.joined.distances import LEFT, UPPER
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.requirement import MOMENTS, Constraint
 
@@ -79,6 +79,9 @@ def is_apart(phrase: Phrase, kind: str) -> bool:
     """Whether a time at the end of a clause is no part of it, as in "when it has been hot for a minute"."""
     within = kind == "if" and phrase.said.preposition == "within"
     lasting = phrase.said.constraint is Constraint.FOR or within
+    if phrase.said.preposition == LEFT:
+        # "When the roast has ten minutes left"
+        return True
     return not lasting and not isinstance(phrase.said.time, (Offset, Repeat, TimeWord))
 
 

@@ -6,6 +6,9 @@ from fuzzytime.language.sentence.trees.tree import Tree
 LEAST = 2
 """Words of "at mum", before the mark of whose place it is."""
 
+AS = "as"
+"""A marker of clauses that says more often what something is."""
+
 OF_ORDERS = frozenset({"dobj", "prep", "npadvmod", "advmod", "prt", "tmod", "punct"})
 """Relations of words to an order before them."""
 
@@ -64,3 +67,33 @@ def with_owners_place(tree: Tree) -> Tree:
     tree = tree.hung([p for p in tree.children(place) if p], 0)
     tree = tree.changed(0, tag="VB", relation="ROOT", head=0)
     return tree.changed(place, tag="POS", lemma=tree.nodes[place].lower, relation="case", head=place - 1)
+
+
+def with_states(tree: Tree) -> Tree:
+    """Give "once the tank's full or after an hour" its "is", which was taken for the mark of an owner.
+
+    Nothing that is owned stands behind the state.
+    """
+    for place, node in enumerate(tree.nodes[:-1]):
+        owner, state = tree.nodes[place - 1], tree.nodes[place + 1]
+        owned = [behind.tag.startswith(("NN", "JJ")) for behind in tree.nodes[place + 2 : place + 3]]
+        marked = node.tag == "POS" and owner.tag.startswith("NN") and state.tag == "JJ" and not any(owned)
+        marker = _marker_before(tree, place - 1) if marked else None
+        if marker is None or node.lower not in tree.lexicon.closed.clipped_be:
+            continue
+        outside = [top for top in tree.above(place) if not marker < top <= place + 1]
+        tree = tree.changed(place, tag="VBZ", lemma="be", relation="advcl", head=next(iter(outside), place))
+        tree = tree.changed(place - 1, relation="nsubj", head=place)
+        tree = tree.changed(place + 1, relation="acomp", head=place)
+        tree = tree.changed(marker, relation="advmod", head=place)
+    return tree
+
+
+def _marker_before(tree: Tree, subject: int) -> int | None:
+    """Give the word that begins a clause, before the words of its subject: "once the tank"."""
+    named = subject
+    while named and tree.nodes[named - 1].head == subject and tree.nodes[named - 1].tag not in {"IN", "WRB"}:
+        named -= 1
+    marker = tree.nodes[named - 1].lower if named else ""
+    # "Keep it as Ann's own"
+    return named - 1 if (marker,) in tree.lexicon.clauses and marker != AS else None

@@ -5,15 +5,13 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from fuzzytime.language.grammar.timetables import has_time
+from fuzzytime.language.sentence.segments.mended.last_nouns import NAMES, with_last_noun
 from fuzzytime.language.sentence.segments.mended.mended_verbs import with_deed_named
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
 BELOW_ZERO = re.compile(r"[-−]\d+(\.\d+)?$")
 """A number below zero, which a tree takes for a mark."""
-
-NAMES = SINGULAR | {"NNS"}
-"""Tags of what is named."""
 
 PERSONS = frozenset({"NNP", "PRP"})
 """Tags of who is named."""
@@ -34,7 +32,7 @@ def with_whole_things(tree: Tree) -> Tree:
     return _with_level(
         _with_next_one(
             _with_numbered_subject(
-                _with_last_noun(
+                with_last_noun(
                     _with_second(
                         _with_somebody(_with_people(_with_apposed(_with_surname(_with_title(tree)))))
                     )
@@ -161,22 +159,6 @@ def _with_somebody(tree: Tree) -> Tree:
             continue
         helped = tree.hung(tree.children(person), root)
         return helped.changed(person, tag="NN", relation="dobj", lemma=node.lower, head=root)
-    return tree
-
-
-def _with_last_noun(tree: Tree) -> Tree:
-    """Give "light the deck oven" its thing, whose last word a tree has for a verb that none knows."""
-    for thing in tree.children(tree.root, "dobj"):
-        place = thing + 1
-        if place >= len(tree.nodes) or tree.nodes[thing].tag not in SINGULAR:
-            continue
-        node = tree.nodes[place]
-        helps = node.relation == "aux"
-        if not (node.is_verb or helps) or node.may_act or node.head != tree.root or tree.children(place):
-            continue
-        named = tree.hung((p for p in tree.children(thing) if p < thing), place)
-        named = named.changed(place, tag="NN", relation="dobj", lemma=node.lower)
-        return named.changed(thing, relation="compound", head=place)
     return tree
 
 

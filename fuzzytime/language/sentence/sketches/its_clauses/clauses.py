@@ -9,6 +9,8 @@ from fuzzytime.language.grammar.surroundings.looked_up import named_in
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Wall
 from fuzzytime.language.meaning.joined.beside import joined
+from fuzzytime.language.meaning.joined.distances import LEFT
+from fuzzytime.language.meaning.joined.first_times import closing_of
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
@@ -208,6 +210,8 @@ class _Clauses:
         ``begins`` are the places of its marker and of what is behind that, which it ``names``, or tells.
         """
         place, first = begins
+        if time is not None and time.said.preposition == LEFT:
+            return self._left_of(clause, nodes, time)
         named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
         if named is not None and (time is None or time.said.is_day) and clause.kind in EVENTFUL:
             event = self.contents.event(clause, nodes)
@@ -262,6 +266,16 @@ class _Clauses:
         )
         length = next((time for time in said if isinstance(time, Duration)), None)
         return clause if length is None else replace(clause, gone_on=length)
+
+    def _left_of(self, clause: Clause, nodes: list[int], time: Phrase) -> Clause | None:
+        """Read what goes on so long yet as so long before its end: "when the roast has ten minutes left"."""
+        left = closing_of(time.said)
+        if left is None or clause.kind not in BEHIND or clause.distance is not None:
+            return None
+        named = [place for place in nodes if self.tree.nodes[place].lower not in self.lexicon.closed.have]
+        before = replace(clause, kind="before", distance=left, edge=Edge.END)
+        event = self.contents.event(before, named)
+        return event and replace(event, span=(clause.span[0], time.span[1]))
 
     def _is_over(self, clause: Clause) -> bool:
         """Whether it says of something that it is done: "when the show is over"."""

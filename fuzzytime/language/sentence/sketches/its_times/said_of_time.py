@@ -81,17 +81,23 @@ def said_of_time(draft: Draft, part: Part, phrases: Sequence[Phrase]) -> SaidOfT
 def _with_lengths_told(
     draft: Draft, clauses: Sequence[Clause], phrases: Sequence[Phrase]
 ) -> tuple[list[Clause], list[Phrase]]:
-    """Give what goes on from when to when as that time: "while Ann naps from one to three"."""
+    """Give what goes on from when to when as that time: "while Ann naps from one to three".
+
+    So of an event, "during the window, 1 to 3 am".
+    """
     waited: list[Clause] = []
     kept = list(phrases)
     for clause in clauses:
+        marks = " ,(" if clause.is_event else " "
         behind = (
             place
             for place, phrase in enumerate(kept)
-            if clause.span[1] <= phrase.span[0] and not draft.text[clause.span[1] : phrase.span[0]].strip()
+            if clause.span[1] <= phrase.span[0]
+            and not draft.text[clause.span[1] : phrase.span[0]].strip(marks)
         )
         place = next(behind, None)
-        goes_on = clause.kind == "while" and clause.verb is not None and clause.distance is None
+        told = clause.verb is not None or clause.is_event
+        goes_on = clause.kind == "while" and told and clause.distance is None
         if place is None or not goes_on or not isinstance(kept[place].said.time, Range):
             waited.append(clause)
             continue

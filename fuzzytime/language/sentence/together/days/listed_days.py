@@ -77,7 +77,7 @@ def things_alone(sketches: Sequence[Sketch], draft: Draft, apart: str, *, headed
 def _is_named(sketch: Sketch) -> bool:
     """Whether it is only named, and no verb says what is done with a thing, or where."""
     operation = sketch.operation
-    return operation is not None and operation.verb == operation.name
+    return operation is not None and operation.name in {operation.verb, operation.phrase}
 
 
 def _to_be_done(sketch: Sketch, orders: Sequence[Span], *, chained: bool, entry: bool) -> Sketch:

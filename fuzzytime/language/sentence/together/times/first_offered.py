@@ -5,7 +5,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.instruction import Remark, Span
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Wall
 from fuzzytime.language.sentence.sketches.meaning.alternatives import not_used
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import MOMENTS, Constraint
@@ -20,9 +20,10 @@ def first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Remark]]:
     "For ten minutes or until tender", or the other way round, says both: it is about as long as that. Of
     two times of which one has a condition, either may be taken: "on Saturday or, if it rains, on Sunday".
     """
+    sketch = _elapsed_or_so(sketch, text)
     lasting = {p.span for p in sketch.phrases if p.said.constraint is Constraint.FOR}
     clauses = {clause.span for clause in sketch.clauses}
-    moments = {p.span for p in sketch.phrases if p.said.constraint in MOMENTS}
+    moments = {p.span for p in sketch.phrases if p.said.constraint in MOMENTS | {Constraint.AFTER}}
     ends = {clause.span for clause in sketch.clauses if clause.kind == "until"}
     left = [
         second
@@ -33,6 +34,7 @@ def first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Remark]]:
     ]
     sketch, left, latest = _until_the_latest(sketch, left, text)
     chosen = _with_condition(sketch, left, text)
+    left = [span for span in left if span not in _latest_of_states(sketch, left)]
     either = _times_or_states(sketch, [span for span in left if span not in chosen], moments)
     left = [span for span in left if span not in either]
     whole = sketch.keeping(lambda phrase: phrase.span not in left)
@@ -108,11 +110,45 @@ def _until(phrase: Phrase) -> Phrase:
     return replace(phrase, said=replace(phrase.said, constraint=Constraint.BEFORE, preposition="until"))
 
 
-def _times_or_states(sketch: Sketch, left: Collection[Span], moments: set[Span]) -> set[Span]:
-    """Give times, and what must be so, that may be taken one for the other: "at six or when it is full"."""
-    states = {
+def _states(sketch: Sketch) -> set[Span]:
+    """Give the clauses that say what must be so."""
+    return {
         clause.span for clause in sketch.clauses if clause.condition is not None and clause.kind in STATES
     }
+
+
+def _elapsed_or_so(sketch: Sketch, text: str) -> Sketch:
+    """Let a time that may be taken for a state, or a state for it, be when it has passed.
+
+    "Stop it when it is full or after an hour" is in an hour, and not whenever later.
+    """
+    states, heard = _states(sketch), list(pairwise(sorted(sketch.heard)))
+    beside = {pair for pair in heard if states & {*pair} and _is_or(sketch, *pair, text)}
+    spans = {span for pair in beside for span in pair}
+    over = {
+        phrase.span
+        for phrase in sketch.phrases
+        if phrase.span in spans
+        and phrase.said.constraint is Constraint.AFTER
+        and isinstance(phrase.said.time, Duration)
+    }
+    return replace(sketch, phrases=tuple(_passed(p) if p.span in over else p for p in sketch.phrases))
+
+
+def _passed(phrase: Phrase) -> Phrase:
+    return replace(phrase, said=replace(phrase.said, constraint=Constraint.AT, preposition="in"))
+
+
+def _latest_of_states(sketch: Sketch, left: Collection[Span]) -> set[Span]:
+    """Give deadlines behind what must be so, which hold beside it: "when it is golden or by noon"."""
+    due = {phrase.span for phrase in sketch.phrases if phrase.said.constraint is Constraint.BEFORE}
+    states, pairs = _states(sketch), pairwise(sorted(sketch.heard))
+    return {second for first, second in pairs if second in left and first in states and second in due}
+
+
+def _times_or_states(sketch: Sketch, left: Collection[Span], moments: set[Span]) -> set[Span]:
+    """Give times, and what must be so, that may be taken one for the other: "at six or when it is full"."""
+    states = _states(sketch)
     pairs = ((first, second) for first, second in pairwise(sorted(sketch.heard)) if second in left)
     return {second for first, second in pairs if {first, second} & moments and {first, second} & states}
 
