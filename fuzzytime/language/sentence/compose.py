@@ -218,7 +218,7 @@ class _Composer:
         connected = self._connected(segment, before, position)
         requirements, remarks = required_of(sketch, times, anchors, connected, self.draft)
         self.remarks += [*remarks, *second_ones(times.found)]
-        self.explained += [part.span for part in requirements if part.anchor is not None and part.anchor.each]
+        self.explained += [part.span for part in requirements if part.anchor is not None]
         right_before = None if sketch.denial else self._right_before(position, before, said)
         denied = f"{sketch.denial} {said}"
         lexicon = self.draft.lexicon

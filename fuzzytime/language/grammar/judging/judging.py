@@ -41,6 +41,9 @@ STOPS = frozenset({"", ".", "!", ";"})
 ENDING = {"then": STOPS, "in between": STOPS | {",", "and"}}
 """Time words that end what is said, and what may stand behind: but "put it in between the pages"."""
 
+LONGEST_CASE = 3
+"""Words of "unless it rains", behind which no order may stand."""
+
 ANOTHER = "elliptic.another_alone"
 """The rule of a number that goes on with a length: "then another ten"."""
 
@@ -127,7 +130,8 @@ class Judge(Around):
         if isinstance(time, TimeWord) and ends is not None:
             # "Call me then"; "then call me" is a step behind another. But "with a minute's rest in between"
             gap = "," in ends and not self.lexicon.spacing["beside"].isdisjoint(self.texts[: piece.start])
-            return piece.start > 0 and not gap and self.around.follower(piece) in ends
+            ended = self.around.follower(piece) in ends or self._is_qualified(piece)
+            return piece.start > 0 and not gap and ended
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
             # "Ten minutes in, add the garlic", "hand them out ten minutes in and collect them"
             return self.around.follower(piece) in {"", ",", ".", "and"}
@@ -170,6 +174,16 @@ class Judge(Around):
         sure = said.preposition in OF_HOURS or bool(said.hedges) or ends
         counts = follower in self.closed.noun_openers or self.measures.is_number(piece.end)
         return sure and not counts and self.around.may_end(piece)
+
+    def _is_qualified(self, piece: Piece) -> bool:
+        """Whether no order is behind "then", but another time, or a case: "then or later", "if it's dry"."""
+        closed, before, behind = self.around.closed, self.around.before(piece), self.texts[piece.end :]
+        if not before[:1].isalnum() or before in closed.additions:
+            return False
+        stop = next((place for place, text in enumerate(behind) if text in STOPS), len(behind))
+        case = longest_match(self.words, piece.end, self.lexicon.clauses) if behind else None
+        short = case is not None and self.lexicon.clauses[case] == "if" and stop <= LONGEST_CASE
+        return short or not closed.alternatives.isdisjoint(behind[:1])
 
     def _is_more(self, piece: Piece) -> bool:
         """Whether a time word is part of more: of a clause, or of what says which time is meant."""

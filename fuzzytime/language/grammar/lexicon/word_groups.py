@@ -85,6 +85,8 @@ class ClosedClasses(NamedTuple):
     have: Words
     have_before_got: Words
     stative_verbs: Words
+    around: Words
+    do_support: Words
     future: Words
     requesting_modals: Words
     proposing_together: Words

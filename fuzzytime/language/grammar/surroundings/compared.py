@@ -33,12 +33,16 @@ class Compared(LookedUp):
             # "When it is past six"; but "when it climbs past 12"
             return bool(begin) and verb in self.beside.of_readings and self._compares(piece, verb)
         said = self.words[begin:place]
+        stem, _, clipped = verb.rpartition("'")
+        if stem and f"'{clipped}" in self.closed.present_be and not has_time(stem, self.lexicon):
+            # "Once the oven's at 220"
+            verb = f"'{clipped}"
         if len(said) == 1 and marker[-1] in self.lexicon.ordinals:
             # "The second bell is at two"
             return False
         # "If the meeting goes past 6", "if Bob works past six"
         untimed = not any(word.capital or has_time(word.text, self.lexicon) for word in said)
-        if verb in SIGNS or verb in self.closed.stative_verbs:
+        if verb in SIGNS or verb in self.closed.stative_verbs | self.closed.present_be:
             # "Two hours before the fight, which is at eight"
             stated = self.lexicon.clauses.get(marker) in STATED and "," not in self.texts[begin:place]
             return (untimed and stated) or self.texts[piece.start] != "at"

@@ -112,8 +112,9 @@ class Measures(Compared):
         hour = not self.beside.of_clocks.isdisjoint(self.texts[place : place + 1])
         if self.texts[at] != "at" or place == at + 1 or hour or self.texts[place : place + 1] == ["."]:
             return False
-        if at > 1 and self.texts[at - 1] in self.closed.stative_verbs and self.says_how_much(piece):
-            # "Once the room is at ten"
+        so = self.texts[at - 1] in self.closed.stative_verbs or "'" in self.texts[at - 1]
+        if at > 1 and so and self.says_how_much(piece):
+            # "Once the room is at ten", "once the oven's at 220"
             return True
         before = self.texts[max(0, at - NEAR) : at]
         verb = next((p for p in reversed(range(len(before))) if before[p] in self._keeping), None)

@@ -188,8 +188,8 @@ _ROWS = {
         "between", "each way", "helping", "enough", "allowing", "leaving", "going for", "for it",
     ),
     "asides": (
-        "naming", "back", "helping", "taking", "whom", "preparing", "needing", "needed", "being needed",
-        "having to be", "unable", "unable to",
+        "naming", "back", "helping", "taking", "whom", "preparing", "needing", "needed", "due",
+        "being needed", "not needed", "having to be", "unable", "unable to",
     ),
     "spacing": ("leading", "beside", "nouns", "turns"),
     "instances": ("first", "further"),

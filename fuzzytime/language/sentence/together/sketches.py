@@ -6,6 +6,7 @@ from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.told.asides import Aside
+from fuzzytime.language.sentence.sketches.around_events.at_events import without_moments
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import BECOMING
 from fuzzytime.language.sentence.sketches.meaning.alternatives import not_used
 from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch_of
@@ -65,7 +66,7 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
         whole, others = first_of_choices(whole, words)
         remarks += (*remarked, *(not_used(draft.text, span) for span in others))
         for again in also_at_events(whole, words):
-            found += of_several_times(again, words)
+            found += of_several_times(without_moments(again, words, draft.text), words)
     found = [on_owned_day(_ordered(sketch, draft)) for sketch in again_between(found)]
     headed = draft.heading is not None and draft.heading.day is not None
     found = from_then_on(each_week(found, draft.text), draft.text, apart)

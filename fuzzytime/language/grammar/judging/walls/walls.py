@@ -143,6 +143,9 @@ class Walls(Standing):
 
     def _begins_other(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether its last word belongs to a noun, or its first is a thing that has a number."""
+        if said.preposition == "on" and self.texts[piece.start + 1] in self.beside.through_the_night:
+            # "Leave it on | overnight"
+            return True
         number = said.preposition is None and bool(said.hedges) and self.measures.is_number(piece.start)
         if number and wall.days is None and not self.around.may_end(piece):
             # "Bring six or so boxes"

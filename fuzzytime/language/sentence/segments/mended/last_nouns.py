@@ -1,6 +1,6 @@
-"""The last word of a thing, which a tree takes for another: "light the deck oven", "the permission slip"."""
+"""Words behind a thing that a tree takes for others: "light the deck oven", "the fence round the pond"."""
 
-from fuzzytime.language.sentence.trees.tags import SINGULAR
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
 
 NAMES = SINGULAR | {"NNS"}
@@ -33,3 +33,23 @@ def _names_how(tree: Tree, place: int) -> bool:
     known = node.lower in lexicon.entries or node.lower in lexicon.places or node.lower in lexicon.particles
     aside = node.tag in NAMES and node.relation == "advmod" and bool(tree.children(place - 1, "det", "poss"))
     return aside and not known and node.lower not in lexicon.closed.adverbs_of_arrival
+
+
+def with_things_around(tree: Tree) -> Tree:
+    """Give "put the fence round the pond" its place, where a tree has "round" for a thing, or for how."""
+    for place in range(1, len(tree.nodes) - 2):
+        known = tree.nodes[place].lower in tree.lexicon.closed.around and tree.root < place
+        if not known or tree.nodes[place].tag == "IN" or tree.nodes[place + 1].tag not in DETERMINERS:
+            continue
+        around = tree.nodes[place + 1].head
+        if around <= place or tree.nodes[around].tag not in NAMES:
+            continue
+        before = tree.nodes[place - 1]
+        if before.relation == "compound" and before.head == place:
+            led = [p for p in tree.children(place) if p < place - 1]
+            tree = tree.hung(led, place - 1).changed(place - 1, relation="dobj", head=tree.root)
+        behind = [p for p in tree.children(around) if p > around]
+        tree = tree.hung(behind, tree.root)
+        tree = tree.changed(place, tag="IN", relation="prep", head=tree.root)
+        tree = tree.changed(around, relation="pobj", head=place)
+    return tree

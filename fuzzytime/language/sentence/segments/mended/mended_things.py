@@ -5,7 +5,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from fuzzytime.language.grammar.timetables import has_time
-from fuzzytime.language.sentence.segments.mended.last_nouns import NAMES, with_last_noun
+from fuzzytime.language.sentence.segments.mended.last_nouns import NAMES, with_last_noun, with_things_around
 from fuzzytime.language.sentence.segments.mended.mended_verbs import with_deed_named
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
@@ -28,7 +28,7 @@ DESCRIBING = frozenset({"RB", "JJ"})
 
 def with_whole_things(tree: Tree) -> Tree:
     """Give a tree whose things have all their words."""
-    tree = with_deed_named(_with_subject(_with_thing_done(tree)))
+    tree = with_things_around(with_deed_named(_with_subject(_with_thing_done(tree))))
     return _with_level(
         _with_next_one(
             _with_numbered_subject(

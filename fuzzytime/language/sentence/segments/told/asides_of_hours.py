@@ -13,7 +13,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Cycle
-from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said
+from fuzzytime.language.meaning.expressions import Edge, Phrase, Repeat, Said
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.told.asides import OPENING, Aside
 from fuzzytime.requirement import MOMENTS, Constraint
@@ -40,6 +40,12 @@ def bounding(phrase: Phrase, *, closing: bool) -> Phrase:
     constraint = Constraint.BEFORE if closing else Constraint.AFTER
     preposition = "before" if closing else "not before"
     return replace(phrase, said=replace(phrase.said, constraint=constraint, preposition=preposition))
+
+
+def due_by(phrase: Phrase) -> Phrase:
+    """Give the time by which something is due, and on which it may be done: "it's due on friday"."""
+    due = replace(phrase.said, constraint=Constraint.BEFORE, preposition="by", edge=Edge.LAST)
+    return replace(phrase, said=due)
 
 
 def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | None:

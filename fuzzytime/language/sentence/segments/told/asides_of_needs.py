@@ -10,6 +10,7 @@ from fuzzytime.language.sentence.segments.told.asides import OPENING, Aside
 from fuzzytime.language.sentence.segments.told.asides_of_hours import (
     before_in_sentence,
     bounding,
+    due_by,
     opening_before,
 )
 from fuzzytime.requirement import BOUNDS, MOMENTS, Constraint
@@ -26,7 +27,7 @@ APOSTROPHE = "'"
 def asides_of_needs(scanned: Scanned) -> tuple[Aside, ...]:
     """Give the asides of a text that say by when something is needed, or can be done, in order."""
     told = scanned.lexicon.asides
-    known = told["needing"] | told["needed"] | told["having to be"] | told["unable"]
+    known = told["needing"] | told["needed"] | told["due"] | told["having to be"] | told["unable"]
     if known.isdisjoint(word.text for word in scanned.words):
         return ()
     found = (_aside(scanned.words, phrase, scanned.lexicon) for phrase in phrases_of(scanned))
@@ -44,8 +45,10 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
         return None
     said = [word.text for word in words[opening + 1 : phrase.first]]
     constraint, needed = phrase.said.constraint, _is_needed(said, lexicon)
-    if needed and constraint in {Constraint.BEFORE, *MOMENTS}:
-        told = bounding(phrase, closing=True)
+    later, due = _is_later(said, lexicon), not lexicon.asides["due"].isdisjoint(said)
+    if needed and constraint in ({Constraint.BEFORE} if later else {Constraint.BEFORE, *MOMENTS}):
+        # What is "due on friday", or "not needed until friday", may be done on it.
+        told = due_by(phrase) if later or due else bounding(phrase, closing=True)
     elif constraint in BOUNDS and _is_unable(said, lexicon):
         told = bounding(phrase, closing=constraint is Constraint.AFTER)
     else:
@@ -57,7 +60,7 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
 
 
 def _is_needed(said: Sequence[str], lexicon: Lexicon) -> bool:
-    """Whether words say that "it" is needed, or has to be so: "it's needed", "Ann needs those"."""
+    """Whether words say that "it" is needed, or has to be so: "it's needed", "it isn't due"."""
     told, things = lexicon.asides, lexicon.closed.anaphors
     if not told["needing"].isdisjoint(said[-2:-1]) and said[-1] in things:
         return True
@@ -65,10 +68,15 @@ def _is_needed(said: Sequence[str], lexicon: Lexicon) -> bool:
     if len(helping) < 2 or thing not in things:
         return False
     *helping, so = helping
-    if so in told["needed"]:
-        return told["being needed"].issuperset(helping)
+    if so in told["needed"] | told["due"]:
+        return (told["being needed"] | told["not needed"]).issuperset(helping)
     made = so in lexicon.results and helping[-1] == "be" and len(helping) > 1
     return made and told["having to be"].issuperset(helping)
+
+
+def _is_later(said: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether words deny that it is needed so soon: "it's not needed", "they don't need it"."""
+    return any(not lexicon.asides["not needed"].isdisjoint(word.split(APOSTROPHE)) for word in said)
 
 
 def _is_unable(said: Sequence[str], lexicon: Lexicon) -> bool:

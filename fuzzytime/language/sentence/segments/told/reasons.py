@@ -23,7 +23,8 @@ SUBJECT = re.compile(r"[^\W\d]+")
 def without_threats(scanned: Scanned) -> str:
     """Give a text of the same length without what is so behind a deadline: "by three | or they won't come".
 
-    "By three or you can do it at six" offers another time.
+    What will be so needs no deadline: "put them out tonight | or it'll be a fortnight". "By three or you
+    can do it at six" offers another time.
     """
     words, text, closed = scanned.words, scanned.text, scanned.lexicon.closed
     for place in range(1, len(words) - 1):
@@ -35,10 +36,20 @@ def without_threats(scanned: Scanned) -> str:
         if joint.text not in closed.alternatives or not told or offers:
             continue
         bounds = (one for one in phrases_of(scanned) if one.said.constraint is Constraint.BEFORE)
-        if any(words[one.first].start < joint.start and one.end in {place, place - 1} for one in bounds):
+        bound = any(words[one.first].start < joint.start and one.end in {place, place - 1} for one in bounds)
+        if bound or _is_foretold(scanned, place + 1):
             end = next((word.start for word in words[place:] if word.text in ENDS), len(text))
             text = blanked(text, [(joint.start, end)])
     return text
+
+
+def _is_foretold(scanned: Scanned, place: int) -> bool:
+    """Whether words say what will be, or cannot be, so: "it'll", "they won't"."""
+    words, lexicon = scanned.words, scanned.lexicon
+    subject = SUBJECT.match(words[place].text)
+    helping = "" if subject is None else words[place].text[subject.end() :]
+    behind = helping or (words[place + 1].text if place + 1 < len(words) else "")
+    return behind in lexicon.closed.future | lexicon.asides["unable"]
 
 
 def reason_in_front(one: Waiting, part: Part) -> list[Segment]:

@@ -210,6 +210,8 @@ class Stated(Places):
             # "It gets cold after nine"
             return True
         helping = self._helping(verb)
+        if self._comes_later(verb, helping):
+            return True
         if others_do(self.tree, verb, helping) or self._exists(verb, helping):
             return True
         being = [self.tree.nodes[p].tag for p in self.tree.children(verb, "aux", "auxpass")]
@@ -238,6 +240,19 @@ class Stated(Places):
             objects = self.tree.children(verb, "dobj", "npadvmod")
             return bool(subjects) and subjects[0] not in closed.sure_persons and any(map(self.timed, objects))
         return self._is_standing(verb) or (told and finite and not self._done_to(verb, helping))
+
+    def _comes_later(self, verb: int, helping: set[str]) -> bool:
+        """Whether something is said not to happen until a time: "the guests aren't due till eight"."""
+        closed, nodes = self.lexicon.closed, self.tree.nodes
+        subjects = [nodes[p].lower for p in self.tree.children(verb, "nsubj")]
+        until = any(
+            self.timed(p) and self.lexicon.clauses.get((nodes[p].lower,)) == "until"
+            for p in self.tree.below(verb)
+        )
+        happens = helping - closed.negators <= closed.present_be | closed.future | closed.do_support
+        asked = self.tree.children(verb, "dobj", "xcomp", "auxpass") or nodes[verb].tag == "VBN"
+        told = bool(subjects) and subjects[0] not in closed.subject_pronouns
+        return told and until and bool(helping & closed.negators) and happens and not asked
 
     def _done_to(self, verb: int, helping: set[str]) -> list[int]:
         """Give what something is done to, or must become: of "the guests arrive at six" nothing."""
