@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.words import Word, joins
+from fuzzytime.language.grammar.words import Word, joins, words_of
 
 LONGEST_ELLIPSIS = 4
 """Two points and the numbers on either side."""
@@ -41,6 +41,18 @@ def _spelt(word: Word, lexicon: Lexicon) -> Word:
     meant = lexicon.misspelt.get(word.text)
     named = word.capital and word.text in lexicon.no_times.capital_names
     return word if meant is None or named else replace(word, text=meant)
+
+
+def spelt(text: str, lexicon: Lexicon) -> str:
+    """Give a text in which slips that take as much room are written as they are meant: "mow teh lawn".
+
+    So trees of it have what was typed at the same characters.
+    """
+    for word in words_of(text):
+        meant = _spelt(word, lexicon).text
+        if meant != word.text and len(meant) == word.end - word.start and meant.isalpha():
+            text = f"{text[: word.start]}{meant.capitalize() if word.capital else meant}{text[word.end :]}"
+    return text
 
 
 def as_meant(typed: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:

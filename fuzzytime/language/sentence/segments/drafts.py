@@ -7,7 +7,7 @@ from datetime import datetime
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.grammar.typed_words import MARKS
+from fuzzytime.language.grammar.typed_words import MARKS, spelt
 from fuzzytime.language.grammar.understood.denied import denied
 from fuzzytime.language.grammar.understood.filled import as_one
 from fuzzytime.language.grammar.understood.lists import closed_lists
@@ -195,7 +195,7 @@ def _without_parts(
     """
     marks, tags = list_marks(entry, lexicon), leading_tags(text)
     timed = max(timed, how_timed([entry], lexicon))
-    plain = with_marks_between(blanked(without_marks(entry, marks), tags), grammar, lexicon)
+    plain = with_marks_between(blanked(spelt(without_marks(entry, marks), lexicon), tags), grammar, lexicon)
     hours, listed = hours_in(plain, lexicon, timed), timed >= Timed.MOST
     plain = without_joints(plain, hours, lexicon, listed=listed)
     plain = blanked(plain, leading_labels(plain, lexicon))

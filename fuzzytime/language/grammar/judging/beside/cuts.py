@@ -3,7 +3,7 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.words import joins
-from fuzzytime.language.meaning.expressions import TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, TimeWord, Wall
 from fuzzytime.language.meaning.times_of_day import Half
 
 LAST_DAY = ["last", "day"]
@@ -180,6 +180,11 @@ class Cuts(Standing):
         if follower == "thing" and self.texts[piece.end - 1] == "first":
             # "On the 20th first | thing"
             return True
+        time, unit = piece.value.time, self.texts[piece.end - 1]
+        several = isinstance(time, Duration) and time.terms[0][0] > 1 and self.around.is_unit(piece.end - 1)
+        if several and not unit.endswith("s") and named and follower.endswith("s"):
+            # "Study in 25 minute | blocks"; but "in an hour guests arrive"
+            return not self.around.timely(piece.end) and follower not in self.lexicon.orders
         counted = self.texts[piece.end - 1] == "second" and self.words[piece.end - 2].is_digits
         if self.texts[piece.start] == "round" and self.around.before(piece) in self.lexicon.no_times.rounds:
             return True

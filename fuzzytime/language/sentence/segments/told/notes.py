@@ -1,4 +1,4 @@
-"""Notes in brackets behind what is named: "swimming at 8.15 (bring towels)".
+"""Notes behind what is named, in brackets or not: "swimming at 8.15 (bring towels)", "dinner at seven, no nuts".
 
 They are no instructions, and what stands around them is read as if they were not there: in one tree with it,
 they are taken for what is to be done.
@@ -10,10 +10,39 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.orders_beside_times import asks_for_deed
+from fuzzytime.language.sentence.segments.segment import ENDS
+
+
+NO = "no"
+"""What begins a note of what there is not to be."""
+
+LONGEST = 4
+"""Words of ", no loud music please", at most, without its comma."""
 
 
 def notes_of(scanned: Scanned) -> Iterator[Span]:
-    """Give the stretches of brackets that begin with an order, without a time, behind what is named."""
+    """Give the stretches that are noted behind what is named: brackets, and what there is not to be.
+
+    The brackets begin with an order, and have no time.
+    """
+    yield from _bracketed(scanned)
+    words = scanned.words
+    places = [p for p in range(1, len(words) - 1) if words[p].text == ","]
+    for place in places:
+        if words[place + 1].text != NO:
+            continue
+        phrases = phrases_of(scanned)
+        end = next((p for p in range(place + 1, len(words)) if words[p].text in ENDS), len(words))
+        inside, span = words[place + 1 : end], (words[place + 1].start, words[end - 1].end)
+        behind = any(phrase.end == place for phrase in phrases)
+        alone = 1 < len(inside) <= LONGEST and all(word.is_letters for word in inside)
+        # "Call Ann at six, no Bob"
+        alone = alone and not any(word.capital for word in inside)
+        if behind and alone and not any(overlap(phrase.span, span) for phrase in phrases):
+            yield span
+
+
+def _bracketed(scanned: Scanned) -> Iterator[Span]:
     words = scanned.words
     if "(" not in scanned.text:
         return
