@@ -12,7 +12,6 @@ from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.orders_beside_times import asks_for_deed
 from fuzzytime.language.sentence.segments.segment import ENDS
 
-
 NO = "no"
 """What begins a note of what there is not to be."""
 
