@@ -114,10 +114,12 @@ def order_words(
     for place in range(1, len(words)):
         word = words[place]
         before = words[place - 1].text
-        named = before in ENDS or before in closed.no_order_before
+        # "Leave the kitchen till last"
+        led = word.text == Order.LAST and lexicon.clauses.get((before,)) == "until"
+        named = before in ENDS or (before in closed.no_order_before and not led)
         if word.text not in orders or place in covered or named:
             continue
         behind = words[place + 1].text if place + 1 < len(words) else ""
         ends = not behind[:1].isalnum() or place + 1 in covered or behind in lexicon.function_words
         if ends and behind not in closed.prepositions_of_length:
-            yield (word.start, word.end), Order(word.text)
+            yield (words[place - led].start, word.end), Order(word.text)

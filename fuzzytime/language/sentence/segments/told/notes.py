@@ -1,4 +1,4 @@
-"""Notes behind what is named, in brackets or not: "swimming at 8.15 (bring towels)", "dinner at seven, no nuts".
+"""Notes behind what is named, in brackets or not: "swimming at 8.15 (bring towels)", "at seven, no nuts".
 
 They are no instructions, and what stands around them is read as if they were not there: in one tree with it,
 they are taken for what is to be done.

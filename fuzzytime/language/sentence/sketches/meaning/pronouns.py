@@ -39,6 +39,7 @@ def resolved_object(
         # "Tell them when to stop"
         return operation.object
     several = operation.object.lower() in pronouns.plural_anaphors
+    own = [_what_is_given_to(one, lexicon, several=several) for one in own]
     before = (*reversed(own), *reversed(mentions.operations[:first]))
     undone = _undone(operation, before, several=several, lexicon=lexicon)
     if undone is not None:
@@ -68,6 +69,27 @@ def _fitting(
         thing for thing in (here, there) if thing is not None and is_several(thing, lexicon) is several
     )
     return next(fitting, here or there)
+
+
+def _what_is_given_to(operation: Operation | None, lexicon: Lexicon, *, several: bool) -> Operation | None:
+    """Give what gets something, and not that with it: "give the fence a coat", then "leave it".
+
+    A person is no "it": "give mum the keys", then "get them back". Of "give it another coat" none is named.
+    """
+    if operation is None or operation.object is None or operation.lemma not in lexicon.doing.giving:
+        return operation
+    closed, words = lexicon.closed, operation.object.split()
+    openers = closed.noun_openers | closed.indefinite_determiners
+    opens = (p for p, word in enumerate(words) if p and word.lower() in openers)
+    place = next(opens, 0)
+    if not place or words[place - 1].lower() in lexicon.function_words - closed.it_or_them:
+        return operation
+    parts = (" ".join(words[:place]), " ".join(words[place:]))
+    if parts[0].lower() in closed.it_or_them:
+        return None
+    named = (part for part in parts if is_several(part, lexicon) is several)
+    fitting = (replace(operation, object=part) for part in named)
+    return next((one for one in fitting if may_be_it(one, lexicon)), operation)
 
 
 def _is_moment(thing: str | None, operation: Operation, lexicon: Lexicon) -> bool:
@@ -163,7 +185,7 @@ def _resolved_person(
     several = pronoun.lower() in closed.plural_anaphors
     near = Mentions(mentions.lexicon)
     for earlier in own:
-        near.add(earlier)
+        near.add(_what_is_given_to(earlier, mentions.lexicon, several=True) if several else earlier)
     if several and near.thing(len(own), several=True, strictly=True):
         return None
     called = pronoun.lower()
