@@ -5,7 +5,9 @@ import pytest
 from interpreter.telling import notes, order, told
 
 
-@pytest.mark.parametrize("asked", ["polish the glasses last", "polish the glasses last, please"])
+@pytest.mark.parametrize(
+    "asked", ["polish the glasses last", "polish the glasses last, please", "leave the kitchen till last"]
+)
 def test_what_is_last_comes_after_all_else(asked: str) -> None:
     made = told([asked, "mop the floor", "call the bakery at noon", "sort the cutlery"])
     assert order(made)[-1] == "s1"

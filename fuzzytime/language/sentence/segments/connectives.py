@@ -114,8 +114,9 @@ def order_words(
     for place in range(1, len(words)):
         word = words[place]
         before = words[place - 1].text
-        # "Leave the kitchen till last"
+        # "Leave the kitchen till last"; but "keep the mugs out till last" goes on until then.
         led = word.text == Order.LAST and lexicon.clauses.get((before,)) == "until"
+        led = led and not lexicon.beside.left_at.isdisjoint(one.text for one in words[:place])
         named = before in ENDS or (before in closed.no_order_before and not led)
         if word.text not in orders or place in covered or named:
             continue
