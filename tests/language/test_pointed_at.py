@@ -120,6 +120,8 @@ def test_a_distance_before_nothing_is_said() -> None:
         ("switch the pump off by 6 pm today near the pool at 8 pm", "at 8 pm"),
         ("water the plants from time to time", "from time to time"),
         ("leave the heating off until further notice", "until further notice"),
+        ("let it cool for a bit", "for a bit"),
+        ("wait a while then slice it", "a while"),
         ("what should I do next?", "what should I do next"),
         ("when does the soup start?", "when does the soup start"),
         ("is the soup ready?", "is the soup ready"),

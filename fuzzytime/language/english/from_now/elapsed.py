@@ -21,6 +21,7 @@ def elapsed(duration: Duration) -> Duration | None:
     return None if duration.until is not None or duration.bare_end else duration
 
 
+@grammar.rule("said", "until|till it's|its been <duration>", "until|till it has been <duration>", weight=0.6)
 @grammar.rule("said", "until|till <elapsed>", "or until|till <elapsed>", weight=0.4)
 def until_elapsed(length: Duration) -> Said:
     """(stir) until ten minutes have passed: so long."""

@@ -113,7 +113,9 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
         opens = may_be_done(tree, here) or is_wish(tree, here)
-        if start <= first or here == 0 or not opens:
+        # "Once the first batch | is out"
+        is_so = any(one.lower in tree.lexicon.closed.stative_verbs for one in tree.nodes[here + 1 : here + 2])
+        if start <= first or here == 0 or not opens or (is_so and may_be_done(tree, here)):
             continue
         timed = one.timed(tree)
         # "If they're not here by ten | start without them": a time counts nothing

@@ -30,6 +30,9 @@ def begins_other_case(
     if courteous.issuperset(clause) or (said == "," and clause[-1] not in ENDS and "," not in clause):
         # "Unless told otherwise, lock up"
         return False
+    if place and words[place - 1].text in lexicon.doing.saying:
+        # "Unless Ann says otherwise start at nine"
+        return False
     if words[place].text == "in":
         # "Mow it unless it rains, in which case sweep the shed"
         return clause[0] == EXCEPTING
